@@ -1,0 +1,98 @@
+//! What a model tells about itself.
+
+use thiserror::Error;
+
+/// Which of a light's colours a lobe answers to, after the classic lighting equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Light that comes from everywhere.
+    Ambient,
+    /// Light scattered in all directions.
+    Diffuse,
+    /// Light mirrored around the direction of reflection.
+    Specular,
+    /// Light of the surface itself; needs no lamp.
+    Emission,
+}
+
+/// A law that the conformance tests hold every model to, unless it opts out with a reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// f(wo, wi) = f(wi, wo).
+    Reciprocity,
+    /// No more light leaves than arrives, for any view direction.
+    Energy,
+}
+
+/// One parameter of a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParamInfo {
+    /// Its name in files and on the command line.
+    pub name: &'static str,
+    /// Its symbol in the literature.
+    pub symbol: &'static str,
+    /// What it does, in one line.
+    pub doc: &'static str,
+    /// The least value allowed.
+    pub min: f64,
+    /// The greatest value allowed.
+    pub max: f64,
+    /// The value used where none is given.
+    pub default: f64,
+}
+
+/// All that is known of a model without evaluating it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelInfo {
+    /// Its name in files and on the command line.
+    pub name: &'static str,
+    /// A title for people.
+    pub title: &'static str,
+    /// The formula of `f_cos`.
+    pub formula: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// Its parameters, in order.
+    pub params: &'static [ParamInfo],
+    /// Which of a light's colours it answers to.
+    pub part: Part,
+    /// Laws that it breaks, each with the reason.
+    pub exempt: &'static [(Law, &'static str)],
+}
+
+/// Why a shape cannot be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ParamError {
+    /// There is no such model.
+    #[error("unknown model '{name}'{}", near.map(|n| format!("; did you mean '{n}'?")).unwrap_or_default())]
+    UnknownModel {
+        /// The name that was asked for.
+        name: String,
+        /// The nearest known name, if one is near.
+        near: Option<&'static str>,
+    },
+    /// The model has no such parameter.
+    #[error("model '{model}' has no parameter '{name}'; it has: {known}")]
+    UnknownParam {
+        /// The model's name.
+        model: &'static str,
+        /// The parameter that was given.
+        name: String,
+        /// The parameters that it has.
+        known: String,
+    },
+    /// A parameter is out of its range or not a number.
+    #[error("parameter '{name}' of model '{model}' is {value}, but must be between {min} and {max}")]
+    OutOfRange {
+        /// The model's name.
+        model: &'static str,
+        /// The parameter's name.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The least value allowed.
+        min: f64,
+        /// The greatest value allowed.
+        max: f64,
+    },
+}

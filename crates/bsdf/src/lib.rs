@@ -1,0 +1,38 @@
+//! The shapes of reflection lobes.
+//!
+//! A lobe is a **shape** times a **tint**. A shape is a function of two directions and knows no
+//! colour; this crate holds the shapes. Every model is a room of its own below `models`, and
+//! the list in `models.rs` is the only place that names them all: the enum [`Shape`], the names, the
+//! parameters for command line and user interface and the conformance tests come from it.
+//!
+//! Conventions: the local frame has z along the normal; `wo` points to the viewer, `wi` to the light,
+//! both of unit length and away from the surface. [`Model::f_cos`] is the BSDF **times the incident
+//! cosine**, in 1/sr.
+
+#[cfg(test)]
+mod conformance;
+mod info;
+pub mod models;
+mod pair;
+
+pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part};
+pub use models::{MODELS, Shape};
+pub use pair::Pair;
+
+use glanz_math::Real;
+
+/// One reflection model.
+pub trait Model: Sized {
+    /// Its name, parameters and laws.
+    const INFO: ModelInfo;
+
+    /// The model from its parameters, in the order of `INFO.params` and already checked against
+    /// their ranges.
+    fn from_params(values: &[f64]) -> Self;
+
+    /// The parameter values, in the order of `INFO.params`.
+    fn params(&self) -> Vec<f64>;
+
+    /// The BSDF times the incident cosine, in 1/sr. Zero where the light is below the surface.
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R;
+}

@@ -1,0 +1,122 @@
+//! The list of models, and what follows from it.
+
+use glanz_math::Real;
+
+use crate::{Model, ModelInfo, Pair, ParamError};
+
+macro_rules! models {
+    ($($id:literal => $room:ident::$model:ident),+ $(,)?) => {
+        $(pub mod $room;)+
+
+        /// Any of the models, with its parameters. The discriminant is stable and names the model in
+        /// arrays that other back ends read.
+        #[derive(Clone, Debug, PartialEq)]
+        #[repr(u32)]
+        pub enum Shape {
+            $(
+                #[doc = concat!("See [`", stringify!($room), "`].")]
+                $model($room::$model) = $id,
+            )+
+        }
+
+        /// What each model tells about itself, in the order of the list.
+        pub const MODELS: &[ModelInfo] = &[$($room::$model::INFO),+];
+
+        impl Shape {
+            /// The model's description.
+            pub fn info(&self) -> &'static ModelInfo {
+                match self {
+                    $(Self::$model(_) => &const { $room::$model::INFO },)+
+                }
+            }
+
+            /// The model's stable number.
+            pub fn id(&self) -> u32 {
+                match self {
+                    $(Self::$model(_) => $id,)+
+                }
+            }
+
+            /// The parameter values, in the order of `info().params`.
+            pub fn params(&self) -> Vec<f64> {
+                match self {
+                    $(Self::$model(model) => model.params(),)+
+                }
+            }
+
+            /// The BSDF times the incident cosine, in 1/sr.
+            #[inline(always)]
+            pub fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+                match self {
+                    $(Self::$model(model) => model.f_cos(pair),)+
+                }
+            }
+
+            fn build(name: &str, values: &[f64]) -> Option<Self> {
+                $(if name == $room::$model::INFO.name {
+                    return Some(Self::$model($room::$model::from_params(values)));
+                })+
+                None
+            }
+        }
+
+        #[cfg(test)]
+        mod laws {
+            $(mod $room {
+                crate::conformance::suite!(crate::models::$room::$model);
+            })+
+        }
+    };
+}
+
+models! {
+    0 => ambient::Ambient,
+    1 => emission::Emission,
+    2 => lambert::Lambert,
+    3 => phong::Phong,
+    4 => phong_normalized::PhongNormalized,
+    5 => blinn_phong::BlinnPhong,
+    6 => blinn_phong_normalized::BlinnPhongNormalized,
+}
+
+impl Shape {
+    /// The shape called `name`, with the parameters in `set` and the defaults for the others.
+    pub fn named(name: &str, set: &[(&str, f64)]) -> Result<Self, ParamError> {
+        let info = info_named(name)?;
+        for (key, _) in set {
+            if !info.params.iter().any(|p| p.name == *key) {
+                let known = info.params.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
+                let known = if known.is_empty() { "none".to_owned() } else { known };
+                return Err(ParamError::UnknownParam { model: info.name, name: (*key).to_owned(), known });
+            }
+        }
+        let mut values = Vec::with_capacity(info.params.len());
+        for param in info.params {
+            let value = set.iter().rfind(|(key, _)| *key == param.name).map_or(param.default, |(_, v)| *v);
+            if !(param.min..=param.max).contains(&value) {
+                return Err(ParamError::OutOfRange {
+                    model: info.name,
+                    name: param.name,
+                    value,
+                    min: param.min,
+                    max: param.max,
+                });
+            }
+            values.push(value);
+        }
+        Ok(Self::build(info.name, &values).expect("a name from the list builds"))
+    }
+}
+
+/// The description of the model called `name`.
+pub fn info_named(name: &str) -> Result<&'static ModelInfo, ParamError> {
+    MODELS.iter().find(|info| info.name == name).ok_or_else(|| ParamError::UnknownModel {
+        name: name.to_owned(),
+        near: MODELS
+            .iter()
+            .map(|info| (strsim::damerau_levenshtein(name, info.name), info.name))
+            .filter(|(distance, near)| *distance * 2 <= near.len())
+            .min()
+            .map(|(_, near)| near),
+    })
+}

@@ -1,0 +1,44 @@
+//! The ambient lobe: the same value whatever the geometry.
+//!
+//! **Formula** f_cos = 1 / π, so that ambient light 1 (π inside Glanz) on ambient tint 1 gives 1.
+//! **Parameters** none.
+//! **Laws** none of a BSDF: ambient light has no direction. It hides what the other models leave dark.
+//! **Limits** the shape of an object is invisible in it.
+//! **Source** the classic lighting equation, I = Ia·ka.
+//! **Cost** none: it is folded into a constant before the pixel loop.
+
+use glanz_math::{PI, Real};
+
+use crate::{Law, Model, ModelInfo, Pair, Part};
+
+/// The ambient lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ambient;
+
+impl Model for Ambient {
+    const INFO: ModelInfo = ModelInfo {
+        name: "ambient",
+        title: "Ambient term",
+        formula: "1 / π",
+        source: "the classic lighting equation, I = Ia·ka",
+        params: &[],
+        part: Part::Ambient,
+        exempt: &[
+            (Law::Reciprocity, "ambient light has no direction to exchange"),
+            (Law::Energy, "no cosine: over the hemisphere it would count twice"),
+        ],
+    };
+
+    fn from_params(_: &[f64]) -> Self {
+        Self
+    }
+
+    fn params(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_i.lit(1.0 / PI)
+    }
+}

@@ -1,0 +1,51 @@
+//! Blinn's highlight: a power of the cosine between normal and half vector.
+//!
+//! **Formula** f_cos = max(n·h, 0)ⁿ / π where cosθi > 0.
+//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
+//! **Laws** not reciprocal, as Phong's; keeps energy for large n only.
+//! **Limits** an exponent of 4n resembles a Phong highlight of exponent n near its centre.
+//! **Source** J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
+//! **Cost** one power, one square root, one quotient.
+
+use glanz_math::{PI, Real};
+
+use crate::models::phong::SHININESS;
+use crate::{Law, Model, ModelInfo, Pair, Part};
+
+/// Blinn's highlight: a power of the cosine between normal and half vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlinnPhong {
+    /// The exponent n.
+    pub shininess: f64,
+}
+
+impl Model for BlinnPhong {
+    const INFO: ModelInfo = ModelInfo {
+        name: "blinn-phong",
+        title: "Blinn–Phong 1977",
+        formula: "max(n·h, 0)ⁿ / π where cosθi > 0",
+        source: "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977",
+        params: &[SHININESS],
+        part: Part::Specular,
+        exempt: &[
+            (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
+            (Law::Energy, "for small n, and for a view near the horizon, more leaves than arrives"),
+        ],
+    };
+
+    fn from_params(values: &[f64]) -> Self {
+        Self { shininess: values[0] }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.shininess]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let cosine = pair.cos_half().max(zero);
+        let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
+        value.select(zero.lt(pair.cos_i), zero)
+    }
+}

@@ -1,0 +1,52 @@
+//! Blinn's lobe scaled so that it keeps its energy at normal incidence.
+//!
+//! **Formula** f_cos = (n+2)(n+4) / (8π (2^(−n/2) + n)) · max(n·h, 0)ⁿ · cosθi.
+//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
+//! **Laws** reciprocal; the albedo is 1 at normal incidence.
+//! **Limits** see the table of albedos that the command bsdf albedo prints for other angles.
+//! **Source** the normalisation factor for the half-vector lobe, after F. Giesen, 2009.
+//! **Cost** one power, one square root, one quotient, two products.
+
+use glanz_math::{PI, Real};
+
+use crate::models::phong::SHININESS;
+use crate::{Model, ModelInfo, Pair, Part};
+
+/// Blinn's lobe scaled so that it keeps its energy at normal incidence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlinnPhongNormalized {
+    /// The exponent n.
+    pub shininess: f64,
+    /// (n+2)(n+4) / (8π (2^(−n/2) + n)).
+    scale: f64,
+}
+
+impl Model for BlinnPhongNormalized {
+    const INFO: ModelInfo = ModelInfo {
+        name: "blinn-phong-normalized",
+        title: "Blinn–Phong, energy-normalised",
+        formula: "(n+2)(n+4) / (8π (2^(−n/2) + n)) · max(n·h, 0)ⁿ · cosθi",
+        source: "the normalisation factor for the half-vector lobe, after F. Giesen, 2009",
+        params: &[SHININESS],
+        part: Part::Specular,
+        exempt: &[],
+    };
+
+    fn from_params(values: &[f64]) -> Self {
+        let n = values[0];
+        let scale = (n + 2.0) * (n + 4.0) / (8.0 * PI * (libm::exp2(-0.5 * n) + n));
+        Self { shininess: n, scale }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.shininess]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let cosine = pair.cos_half().max(zero);
+        let value = cosine.pow(zero.lit(self.shininess)) * pair.cos_i * zero.lit(self.scale);
+        value.select(zero.lt(pair.cos_i), zero)
+    }
+}

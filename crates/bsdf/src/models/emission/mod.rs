@@ -1,0 +1,44 @@
+//! The emission lobe: light that the surface sends by itself, the same in all directions.
+//!
+//! **Formula** value = tint; as a shape, 1.
+//! **Parameters** none.
+//! **Laws** none of a BSDF: there is no incident light.
+//! **Limits** it lights nothing else; Glanz is about local illumination.
+//! **Source** document 000's lineage, the classic lighting equation with its emissive term.
+//! **Cost** none: it is folded into a constant before the pixel loop.
+
+use glanz_math::Real;
+
+use crate::{Law, Model, ModelInfo, Pair, Part};
+
+/// The emission lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Emission;
+
+impl Model for Emission {
+    const INFO: ModelInfo = ModelInfo {
+        name: "emission",
+        title: "Emission",
+        formula: "1, without any light",
+        source: "the classic lighting equation",
+        params: &[],
+        part: Part::Emission,
+        exempt: &[
+            (Law::Reciprocity, "there is no incident direction"),
+            (Law::Energy, "it sends light without receiving any"),
+        ],
+    };
+
+    fn from_params(_: &[f64]) -> Self {
+        Self
+    }
+
+    fn params(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_i.one()
+    }
+}

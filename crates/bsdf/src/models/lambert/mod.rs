@@ -1,0 +1,41 @@
+//! Lambert's law: a matte surface looks equally bright from everywhere.
+//!
+//! **Formula** f_cos = cosθi / π, zero below the horizon.
+//! **Parameters** none.
+//! **Laws** reciprocal; keeps all energy (albedo 1).
+//! **Limits** none.
+//! **Source** J. H. Lambert, *Photometria*, 1760.
+//! **Cost** one product.
+
+use glanz_math::{PI, Real};
+
+use crate::{Model, ModelInfo, Pair, Part};
+
+/// The matte lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lambert;
+
+impl Model for Lambert {
+    const INFO: ModelInfo = ModelInfo {
+        name: "lambert",
+        title: "Lambert 1760",
+        formula: "cosθi / π",
+        source: "J. H. Lambert, Photometria, 1760",
+        params: &[],
+        part: Part::Diffuse,
+        exempt: &[],
+    };
+
+    fn from_params(_: &[f64]) -> Self {
+        Self
+    }
+
+    fn params(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_i.max(pair.cos_i.zero()) * pair.cos_i.lit(1.0 / PI)
+    }
+}

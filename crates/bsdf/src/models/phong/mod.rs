@@ -1,0 +1,63 @@
+//! Phong's highlight as he published it: a power of the cosine between mirrored light and viewer.
+//!
+//! **Formula** f_cos = max(R·wo, 0)ⁿ / π where cosθi > 0, else 0. The model has no cosine of its own:
+//! its BSDF is f = (R·wo)ⁿ / (π cosθi), which grows without bound towards grazing light.
+//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
+//! **Laws** not reciprocal, since f carries 1/cosθi of the light only; keeps energy for n >= 1 at
+//! normal incidence, but not for small n.
+//! **Limits** n → ∞ is a mirror whose energy goes to 0, as 2/(n+1).
+//! **Source** B. T. Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, with the
+//! factor 1/π so that a unit light (π inside Glanz) and a unit tint give the classic (R·V)ⁿ.
+//! **Cost** one power: a logarithm and an exponential.
+
+use glanz_math::{PI, Real};
+
+use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part};
+
+/// The exponent of the Phong and Blinn–Phong lobes, as files and command line name it.
+pub(crate) const SHININESS: ParamInfo = ParamInfo {
+    name: "shininess",
+    symbol: "n",
+    doc: "exponent of the cosine: the greater, the smaller the highlight",
+    min: 0.0,
+    max: 1e5,
+    default: 32.0,
+};
+
+/// The classic Phong lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phong {
+    /// The exponent n.
+    pub shininess: f64,
+}
+
+impl Model for Phong {
+    const INFO: ModelInfo = ModelInfo {
+        name: "phong",
+        title: "Phong 1975",
+        formula: "max(R·wo, 0)ⁿ / π where cosθi > 0",
+        source: "B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975",
+        params: &[SHININESS],
+        part: Part::Specular,
+        exempt: &[
+            (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
+            (Law::Energy, "for n < 1 and for a light near the horizon more leaves than arrives"),
+        ],
+    };
+
+    fn from_params(values: &[f64]) -> Self {
+        Self { shininess: values[0] }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.shininess]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let cosine = pair.cos_mirror().max(zero);
+        let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
+        value.select(zero.lt(pair.cos_i), zero)
+    }
+}

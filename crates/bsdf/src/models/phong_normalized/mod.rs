@@ -1,0 +1,51 @@
+//! The Phong lobe scaled so that it keeps its energy whatever the exponent.
+//!
+//! **Formula** f_cos = (n+2)/(2π) · max(R·wo, 0)ⁿ · cosθi.
+//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
+//! **Laws** reciprocal; the albedo is 1 at normal incidence and less elsewhere.
+//! **Limits** towards grazing angles part of the lobe is below the horizon and lost.
+//! **Source** R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994.
+//! **Cost** one power and three products.
+
+use glanz_math::{PI, Real};
+
+use crate::models::phong::SHININESS;
+use crate::{Model, ModelInfo, Pair, Part};
+
+/// The Phong lobe scaled so that it keeps its energy whatever the exponent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhongNormalized {
+    /// The exponent n.
+    pub shininess: f64,
+    /// (n+2)/(2π).
+    scale: f64,
+}
+
+impl Model for PhongNormalized {
+    const INFO: ModelInfo = ModelInfo {
+        name: "phong-normalized",
+        title: "Phong, energy-normalised (Lewis 1994)",
+        formula: "(n+2)/(2π) · max(R·wo, 0)ⁿ · cosθi",
+        source: "R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994",
+        params: &[SHININESS],
+        part: Part::Specular,
+        exempt: &[],
+    };
+
+    fn from_params(values: &[f64]) -> Self {
+        let shininess = values[0];
+        Self { shininess, scale: (shininess + 2.0) / (2.0 * PI) }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.shininess]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let cosine = pair.cos_mirror().max(zero);
+        let value = cosine.pow(zero.lit(self.shininess)) * pair.cos_i * zero.lit(self.scale);
+        value.select(zero.lt(pair.cos_i), zero)
+    }
+}

@@ -1,0 +1,26 @@
+//! Numbers for Glanz.
+//!
+//! Every formula of the project is written once, generic over [`Real`], and runs as `f64` (the
+//! reference), as `f32` (the scalar path) and as 16 lanes of `f32` ([`Lanes`]). The three agree by
+//! construction: `f32` and `Lanes` use the same operations in the same order, so they agree to the
+//! last bit; `f64` tells how much precision the others lose.
+//!
+//! Only `+ − × ÷ √`, comparisons and our own [`Real::exp2`] and [`Real::log2`] are used: IEEE 754
+//! defines the first five exactly, the others are polynomials made of them. Nothing here depends on
+//! the C library of a platform and nothing is contracted to a fused multiply-add.
+
+mod lanes;
+mod level;
+mod poly;
+mod quadrature;
+mod real;
+mod vec3;
+
+pub use lanes::{Lanes, LanesMask};
+pub use level::{LevelError, simd_level};
+pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
+pub use real::{POW_FLOOR_LOG2, Real};
+pub use vec3::{Frame, Vec3};
+
+/// π as the field writes it, for code that is generic over [`Real`] through [`Real::lit`].
+pub const PI: f64 = core::f64::consts::PI;

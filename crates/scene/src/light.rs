@@ -1,0 +1,101 @@
+//! Lights, after documents 000 and 003.
+
+use glam::DVec3;
+use glanz_color::Rgb;
+
+/// The space in which a light's position and direction are given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Space {
+    /// Fixed in the world.
+    #[default]
+    World,
+    /// Moves with the camera: x to the right, y up, −z along the view.
+    Camera,
+}
+
+/// How light fades with the distance d: 1 / (constant + linear·d + quadratic·d²).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attenuation {
+    /// The part that does not depend on distance.
+    pub constant: f64,
+    /// The factor of d, in 1/m.
+    pub linear: f64,
+    /// The factor of d², in 1/m².
+    pub quadratic: f64,
+}
+
+impl Attenuation {
+    /// No fading: the classic default.
+    pub const NONE: Self = Self { constant: 1.0, linear: 0.0, quadratic: 0.0 };
+    /// The inverse square law.
+    pub const PHYSICAL: Self = Self { constant: 0.0, linear: 0.0, quadratic: 1.0 };
+}
+
+/// What a light sends to the three kinds of lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightColors {
+    /// To ambient lobes: unattenuated, from no direction.
+    pub ambient: Rgb,
+    /// To diffuse lobes.
+    pub diffuse: Rgb,
+    /// To specular lobes.
+    pub specular: Rgb,
+}
+
+impl LightColors {
+    /// The same for all three.
+    pub const fn all(color: Rgb) -> Self {
+        Self { ambient: color, diffuse: color, specular: color }
+    }
+    /// For diffuse and specular lobes; nothing ambient.
+    pub const fn direct(color: Rgb) -> Self {
+        Self { ambient: Rgb::BLACK, diffuse: color, specular: color }
+    }
+}
+
+/// The geometry of a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightKind {
+    /// From everywhere, on everything.
+    Ambient,
+    /// Parallel light.
+    Directional {
+        /// The way the light travels; any length but zero.
+        direction: DVec3,
+    },
+    /// From a point in all directions.
+    Point {
+        /// Where it is.
+        position: DVec3,
+        /// How it fades.
+        attenuation: Attenuation,
+    },
+    /// From a point into a cone.
+    Spot {
+        /// Where it is.
+        position: DVec3,
+        /// The axis of the cone, away from the light; any length but zero.
+        direction: DVec3,
+        /// Half the opening angle of the cone, in radians, up to π (all directions).
+        cutoff: f64,
+        /// Power of the cosine from the axis by which the light falls off inside the cone.
+        exponent: f64,
+        /// Cosines `(inner, outer)` of a smooth edge instead of the power, as glTF has it.
+        smooth_edge: Option<(f64, f64)>,
+        /// How it fades.
+        attenuation: Attenuation,
+    },
+}
+
+/// A light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// A name for people; may be empty.
+    pub name: String,
+    /// Its geometry.
+    pub kind: LightKind,
+    /// What it sends, in classic units: 1 on a white Lambert surface that faces it gives 1.
+    pub colors: LightColors,
+    /// World or camera.
+    pub space: Space,
+}
