@@ -1,1 +1,146 @@
-fn main() {}
+//! Every chore of the house: `cargo xtask test`, `golden`, `gallery`, `bench`.
+
+#![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
+
+mod bench;
+mod failure;
+mod gallery;
+mod golden;
+mod house;
+mod peers;
+mod picture;
+mod steps;
+mod test;
+mod wasm;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use failure::{Failure, Result};
+use house::House;
+use lexopt::prelude::*;
+
+const HELP: &str = "\
+The chores of the Glanz workspace.
+
+Usage: cargo xtask <CHORE> [OPTIONS]
+
+  test      Set up what is missing and run every check
+              --quick        only format, lint, tests and gold pictures of the scalar path
+              --keep-going   do not stop at the first failure
+  golden    Compare pictures with tests/golden/, and all SIMD levels and thread counts with each other
+              --renew        write the pictures anew; target/golden/diff.png shows what changed
+  gallery   Draw all examples at full size into target/gallery/, and the README's picture
+              --readme       only the README's picture
+  bench     Measure drawing and print the table of docs/BENCHMARKS.md
+              --peers        Mesa llvmpipe and the crate euc on the same scene, in the same run
+              --only-peers   the peers alone
+              --quick        fewer frames
+  help      Print this text
+
+Example: cargo xtask test --keep-going";
+
+/// A chore with its options, as asked for on the command line.
+#[derive(Debug, PartialEq)]
+enum Chore {
+    Test(test::Options),
+    Golden { renew: bool },
+    Gallery { only_readme: bool },
+    Bench(bench::Options),
+    Help,
+}
+
+fn main() -> ExitCode {
+    let chore = match parse(std::env::args_os().skip(1)) {
+        Ok(chore) => chore,
+        Err(error) => {
+            eprintln!("error: {error}\n\n{HELP}");
+            return ExitCode::from(2);
+        }
+    };
+    match run(&chore) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(chore: &Chore) -> Result<()> {
+    let house = House::find();
+    match chore {
+        Chore::Test(options) => test::run_all(&house, options),
+        Chore::Golden { renew: true } => golden::renew(&house),
+        Chore::Golden { renew: false } => golden::run(&house),
+        Chore::Gallery { only_readme } => gallery::run(&house, *only_readme),
+        Chore::Bench(options) => bench::run_all(&house, options),
+        Chore::Help => {
+            println!("{HELP}");
+            Ok(())
+        }
+    }
+}
+
+fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore, lexopt::Error> {
+    let mut parser = lexopt::Parser::from_args(args);
+    let mut name = None;
+    let mut flags = Vec::new();
+    while let Some(arg) = parser.next()? {
+        match arg {
+            Short('h') | Long("help") => return Ok(Chore::Help),
+            Long(flag) => flags.push(flag.to_owned()),
+            Value(value) if name.is_none() => name = Some(value.string()?),
+            other => return Err(other.unexpected()),
+        }
+    }
+    let mut take = |flag: &str| {
+        let before = flags.len();
+        flags.retain(|given| given != flag);
+        flags.len() < before
+    };
+    let chore = match name.as_deref() {
+        Some("test") => Chore::Test(test::Options { quick: take("quick"), keep_going: take("keep-going") }),
+        Some("golden") => Chore::Golden { renew: take("renew") },
+        Some("gallery") => Chore::Gallery { only_readme: take("readme") },
+        Some("bench") => Chore::Bench(bench::Options {
+            quick: take("quick"),
+            only_peers: take("only-peers"),
+            peers: take("peers"),
+        }),
+        None | Some("help") => Chore::Help,
+        Some(other) => return Err(format!("there is no chore '{other}'").into()),
+    };
+    match flags.first() {
+        Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
+        None => Ok(chore),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(line: &str) -> std::result::Result<Chore, String> {
+        parse(line.split_whitespace().map(OsString::from)).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn options_belong_to_their_chore() {
+        assert_eq!(parsed("test --quick"), Ok(Chore::Test(test::Options { quick: true, keep_going: false })));
+        assert_eq!(parsed("golden --renew"), Ok(Chore::Golden { renew: true }));
+        assert_eq!(parsed("test --renew"), Err("this chore has no option '--renew'".to_owned()));
+    }
+
+    #[test]
+    fn an_unknown_chore_is_named_in_the_error() {
+        assert_eq!(parsed("tset"), Err("there is no chore 'tset'".to_owned()));
+        assert!(parsed("test golden").is_err());
+    }
+
+    #[test]
+    fn nothing_asks_for_help() {
+        assert_eq!(parsed(""), Ok(Chore::Help));
+        assert_eq!(parsed("bench --help"), Ok(Chore::Help));
+    }
+}

@@ -1,0 +1,57 @@
+//! Other programs that draw the same scene: Mesa's llvmpipe and the crate euc.
+//!
+//! Each prints JSON lines; what it needs is set up in the target folder.
+
+use std::path::PathBuf;
+
+use crate::house::{House, run, works};
+use crate::{Failure, Result};
+
+/// Debian's packages for OpenGL without a screen.
+const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
+
+/// Runs both peers. One that cannot be set up is a loud line, and the other still runs.
+pub fn run_all(house: &House, quick: bool) -> Result<()> {
+    let failures: Vec<String> = [llvmpipe(house, quick), euc(house, quick)]
+        .into_iter()
+        .filter_map(Result::err)
+        .map(|f| f.to_string())
+        .collect();
+    match failures.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::new(failures.join("\n"))),
+    }
+}
+
+fn llvmpipe(house: &House, quick: bool) -> Result<()> {
+    let python = python(house)?;
+    let mut probe = house.command(&python);
+    if !works(probe.args(["xtask/peers/llvmpipe.py", "--probe"])) {
+        println!("no OpenGL without a screen here: installing Debian's {MESA}");
+        run(house
+            .command("apt-get")
+            .args(["install", "-y", "--no-install-recommends"])
+            .args(MESA.split(' ')))?;
+    }
+    let mut command = house.command(&python);
+    command.arg("xtask/peers/llvmpipe.py").args(quick.then_some("--quick"));
+    run(&mut command)
+}
+
+/// A Python with moderngl and numpy, in an environment of its own.
+fn python(house: &House) -> Result<PathBuf> {
+    let folder = house.target_folder("peers")?.join("venv");
+    let python = folder.join("bin/python");
+    if !works(house.command(&python).args(["-c", "import moderngl, numpy"])) {
+        run(house.command("python3").args(["-m", "venv"]).arg(&folder))?;
+        run(house.command(&python).args(["-m", "pip", "install", "--quiet", "moderngl==5.13.0", "numpy"]))?;
+    }
+    Ok(python)
+}
+
+fn euc(house: &House, quick: bool) -> Result<()> {
+    let mut command =
+        house.cargo("run --release --quiet --manifest-path xtask/peers/euc/Cargo.toml --target-dir");
+    command.arg(house.target_folder("peers")?.join("euc")).arg("--").args(quick.then_some("--quick"));
+    run(&mut command)
+}

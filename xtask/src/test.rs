@@ -1,0 +1,56 @@
+//! Every check of the house, one after the other.
+
+use crate::house::{House, run, works};
+use crate::steps::{Outcome, Steps};
+use crate::{Result, gallery, golden, wasm};
+
+/// How much is checked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Leave out what takes long: documentation, examples, other SIMD levels, wasm32.
+    pub quick: bool,
+    /// Run the later steps even after one has failed.
+    pub keep_going: bool,
+}
+
+/// Runs the checks, prints a summary and fails if any did.
+pub fn run_all(house: &House, options: &Options) -> Result<()> {
+    checks(house, options).finish()
+}
+
+fn checks(house: &House, options: &Options) -> Steps {
+    let mut steps = Steps::new(options.keep_going);
+    steps.run("format", || run(&mut house.cargo("fmt --all -- --check")));
+    steps.run("lint", || run(&mut house.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
+    steps.run("unit and integration tests", || tests(house));
+    if options.quick {
+        steps.run("gold pictures, scalar path", || golden::compare(house, golden::Paths::Scalar));
+        return steps;
+    }
+    steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
+    steps.run("examples", || gallery::try_examples(house));
+    steps.run("documentation tests", || run(&mut house.cargo("test --workspace --doc --quiet")));
+    steps.run("documentation", || {
+        run(house.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))
+    });
+    steps.run("libraries without threads", || wasm::serial(house));
+    steps.run("libraries for wasm32", || wasm::check(house));
+    steps
+}
+
+/// The tests, with nextest; it is installed where it is missing.
+fn tests(house: &House) -> Outcome {
+    if !has_nextest(house) {
+        println!("cargo-nextest is missing: installing it, once, which takes some minutes");
+        if let Err(failure) = run(&mut house.cargo("install cargo-nextest --locked")) {
+            println!("!!! {failure}");
+            println!("!!! cargo-nextest could not be installed: running the slower `cargo test` instead");
+            return run(&mut house.cargo("test --workspace --all-targets")).into();
+        }
+    }
+    run(&mut house.cargo("nextest run --workspace --no-fail-fast --status-level slow")).into()
+}
+
+fn has_nextest(house: &House) -> bool {
+    works(&mut house.cargo("nextest --version"))
+}

@@ -1,0 +1,49 @@
+//! Whether the library crates compile for the web, where there are no threads.
+
+use std::process::Command;
+
+use crate::house::{House, run, run_quietly, works};
+use crate::steps::Outcome;
+
+/// The crates that know no window and no terminal.
+const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-scene -p glanz-render";
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Checks the libraries for this machine without rayon.
+pub fn serial(house: &House) -> Outcome {
+    run(&mut house.cargo(&format!("check {LIBRARIES} --no-default-features"))).into()
+}
+
+/// Checks the libraries for wasm32 with the first toolchain that has that target.
+pub fn check(house: &House) -> Outcome {
+    let check = format!("check {LIBRARIES} --no-default-features --target {TARGET}");
+    let own_folder = house.target().join("wasm");
+    let mut command = if has_target(&mut house.command("rustc")) {
+        house.cargo(&check)
+    } else if works(house.command("rustup").args(["run", "wasm", "rustc", "--version"]))
+        && has_target(house.command("rustup").args(["run", "wasm", "rustc"]))
+    {
+        let mut command = house.command("rustup");
+        command.args(["run", "wasm", "cargo"]).args(check.split_whitespace());
+        // Another compiler: it must not fight with the default one over the same folder.
+        command.env_remove("RUSTC").env("CARGO_TARGET_DIR", own_folder);
+        command
+    } else {
+        return Outcome::Skipped(format!(
+            "neither the default toolchain nor one named 'wasm' has the target {TARGET} \
+             (try: rustup target add {TARGET})"
+        ));
+    };
+    run(&mut command).into()
+}
+
+/// Whether this compiler comes with a standard library for the target.
+fn has_target(rustc: &mut Command) -> bool {
+    let Ok(folder) = run_quietly(rustc.args(["--print", "target-libdir", "--target", TARGET])) else {
+        return false;
+    };
+    let folder = String::from_utf8_lossy(&folder);
+    let Ok(entries) = std::fs::read_dir(folder.trim()) else { return false };
+    entries.flatten().any(|entry| entry.file_name().to_string_lossy().starts_with("libcore-"))
+}
