@@ -14,7 +14,9 @@ pub mod read;
 mod scene;
 mod subdivide;
 mod texture;
+mod topology;
 
+pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
 pub use light::{Attenuation, Light, LightColors, LightKind, Space};
 pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, TextureUse};

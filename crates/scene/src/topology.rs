@@ -1,0 +1,98 @@
+//! Points, edges and who shares them.
+
+use std::collections::HashMap;
+
+use glam::Vec3;
+
+/// Vertices that lie at exactly the same place, as one point each.
+pub(crate) struct Welded {
+    /// The point of each vertex, numbered in the order of first appearance.
+    pub point_of: Vec<u32>,
+    /// The first vertex at each point.
+    pub first: Vec<u32>,
+}
+
+impl Welded {
+    /// Welds by position, bit by bit but for the sign of zero.
+    pub fn of(positions: &[Vec3]) -> Self {
+        let mut known: HashMap<[u32; 3], u32> = HashMap::with_capacity(positions.len());
+        let mut first = Vec::new();
+        let point_of = positions
+            .iter()
+            .enumerate()
+            .map(|(vertex, position)| {
+                // Adding zero turns -0 into 0.
+                let key = (*position + Vec3::ZERO).to_array().map(f32::to_bits);
+                *known.entry(key).or_insert_with(|| {
+                    first.push(vertex as u32);
+                    first.len() as u32 - 1
+                })
+            })
+            .collect();
+        Self { point_of, first }
+    }
+}
+
+/// The edges of a set of triangles, numbered by their lesser end, then by their greater.
+pub(crate) struct Edges {
+    /// The ends of each edge, the lesser index first.
+    pub ends: Vec<[u32; 2]>,
+    /// The edge from each corner of each triangle to its next.
+    pub of_corner: Vec<[u32; 3]>,
+}
+
+impl Edges {
+    /// Finds them in time linear in the number of triangles (times the logarithm of the most edges
+    /// that meet in one point).
+    pub fn of(triangles: &[[u32; 3]], points: usize) -> Self {
+        let sides: Vec<[u32; 2]> = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+        let mut ends = Vec::with_capacity(sides.len() / 2 + 1);
+        let mut of_corner = vec![[0; 3]; triangles.len()];
+        for_each_edge(&sides, points, |edge, members| {
+            for &side in members {
+                of_corner[side as usize / 3][side as usize % 3] = ends.len() as u32;
+            }
+            ends.push(edge);
+        });
+        Self { ends, of_corner }
+    }
+
+    /// Cuts each triangle in four, where edge `i` has got the vertex `first + i` in its middle.
+    pub fn split(&self, triangles: &[[u32; 3]], first: u32) -> Vec<[u32; 3]> {
+        let mut parts = Vec::with_capacity(4 * triangles.len());
+        for (&[a, b, c], edges) in triangles.iter().zip(&self.of_corner) {
+            let [ab, bc, ca] = edges.map(|edge| first + edge);
+            parts.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        }
+        parts
+    }
+}
+
+/// Calls `visit` for each edge with its ends (the lesser first) and the numbers of all `sides` that
+/// run along it, in rising order; edges come by their lesser end, then by their greater.
+pub(crate) fn for_each_edge(sides: &[[u32; 2]], points: usize, mut visit: impl FnMut([u32; 2], &[u32])) {
+    let mut starts = vec![0_u32; points + 1];
+    for side in sides {
+        starts[side[0].min(side[1]) as usize + 1] += 1;
+    }
+    for i in 0..points {
+        starts[i + 1] += starts[i];
+    }
+    let mut next = starts.clone();
+    let mut sorted = vec![(0_u32, 0_u32); sides.len()];
+    for (number, side) in sides.iter().enumerate() {
+        let slot = &mut next[side[0].min(side[1]) as usize];
+        sorted[*slot as usize] = (side[0].max(side[1]), number as u32);
+        *slot += 1;
+    }
+    let mut members = Vec::new();
+    for lesser in 0..points {
+        let bucket = &mut sorted[starts[lesser] as usize..starts[lesser + 1] as usize];
+        bucket.sort_unstable();
+        for edge in bucket.chunk_by(|a, b| a.0 == b.0) {
+            members.clear();
+            members.extend(edge.iter().map(|&(_, side)| side));
+            visit([lesser as u32, edge[0].0], &members);
+        }
+    }
+}
