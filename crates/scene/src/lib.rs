@@ -23,4 +23,5 @@ pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, TextureUse};
 pub use mesh::{Bounds, Mesh, MeshError};
 pub use normals::Normals;
 pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene, Shading};
+pub use subdivide::SubdivideError;
 pub use texture::{Texture, TextureFilter, Wrap};
