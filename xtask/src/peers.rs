@@ -52,6 +52,8 @@ fn python(house: &House) -> Result<PathBuf> {
 fn euc(house: &House, quick: bool) -> Result<()> {
     let mut command =
         house.cargo("run --release --quiet --manifest-path xtask/peers/euc/Cargo.toml --target-dir");
+    // euc relies on fused multiply-add, which is a slow library call where the processor may lack it.
+    command.env("RUSTFLAGS", "-C target-cpu=native");
     command.arg(house.target_folder("peers")?.join("euc")).arg("--").args(quick.then_some("--quick"));
     run(&mut command)
 }
