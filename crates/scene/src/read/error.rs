@@ -1,0 +1,176 @@
+//! What can go wrong when a file is read.
+
+use std::fmt;
+use std::io;
+
+use thiserror::Error;
+
+/// Where in a file something was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    File,
+    /// A line of text, counted from 1.
+    Line(u64),
+    /// A byte, counted from 0.
+    Byte(u64),
+    /// A line and column of JSON text, both counted from 1.
+    Json {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: u64,
+    },
+    /// A value inside a structured file, as `accessors[3].bufferView`.
+    Path(String),
+    /// One of many items, as facet 12, counted from 0.
+    Item(&'static str, u64),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => f.write_str("the file"),
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::Json { line, column } => write!(f, "line {line}, column {column}"),
+            Self::Path(path) => f.write_str(path),
+            Self::Item(kind, index) => write!(f, "{kind} {index}"),
+        }
+    }
+}
+
+/// Why a file could not be read. Every variant names the file, the place and what was expected.
+#[derive(Debug, Error)]
+pub enum ReadError {
+    /// The operating system refused.
+    #[error("{file}: {place}: expected a readable file, found: {source}")]
+    Io {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The content breaks the rules of its format.
+    #[error("{file}: {place}: expected {expected}, found {found}")]
+    Malformed {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What should have been there.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// The content is valid but needs something that this reader does not have.
+    #[error("{file}: {place}: expected {expected}, found {found}, which is not supported")]
+    Unsupported {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What could have been read.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// More data than the limits of [`ReadOptions`](super::ReadOptions) allow.
+    #[error("{file}: {place}: expected at most {limit} {unit}, found {found}")]
+    TooLarge {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The most that is allowed.
+        limit: u64,
+        /// What is counted.
+        unit: &'static str,
+        /// How much there is.
+        found: u64,
+    },
+    /// A reference leaves the folder that references must stay in.
+    #[error("{file}: {place}: expected a path inside {root}, found '{reference}', which leaves it")]
+    Outside {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The path as the file gives it.
+        reference: String,
+        /// The folder that it leaves.
+        root: String,
+    },
+    /// A referenced file is not there.
+    #[error("{file}: {place}: expected a file '{reference}', found none")]
+    Missing {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The path as the file gives it.
+        reference: String,
+    },
+}
+
+impl ReadError {
+    /// The content breaks the rules of its format.
+    pub(super) fn malformed(
+        file: &str,
+        place: Place,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Self::Malformed { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
+    }
+
+    /// The content needs something that this reader does not have.
+    pub(super) fn unsupported(
+        file: &str,
+        place: Place,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Self::Unsupported { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
+    }
+
+    /// The file that the error is in.
+    pub fn file(&self) -> &str {
+        match self {
+            Self::Io { file, .. }
+            | Self::Malformed { file, .. }
+            | Self::Unsupported { file, .. }
+            | Self::TooLarge { file, .. }
+            | Self::Outside { file, .. }
+            | Self::Missing { file, .. } => file,
+        }
+    }
+
+    /// The place in the file that the error is at.
+    pub fn place(&self) -> &Place {
+        match self {
+            Self::Io { place, .. }
+            | Self::Malformed { place, .. }
+            | Self::Unsupported { place, .. }
+            | Self::TooLarge { place, .. }
+            | Self::Outside { place, .. }
+            | Self::Missing { place, .. } => place,
+        }
+    }
+}
+
+/// At most this many characters of a file's text are repeated in a message.
+const EXCERPT: usize = 40;
+
+/// A piece of a file's bytes for a message: quoted, short, without control characters.
+pub(super) fn excerpt(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * EXCERPT)]);
+    let mut short: String =
+        text.chars().take(EXCERPT).map(|c| if c.is_control() { '?' } else { c }).collect();
+    if text.chars().nth(EXCERPT).is_some() {
+        short.push('…');
+    }
+    format!("'{short}'")
+}

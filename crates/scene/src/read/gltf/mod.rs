@@ -1,0 +1,145 @@
+//! glTF 2.0, as JSON with buffers and pictures beside it, or in one binary file.
+//!
+//! Read: the default scene with all its nodes, triangles of every mode, sparse and normalised
+//! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
+//! `KHR_materials_unlit`, `KHR_materials_emissive_strength`, `KHR_texture_transform` and
+//! `KHR_mesh_quantization`. Other extensions are ignored with a note, or refused where the file
+//! requires them. Skins, animations and morph targets are ignored: meshes are drawn as they are
+//! bound.
+//!
+//! # Materials
+//! Metallic-roughness is mapped to the nearest classic material until microfacet models come:
+//! diffuse = ambient = base·(1 − metallic); specular = the mix of 0.04 and base by metallic, with the
+//! energy-normalised Blinn-Phong lobe of exponent 2/α² − 2, α = roughness²: near normal incidence the
+//! lobe has the width of a GGX lobe of that α. A metallic-roughness texture counts by its mean.
+//! An unlit material is emission alone.
+//!
+//! # Lights
+//! A light of intensity I (candela, or lux where directional) on a white Lambert surface facing it
+//! at 1 m gives I/π; a classic light of value 1 gives 1. So the classic value is I·colour/π, fading
+//! by the inverse square law. Lights and cameras look along −z of their node. Ranges are ignored.
+//!
+//! The JSON is read into types of this module's own: the validation of the usual crate panics on
+//! indices out of range.
+
+mod accessor;
+mod container;
+mod json;
+mod material;
+mod nodes;
+mod primitive;
+
+use super::{Context, Model, Place, ReadError};
+use container::Buffers;
+use json::Root;
+
+/// Extensions that are read.
+const SUPPORTED: [&str; 5] = [
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_materials_emissive_strength",
+    "KHR_texture_transform",
+    "KHR_mesh_quantization",
+];
+
+/// What does not change while a file is read.
+struct Source<'a> {
+    file: &'a str,
+    root: &'a Root,
+    buffers: &'a Buffers<'a>,
+}
+
+impl Source<'_> {
+    fn malformed(&self, place: Place, expected: impl Into<String>, found: impl Into<String>) -> ReadError {
+        ReadError::malformed(self.file, place, expected, found)
+    }
+}
+
+/// The memory that a model may still take. Nodes may use meshes, and primitives accessors, many
+/// times over: without a limit a small file could fill any memory.
+struct Budget {
+    left: u64,
+    limit: u64,
+}
+
+impl Budget {
+    /// Memory that is always allowed.
+    const FREE: u64 = 64 << 20;
+    /// Memory per byte of the file and its buffers. Honest files need up to 12: bytes that become
+    /// floats; the rest is for meshes that are used many times.
+    const PER_BYTE: u64 = 256;
+
+    fn new(bytes: u64) -> Self {
+        let limit = bytes.saturating_mul(Self::PER_BYTE).saturating_add(Self::FREE);
+        Self { left: limit, limit }
+    }
+
+    fn spend(&mut self, bytes: u64, file: &str, place: impl Fn() -> String) -> Result<(), ReadError> {
+        match self.left.checked_sub(bytes) {
+            Some(left) => {
+                self.left = left;
+                Ok(())
+            }
+            None => Err(ReadError::TooLarge {
+                file: file.to_owned(),
+                place: Place::Path(place()),
+                limit: self.limit,
+                unit: "bytes of memory for a file of this size",
+                found: (self.limit - self.left).saturating_add(bytes),
+            }),
+        }
+    }
+}
+
+/// Reads a file.
+pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, ReadError> {
+    let (json, binary) = container::split(bytes, context.file)?;
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let root: Root = serde_json::from_slice(json).map_err(|error| json_error(&error, context.file))?;
+    check_version(&root, context)?;
+    let buffers = Buffers::load(&root, binary, context)?;
+    let source = Source { file: context.file, root: &root, buffers: &buffers };
+    let mut budget = Budget::new(bytes.len() as u64 + buffers.total());
+    let mut model = Model::default();
+    let mut builder = primitive::Builder::new(&source, &mut budget);
+    nodes::read(&source, &mut builder, &mut model, &mut context.notes)?;
+    let used = builder.finish(&mut model);
+    material::read(&source, &used, &mut model, context)?;
+    if model.objects.is_empty() {
+        context.notes.add("the scene holds no triangles: nothing can be drawn");
+    }
+    if !root.animations.is_empty() {
+        context.notes.add_times("animations are ignored", root.animations.len() as u64);
+    }
+    Ok(model)
+}
+
+fn json_error(error: &serde_json::Error, file: &str) -> ReadError {
+    let place = Place::Json { line: error.line() as u64, column: error.column() as u64 };
+    // The message of the parser says what it expected and found, and repeats the place.
+    let text = error.to_string();
+    let found = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
+    ReadError::malformed(file, place, "glTF 2.0 as JSON", found)
+}
+
+fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError> {
+    let version = &root.asset.version;
+    let path = |path: &str| Place::Path(path.to_owned());
+    if version != "2" && !version.starts_with("2.") {
+        let found = super::error::excerpt(version.as_bytes());
+        return Err(ReadError::unsupported(context.file, path("asset.version"), "version 2 of glTF", found));
+    }
+    let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
+    if let Some(name) = root.extensions_required.iter().find(unknown) {
+        let expected = format!("only extensions of {}", SUPPORTED.join(", "));
+        let found = super::error::excerpt(name.as_bytes());
+        return Err(ReadError::unsupported(context.file, path("extensionsRequired"), expected, found));
+    }
+    for name in root.extensions_used.iter().filter(unknown) {
+        context.notes.add(&format!("glTF: the extension {name} is ignored"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,31 @@
+//! What a reader may do.
+
+use std::path::PathBuf;
+
+/// What a reader may do, and how much.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// The folder that the file and its references may not leave. `None`: the references may not
+    /// leave the folder of the file itself, which may lie anywhere.
+    pub root: Option<PathBuf>,
+    /// Whether files outside of `root` are read all the same.
+    pub allow_outside: bool,
+    /// The most bytes that one file may have.
+    pub max_bytes: u64,
+    /// The most texels that a texture may have along one side.
+    pub max_texture_side: u32,
+    /// The most bytes of memory that all decoded textures of a model may take.
+    pub max_texture_bytes: u64,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self {
+            root: None,
+            allow_outside: false,
+            max_bytes: 16 << 30,
+            max_texture_side: 16384,
+            max_texture_bytes: 4 << 30,
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! PNG and JPEG pictures.
+
+use std::io::Cursor;
+
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+
+use super::error::excerpt;
+use super::{Place, ReadError, ReadOptions};
+use crate::Texture;
+
+/// The most texels that one byte of a file can stand for: deflate packs 1032 bytes into one, and a
+/// black-and-white PNG eight texels into a byte; a JPEG block of 64 texels takes at least one bit
+/// of a scan. More than this is a claim that the file cannot hold.
+const TEXELS_PER_BYTE: u64 = 8 * 1032;
+/// Small pictures are never refused for what they claim.
+const ALWAYS_ALLOWED_TEXELS: u64 = 1 << 16;
+
+/// Decodes a PNG or JPEG picture, taken as a colour texture (`srgb`) that repeats.
+///
+/// The sides and the memory are limited by `options`; `name` is the file's name in messages.
+pub fn read_texture(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Texture, ReadError> {
+    decode(bytes, name, Place::File, options, &mut options.max_texture_bytes.clone())
+}
+
+/// Decodes a picture that lies at `place` of `file`, and takes its size off `bytes_left`.
+pub(super) fn decode(
+    bytes: &[u8],
+    file: &str,
+    place: Place,
+    options: &ReadOptions,
+    bytes_left: &mut u64,
+) -> Result<Texture, ReadError> {
+    let format = format_of(bytes).ok_or_else(|| {
+        let start = excerpt(&bytes[..bytes.len().min(8)]);
+        ReadError::unsupported(file, place.clone(), "a PNG or JPEG picture", start)
+    })?;
+    let picture = |error: image::ImageError| {
+        ReadError::malformed(file, place.clone(), "a complete picture", error.to_string())
+    };
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    reader.limits(limits(options, *bytes_left));
+    let decoder = reader.into_decoder().map_err(picture)?;
+    let (width, height) = decoder.dimensions();
+    check_size((width, height), bytes.len(), file, &place, options)?;
+    let size = u64::from(width) * u64::from(height) * 4;
+    *bytes_left = bytes_left.checked_sub(size).ok_or_else(|| ReadError::TooLarge {
+        file: file.to_owned(),
+        place: place.clone(),
+        limit: options.max_texture_bytes,
+        unit: "bytes of decoded textures",
+        found: options.max_texture_bytes - *bytes_left + size,
+    })?;
+    let rgba = DynamicImage::from_decoder(decoder).map_err(picture)?.into_rgba8();
+    Ok(Texture { width, height, rgba: rgba.into_raw(), srgb: true, ..Texture::default() })
+}
+
+/// The format after the first bytes.
+fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
+    if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+        Some(ImageFormat::Png)
+    } else if bytes.starts_with(b"\xff\xd8\xff") {
+        Some(ImageFormat::Jpeg)
+    } else {
+        None
+    }
+}
+
+/// Limits for the decoder. Its memory may reach twice the picture's at 16 bits per channel.
+fn limits(options: &ReadOptions, bytes_left: u64) -> Limits {
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(options.max_texture_side);
+    limits.max_image_height = Some(options.max_texture_side);
+    limits.max_alloc = Some(bytes_left.saturating_mul(4));
+    limits
+}
+
+/// Refuses pictures of no texels, and of more than the file can hold.
+fn check_size(
+    (width, height): (u32, u32),
+    bytes: usize,
+    file: &str,
+    place: &Place,
+    options: &ReadOptions,
+) -> Result<(), ReadError> {
+    let texels = u64::from(width) * u64::from(height);
+    let malformed = |expected: String| {
+        Err(ReadError::malformed(file, place.clone(), expected, format!("{width}×{height}")))
+    };
+    let side = options.max_texture_side;
+    if width == 0 || height == 0 || width > side || height > side {
+        return malformed(format!("a picture of 1 to {side} texels along each side"));
+    }
+    let held = (bytes as u64).saturating_mul(TEXELS_PER_BYTE).max(ALWAYS_ALLOWED_TEXELS);
+    if texels > held {
+        return malformed(format!("at most the {held} texels that {bytes} bytes can hold"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A PNG of these RGBA texels.
+    pub fn png(width: u32, height: u32, rgba: &[u8]) -> Vec<u8> {
+        encode(width, height, rgba, ImageFormat::Png)
+    }
+
+    fn encode(width: u32, height: u32, rgba: &[u8], format: ImageFormat) -> Vec<u8> {
+        let picture = image::RgbaImage::from_raw(width, height, rgba.to_vec()).unwrap();
+        let mut bytes = Cursor::new(Vec::new());
+        match format {
+            ImageFormat::Jpeg => DynamicImage::from(picture).to_rgb8().write_to(&mut bytes, format).unwrap(),
+            _ => picture.write_to(&mut bytes, format).unwrap(),
+        }
+        bytes.into_inner()
+    }
+
+    fn samples() -> [Vec<u8>; 2] {
+        let rgba: Vec<u8> = (0..16 * 8 * 4).map(|i| (i * 37 % 251) as u8).collect();
+        [encode(16, 8, &rgba, ImageFormat::Png), encode(16, 8, &rgba, ImageFormat::Jpeg)]
+    }
+
+    #[test]
+    fn a_png_is_decoded_to_its_bytes() {
+        let texture =
+            read_texture(&png(2, 1, &[1, 2, 3, 4, 5, 6, 7, 8]), "p", &ReadOptions::default()).unwrap();
+        assert_eq!((texture.width, texture.height, texture.srgb), (2, 1, true));
+        assert_eq!(texture.rgba, [1, 2, 3, 4, 5, 6, 7, 8]);
+    }
+
+    #[test]
+    fn a_jpeg_is_decoded() {
+        let gray = vec![128; 8 * 8 * 4];
+        let texture =
+            read_texture(&encode(8, 8, &gray, ImageFormat::Jpeg), "j", &ReadOptions::default()).unwrap();
+        assert!(texture.rgba.chunks(4).all(|texel| texel[0].abs_diff(128) < 3 && texel[3] == 255));
+    }
+
+    #[test]
+    fn limits_of_side_and_memory_hold() {
+        let bytes = png(64, 2, &[0; 64 * 2 * 4]);
+        let narrow = ReadOptions { max_texture_side: 63, ..ReadOptions::default() };
+        assert!(read_texture(&bytes, "p", &narrow).is_err());
+        let small = ReadOptions { max_texture_bytes: 511, ..ReadOptions::default() };
+        assert!(read_texture(&bytes, "p", &small).is_err());
+        let exact = ReadOptions { max_texture_bytes: 512, max_texture_side: 64, ..ReadOptions::default() };
+        assert!(read_texture(&bytes, "p", &exact).is_ok());
+    }
+
+    #[test]
+    fn a_picture_larger_than_its_file_can_hold_is_refused() {
+        let mut bytes = png(4, 4, &[0; 64]);
+        // Width and height in the header of PNG, at bytes 16 to 23, and the checksum after it.
+        bytes[16..24].copy_from_slice(&[0, 0, 0x3f, 0xff, 0, 0, 0x3f, 0xff]);
+        let crc = crc32(&bytes[12..29]);
+        bytes[29..33].copy_from_slice(&crc.to_be_bytes());
+        let error = read_texture(&bytes, "bomb.png", &ReadOptions::default()).unwrap_err().to_string();
+        assert!(error.contains("bomb.png") && error.contains("16383×16383"), "{error}");
+    }
+
+    /// The checksum of PNG chunks, bit by bit.
+    fn crc32(bytes: &[u8]) -> u32 {
+        !bytes.iter().fold(!0u32, |crc, byte| {
+            (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+                if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 }
+            })
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn damaged_pictures_do_no_harm(
+            which in 0usize..2,
+            keep in 0usize..400,
+            flips in proptest::collection::vec((0usize..400, 0u8..8), 0..4),
+        ) {
+            let mut bytes = samples()[which].clone();
+            for (byte, bit) in flips {
+                let len = bytes.len();
+                bytes[byte % len] ^= 1 << bit;
+            }
+            bytes.truncate(keep.max(4));
+            if let Err(error) = read_texture(&bytes, "picture", &ReadOptions::default()) {
+                prop_assert!(error.to_string().starts_with("picture: "));
+            }
+        }
+    }
+}
