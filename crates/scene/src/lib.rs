@@ -13,6 +13,7 @@ mod normals;
 pub mod read;
 mod scene;
 mod subdivide;
+mod tangents;
 mod texture;
 mod topology;
 

@@ -176,7 +176,7 @@ impl Mesh {
     fn validate_faces(&self) -> Result<(), MeshError> {
         let corners = self.corners.len();
         if self.face_starts.is_empty() {
-            if corners % 3 != 0 {
+            if !corners.is_multiple_of(3) {
                 return Err(MeshError::Faces { corners, what: "triangles" });
             }
         } else {

@@ -1,5 +1,6 @@
 //! Points, edges and who shares them.
 
+use core::hash::Hash;
 use std::collections::HashMap;
 
 use glam::Vec3;
@@ -30,6 +31,38 @@ impl Welded {
             })
             .collect();
         Self { point_of, first }
+    }
+}
+
+/// Gives vertices that need several values of an attribute a twin for each further value.
+pub(crate) struct Splitter<K> {
+    /// The vertex that each vertex was at the beginning: first all of them, then the twins.
+    pub sources: Vec<u32>,
+    served: Vec<Option<K>>,
+    twins: HashMap<(u32, K), u32>,
+}
+
+impl<K: Copy + Eq + Hash> Splitter<K> {
+    /// For so many vertices.
+    pub fn new(vertices: usize) -> Self {
+        Self { sources: (0..vertices as u32).collect(), served: vec![None; vertices], twins: HashMap::new() }
+    }
+
+    /// The vertex to use where `vertex` needs the value that `key` stands for.
+    pub fn user(&mut self, vertex: u32, key: K) -> u32 {
+        let served = self.served[vertex as usize].get_or_insert(key);
+        if *served == key {
+            return vertex;
+        }
+        *self.twins.entry((vertex, key)).or_insert_with(|| {
+            self.sources.push(vertex);
+            self.sources.len() as u32 - 1
+        })
+    }
+
+    /// Whether the vertex has been asked for any value yet.
+    pub fn serves(&self, vertex: u32) -> bool {
+        self.served[vertex as usize].is_some()
     }
 }
 
