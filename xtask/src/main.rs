@@ -7,8 +7,8 @@ mod failure;
 mod gallery;
 mod golden;
 mod house;
-mod peers;
 mod picture;
+mod reference;
 mod steps;
 mod test;
 mod wasm;
@@ -36,6 +36,7 @@ Usage: cargo xtask <CHORE> [OPTIONS]
               --peers        Mesa llvmpipe and the crate euc on the same scene, in the same run
               --only-peers   the peers alone
               --quick        fewer frames
+              --write        put the tables into docs/BENCHMARKS.md
   help      Print this text
 
 Example: cargo xtask test --keep-going";
@@ -107,6 +108,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
             quick: take("quick"),
             only_peers: take("only-peers"),
             peers: take("peers"),
+            write: take("write"),
         }),
         None | Some("help") => Chore::Help,
         Some(other) => return Err(format!("there is no chore '{other}'").into()),

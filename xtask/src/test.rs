@@ -2,7 +2,7 @@
 
 use crate::house::{House, run, works};
 use crate::steps::{Outcome, Steps};
-use crate::{Result, gallery, golden, wasm};
+use crate::{Result, gallery, golden, reference, wasm};
 
 /// How much is checked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,6 +29,7 @@ fn checks(house: &House, options: &Options) -> Steps {
     }
     steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
     steps.run("examples", || gallery::try_examples(house));
+    steps.run("reference of the scene file", || reference::check(house));
     steps.run("documentation tests", || run(&mut house.cargo("test --workspace --doc --quiet")));
     steps.run("documentation", || {
         run(house.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))

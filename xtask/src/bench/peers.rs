@@ -1,29 +1,31 @@
 //! Other programs that draw the same scene: Mesa's llvmpipe and the crate euc.
 //!
-//! Each prints JSON lines; what it needs is set up in the target folder.
+//! What they need is set up in the target folder.
 
 use std::path::PathBuf;
 
+use serde_json::Value;
+
+use super::measured;
+use crate::Result;
 use crate::house::{House, run, works};
-use crate::{Failure, Result};
 
 /// Debian's packages for OpenGL without a screen.
 const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
 
 /// Runs both peers. One that cannot be set up is a loud line, and the other still runs.
-pub fn run_all(house: &House, quick: bool) -> Result<()> {
-    let failures: Vec<String> = [llvmpipe(house, quick), euc(house, quick)]
-        .into_iter()
-        .filter_map(Result::err)
-        .map(|f| f.to_string())
-        .collect();
-    match failures.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::new(failures.join("\n"))),
+pub fn run_all(house: &House, quick: bool) -> Vec<Value> {
+    let mut lines = Vec::new();
+    for (name, result) in [("llvmpipe", llvmpipe(house, quick)), ("euc", euc(house, quick))] {
+        match result {
+            Ok(measured) => lines.extend(measured),
+            Err(failure) => println!("!!! {name} was NOT measured: {failure}"),
+        }
     }
+    lines
 }
 
-fn llvmpipe(house: &House, quick: bool) -> Result<()> {
+fn llvmpipe(house: &House, quick: bool) -> Result<Vec<Value>> {
     let python = python(house)?;
     let mut probe = house.command(&python);
     if !works(probe.args(["xtask/peers/llvmpipe.py", "--probe"])) {
@@ -34,8 +36,7 @@ fn llvmpipe(house: &House, quick: bool) -> Result<()> {
             .args(MESA.split(' ')))?;
     }
     let mut command = house.command(&python);
-    command.arg("xtask/peers/llvmpipe.py").args(quick.then_some("--quick"));
-    run(&mut command)
+    measured(command.arg("xtask/peers/llvmpipe.py").args(quick.then_some("--quick")))
 }
 
 /// A Python with moderngl and numpy, in an environment of its own.
@@ -49,11 +50,11 @@ fn python(house: &House) -> Result<PathBuf> {
     Ok(python)
 }
 
-fn euc(house: &House, quick: bool) -> Result<()> {
+fn euc(house: &House, quick: bool) -> Result<Vec<Value>> {
     let mut command =
         house.cargo("run --release --quiet --manifest-path xtask/peers/euc/Cargo.toml --target-dir");
     // euc relies on fused multiply-add, which is a slow library call where the processor may lack it.
     command.env("RUSTFLAGS", "-C target-cpu=native");
     command.arg(house.target_folder("peers")?.join("euc")).arg("--").args(quick.then_some("--quick"));
-    run(&mut command)
+    measured(&mut command)
 }

@@ -1,0 +1,71 @@
+//! How fast it draws, and how fast others do.
+//!
+//! Every program prints JSON lines; the tables are made here. Two kinds of line are known:
+//!
+//! * `{"program", "sphere", "lights", "median_ms", "min_ms", …}`: a frame of the benchmark's sphere;
+//! * `{"table", "name", …numbers}`: a row of a table of that title.
+
+mod peers;
+mod report;
+mod whole;
+
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+use crate::house::House;
+use crate::{Failure, Result};
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Fewer frames.
+    pub quick: bool,
+    /// The peers, too.
+    pub peers: bool,
+    /// The peers alone.
+    pub only_peers: bool,
+    /// Put the tables into `docs/BENCHMARKS.md`.
+    pub write: bool,
+}
+
+/// Measures, then prints the tables.
+pub fn run_all(house: &House, options: &Options) -> Result<()> {
+    let mut lines = Vec::new();
+    if !options.only_peers {
+        let quick = if options.quick { " -- --quick" } else { "" };
+        let kernels = format!("run --release --quiet --package glanz-render --example bench{quick}");
+        lines.extend(measured(&mut house.cargo(&kernels))?);
+        lines.extend(whole::run_all(house, options.quick)?);
+    }
+    if options.peers || options.only_peers {
+        lines.extend(peers::run_all(house, options.quick));
+    }
+    let report = report::report(house, &lines, options);
+    println!("\n{report}");
+    if options.write {
+        report::write(house, &report)?;
+    }
+    Ok(())
+}
+
+/// Runs a program and gives the JSON lines that it prints; they are shown as they come.
+fn measured(command: &mut Command) -> Result<Vec<Value>> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let failed = |what: String| Failure::new(format!("{name}: {what}"));
+    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|error| failed(error.to_string()))?;
+    let stdout = child.stdout.take().expect("the pipe was asked for");
+    let mut lines = Vec::new();
+    for line in BufReader::new(stdout).lines() {
+        let line = line.map_err(|error| failed(error.to_string()))?;
+        println!("{line}");
+        // What is no JSON is a remark for whoever watches.
+        lines.extend(serde_json::from_str::<Value>(&line).ok().filter(Value::is_object));
+    }
+    let status = child.wait().map_err(|error| failed(error.to_string()))?;
+    match status.success() {
+        true => Ok(lines),
+        false => Err(failed(format!("ended with {status}"))),
+    }
+}
