@@ -12,7 +12,16 @@ const MIDDLE: f64 = 1.575;
 
 /// `tessellation` × `tessellation` quads per patch, triangles where a side of the patch is a point.
 pub(super) fn teapot(tessellation: u32) -> Mesh {
-    let mut mesh = Mesh { face_starts: vec![0], ..Mesh::default() };
+    let vertices = 32 * (tessellation as usize + 1) * (tessellation as usize + 1);
+    let mut mesh = Mesh {
+        positions: Vec::with_capacity(vertices),
+        normals: Vec::with_capacity(vertices),
+        uvs: Vec::with_capacity(vertices),
+        corners: Vec::with_capacity(4 * vertices),
+        face_starts: Vec::with_capacity(vertices),
+        ..Mesh::default()
+    };
+    mesh.face_starts.push(0);
     let weights: Vec<Weights> = (0..=tessellation).map(|i| Weights::at(i, tessellation)).collect();
     for patch in &PATCHES {
         let points = patch.map(|index| place(POINTS[usize::from(index)]));
@@ -30,11 +39,11 @@ fn add_patch(mesh: &mut Mesh, points: &[DVec3; 16], weights: &[Weights]) {
     let cuts = weights.len() as u32 - 1;
     let first = mesh.positions.len() as u32;
     for (row, down) in weights.iter().enumerate() {
-        for column in 0..weights.len() {
-            // The published patches run leftwards seen from outside.
-            let across = &weights[weights.len() - 1 - column];
-            mesh.positions.push(sum(points, &across.value, &down.value).as_vec3());
-            mesh.normals.push(normal(points, across, down).as_vec3());
+        let curve = Curve::of(points, down);
+        // The published patches run leftwards seen from outside.
+        for (column, across) in weights.iter().rev().enumerate() {
+            mesh.positions.push(sum(&curve.points, &across.value).as_vec3());
+            mesh.normals.push(curve.normal(across).as_vec3());
             mesh.uvs.push(Vec2::new(column as f32 / cuts as f32, row as f32 / cuts as f32));
         }
     }
@@ -53,28 +62,38 @@ fn add_patch(mesh: &mut Mesh, points: &[DVec3; 16], weights: &[Weights]) {
     }
 }
 
-/// The unit normal of a patch. Where its first row is a point, the derivative across vanishes there
-/// and grows with the mixed derivative, which then takes its place.
-fn normal(points: &[DVec3; 16], across: &Weights, down: &Weights) -> DVec3 {
-    let along_down = sum(points, &across.value, &down.slope);
-    let along_across = sum(points, &across.slope, &down.value);
-    let cross = along_across.cross(along_down);
-    // Lengths are of the order of 1, and a derivative that vanishes does so but for rounding.
-    if cross.length_squared() > 1e-20 {
-        return cross.normalize();
+/// The curve across a patch at some height: its control points, and how they change downwards.
+struct Curve {
+    points: [DVec3; 4],
+    slopes: [DVec3; 4],
+}
+
+impl Curve {
+    fn of(points: &[DVec3; 16], down: &Weights) -> Self {
+        let column = |i: usize| [points[i], points[4 + i], points[8 + i], points[12 + i]];
+        Self {
+            points: [0, 1, 2, 3].map(|i| sum(&column(i), &down.value)),
+            slopes: [0, 1, 2, 3].map(|i| sum(&column(i), &down.slope)),
+        }
     }
-    sum(points, &across.slope, &down.slope).cross(along_down).normalize()
+
+    /// The unit normal of the patch. Where the curve is a point, its derivative vanishes and grows
+    /// with the mixed derivative, which then takes its place.
+    fn normal(&self, across: &Weights) -> DVec3 {
+        let along_down = sum(&self.slopes, &across.value);
+        let cross = sum(&self.points, &across.slope).cross(along_down);
+        // Lengths are of the order of 1, and a derivative that vanishes does so but for rounding.
+        if cross.length_squared() > 1e-20 {
+            return cross.normalize();
+        }
+        sum(&self.slopes, &across.slope).cross(along_down).normalize()
+    }
 }
 
-/// Σ across[i] down[j] point[j][i]. Terms are added from the ends inwards, so that the same curve run
-/// through backwards gives the same bits: patches meet without gaps.
-fn sum(points: &[DVec3; 16], across: &[f64; 4], down: &[f64; 4]) -> DVec3 {
-    let row = |j: usize| mirror_sum([0, 1, 2, 3].map(|i| points[4 * j + i] * across[i]));
-    mirror_sum([0, 1, 2, 3].map(|j| row(j) * down[j]))
-}
-
-fn mirror_sum([a, b, c, d]: [DVec3; 4]) -> DVec3 {
-    (a + d) + (b + c)
+/// Σ weights[i] points[i], from the ends inwards, so that a curve run through backwards gives the
+/// same bits: patches meet without gaps.
+fn sum(points: &[DVec3; 4], weights: &[f64; 4]) -> DVec3 {
+    (points[0] * weights[0] + points[3] * weights[3]) + (points[1] * weights[1] + points[2] * weights[2])
 }
 
 /// The cubic Bernstein polynomials and their derivatives at one parameter.
