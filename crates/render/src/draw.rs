@@ -3,6 +3,7 @@
 use glanz_math::simd_level;
 use glanz_scene::Background;
 
+use crate::cpu::Renderer;
 use crate::{Develop, Frame, Prepared, View};
 
 /// What a picture shows.
@@ -77,20 +78,15 @@ impl DrawOptions {
 
 /// Draws into a frame of linear channels. Runs in the current rayon pool.
 pub fn draw(prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
-    let _ = (prepared, options);
-    let n = view.width as usize * view.height as usize;
-    Frame {
-        width: view.width as usize,
-        height: view.height as usize,
-        rgb: [vec![0.5; n], vec![0.5; n], vec![0.5; n]],
-        alpha: vec![1.0; n],
-        ..Frame::default()
-    }
+    Renderer::new().draw(prepared, view, options)
 }
 
 /// Draws and develops tile by tile, straight into 8-bit RGBA (`4·width·height` bytes, rows from the
 /// top). The result is that of [`draw`] followed by [`develop()`](crate::develop()), without the
 /// memory of a frame.
+///
+/// # Panics
+/// If `out` has another length.
 pub fn draw_rgba8(
     prepared: &Prepared,
     view: &View,
@@ -98,6 +94,5 @@ pub fn draw_rgba8(
     develop: &Develop,
     out: &mut [u8],
 ) {
-    let picture = crate::develop(&draw(prepared, view, options), develop);
-    out.copy_from_slice(&picture);
+    Renderer::new().draw_rgba8(prepared, view, options, develop, out);
 }

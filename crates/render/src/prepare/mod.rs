@@ -1,7 +1,28 @@
-//! From a scene to plain arrays.
+//! From a scene to plain arrays that a back end can loop over or upload.
+//!
+//! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
-use glanz_scene::{Interpolation, Scene, Shading};
+mod closed;
+mod facets;
+mod geometry;
+mod lights;
+mod materials;
+mod polygons;
+mod textures;
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use glanz_bsdf::{MODELS, ParamError, Shape};
+use glanz_scene::{Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
+
+pub use facets::Facets;
+pub use geometry::{Cluster, Geometry};
+pub use lights::{Falloff, LightShape, PreparedLight};
+pub use materials::{DirectLobe, PreparedMaterial};
+pub use polygons::Polygons;
+pub use textures::Mipmap;
 
 /// What to change of a scene on the way.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,7 +48,7 @@ pub enum PrepareError {
     },
     /// The model asked for does not exist or does not fit.
     #[error(transparent)]
-    Model(#[from] glanz_bsdf::ParamError),
+    Model(#[from] ParamError),
     /// A number of the scene is unusable.
     #[error("{what}")]
     Scene {
@@ -36,12 +57,180 @@ pub enum PrepareError {
     },
 }
 
+/// Which attributes the vertices of an object have beside position and normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Attributes {
+    /// Texture coordinates.
+    pub uv: bool,
+    /// Colours.
+    pub color: bool,
+    /// Tangents.
+    pub tangent: bool,
+}
+
+/// An object, as the rasteriser needs it.
+#[derive(Clone, Debug)]
+pub struct PreparedObject {
+    /// Index in [`Prepared::materials`].
+    pub material: usize,
+    /// Where the illumination model is evaluated.
+    pub shading: Shading,
+    /// How values between vertices are found.
+    pub interpolation: Interpolation,
+    /// The point of the world that vertex positions are relative to.
+    pub anchor: DVec3,
+    /// Corners of the box around the vertices, relative to the anchor.
+    pub bounds: [DVec3; 2],
+    /// Whether the mesh is a closed surface seen from outside, so that back faces are never seen
+    /// while the eye is outside its box.
+    pub closed: bool,
+    /// Range of [`Geometry::clusters`].
+    pub clusters: core::ops::Range<usize>,
+    /// Which attributes its vertices have.
+    pub attributes: Attributes,
+    /// Number of the object's first facet among all facets.
+    pub first_facet: u32,
+    /// Facet centroids and normals, where shading is flat.
+    pub facets: Option<Arc<Facets>>,
+    /// Whole polygons, where interpolation follows scanlines.
+    pub polygons: Option<Arc<Polygons>>,
+}
+
 /// A scene as plain arrays, ready to draw from any camera.
 #[derive(Clone, Debug, Default)]
-pub struct Prepared {}
+pub struct Prepared {
+    /// The objects that have faces.
+    pub objects: Vec<PreparedObject>,
+    /// Vertices and triangles of all objects.
+    pub geometry: Geometry,
+    /// Materials, each with its row of the tint table.
+    pub materials: Vec<PreparedMaterial>,
+    /// Lights that have a direction.
+    pub lights: Vec<PreparedLight>,
+    /// Decoded, mipmapped textures.
+    pub textures: Vec<Arc<Mipmap>>,
+    /// The number of facets of all objects.
+    pub facet_count: u32,
+}
+
+impl Prepared {
+    /// The number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.geometry.triangle_count()
+    }
+}
 
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
-    let _ = (scene, options);
-    Ok(Prepared {})
+    check_references(scene)?;
+    if let Some(model) = &options.model {
+        glanz_bsdf::models::info_named(model)?;
+    }
+    let lights = lights::prepare(scene)?;
+    let materials = scene
+        .materials
+        .iter()
+        .map(|material| materials::prepare(material, scene, options.model.as_deref()))
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut prepared =
+        Prepared { textures: textures::prepare(&scene.textures), materials, lights, ..Prepared::default() };
+    for object in &scene.objects {
+        prepared.add_object(scene, object, options)?;
+    }
+    Ok(prepared)
+}
+
+impl Prepared {
+    fn add_object(
+        &mut self,
+        scene: &Scene,
+        object: &glanz_scene::Object,
+        options: &PrepareOptions,
+    ) -> Result<(), PrepareError> {
+        let source = &scene.meshes[object.mesh];
+        let shading = options.shading.or(object.shading).unwrap_or(scene.render.shading);
+        let interpolation =
+            options.interpolation.or(object.interpolation).unwrap_or(scene.render.interpolation);
+        if !object.transform.is_finite() {
+            return Err(PrepareError::Scene {
+                what: format!("object '{}' has a transform with numbers that are not finite", object.name),
+            });
+        }
+        let mesh = with_needed_attributes(source, &scene.materials[object.material]);
+        let placed = geometry::Placed::new(&mesh, object.transform);
+        let clusters = self.geometry.append(&mesh, &placed, self.objects.len() as u32);
+        let flat = shading == Shading::Flat;
+        let scanline = interpolation == Interpolation::Scanline;
+        let first_facet = self.facet_count;
+        self.facet_count += mesh.face_count() as u32;
+        self.objects.push(PreparedObject {
+            material: object.material,
+            shading,
+            interpolation,
+            anchor: placed.anchor,
+            bounds: placed.bounds,
+            closed: closed::is_closed(&mesh, &placed),
+            clusters,
+            attributes: Attributes {
+                uv: !mesh.uvs.is_empty(),
+                color: !mesh.colors.is_empty(),
+                tangent: !mesh.tangents.is_empty(),
+            },
+            first_facet,
+            facets: flat.then(|| Arc::new(Facets::new(&mesh, &placed))),
+            polygons: scanline.then(|| Arc::new(Polygons::new(&mesh, &placed))),
+        });
+        Ok(())
+    }
+}
+
+/// The mesh with normals, and with tangents where the material maps normals.
+fn with_needed_attributes<'a>(
+    mesh: &'a Mesh,
+    material: &glanz_scene::Material,
+) -> std::borrow::Cow<'a, Mesh> {
+    let mut mesh = std::borrow::Cow::Borrowed(mesh);
+    if mesh.normals.is_empty() && !mesh.corners.is_empty() {
+        mesh = std::borrow::Cow::Owned(mesh.into_owned().with_normals(glanz_scene::Normals::Given));
+    }
+    if material.normal_map.is_some() && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
+        mesh = std::borrow::Cow::Owned(mesh.into_owned().with_tangents());
+    }
+    mesh
+}
+
+/// Every index of the scene must name something.
+fn check_references(scene: &Scene) -> Result<(), PrepareError> {
+    for mesh in &scene.meshes {
+        mesh.validate().map_err(|source| PrepareError::Mesh { name: mesh.name.clone(), source })?;
+    }
+    let fail = |what: String| Err(PrepareError::Scene { what });
+    for object in &scene.objects {
+        if object.mesh >= scene.meshes.len() {
+            return fail(format!("object '{}' names mesh {}, which is not there", object.name, object.mesh));
+        }
+        if object.material >= scene.materials.len() {
+            let number = object.material;
+            return fail(format!("object '{}' names material {number}, which is not there", object.name));
+        }
+    }
+    for material in &scene.materials {
+        let maps = [material.base_color, material.normal_map, material.emission_map];
+        if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
+            return fail(format!("material '{}' names a texture that is not there", material.name));
+        }
+    }
+    Ok(())
+}
+
+/// `shape` with its model replaced by the one called `name`, keeping parameters of the same name.
+fn with_model(shape: &Shape, name: &str) -> Result<Shape, ParamError> {
+    let kept = shape.info().params.iter().zip(shape.params());
+    let target = glanz_bsdf::models::info_named(name)?;
+    let set: Vec<(&str, f64)> = kept
+        .filter(|(param, _)| target.params.iter().any(|p| p.name == param.name))
+        .map(|(param, value)| (param.name, value))
+        .collect();
+    debug_assert!(MODELS.iter().any(|info| info.name == target.name));
+    Shape::named(name, &set)
 }

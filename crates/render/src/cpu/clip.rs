@@ -1,0 +1,147 @@
+//! Triangles that reach behind the eye or far outside the picture.
+
+use glam::DVec3;
+
+use super::bins::Bins;
+use super::frame::FrameView;
+use super::geometry::{GUARD, Screen, sample_range};
+use super::samples::SUBPIXEL;
+
+/// Names with this bit are indices of [`Extra`]s, not triangles of the geometry.
+pub(crate) const EXTRA: u32 = 1 << 31;
+
+/// A triangle that clipping made of a part of another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extra {
+    /// The name of the triangle it is a part of.
+    pub original: u32,
+    /// Its corners on the screen.
+    pub screen: [Screen; 3],
+    /// Its corners as weights of the original's three.
+    pub weights: [[f32; 3]; 3],
+}
+
+/// A corner during clipping: right, up, distance from the eye plane, and its weights.
+#[derive(Clone, Copy)]
+struct Corner {
+    at: DVec3,
+    weights: DVec3,
+}
+
+/// Cuts the triangle to what is in front of the eye and within the guard band, and bins the parts.
+pub(crate) fn clip(frame: &FrameView, name: u32, bins: &mut Bins, extras: &mut Vec<Extra>) {
+    let mut polygon = corners(frame, name);
+    for plane in planes(frame) {
+        polygon = cut(&polygon, plane);
+        if polygon.len() < 3 {
+            return;
+        }
+    }
+    let screen: Vec<Screen> = polygon.iter().map(|corner| project(frame, corner)).collect();
+    for i in 2..polygon.len() {
+        let corner = [0, i - 1, i];
+        let extra = Extra {
+            original: name,
+            screen: corner.map(|c| screen[c]),
+            weights: corner.map(|c| polygon[c].weights.as_vec3().to_array()),
+        };
+        if let Some((first, last)) = pixels(frame, &extra.screen) {
+            bins.push(first, last, EXTRA | extras.len() as u32);
+            extras.push(extra);
+        }
+    }
+}
+
+fn corners(frame: &FrameView, name: u32) -> Vec<Corner> {
+    let geometry = &frame.prepared.geometry;
+    let cluster = &geometry.clusters[(name >> 7) as usize];
+    let object = &frame.prepared.objects[cluster.object as usize];
+    let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
+    let [right, up, back] = frame.eye.axes;
+    let offset = object.anchor - frame.eye.position;
+    let mut weights = [DVec3::X, DVec3::Y, DVec3::Z].into_iter();
+    triangle
+        .iter()
+        .map(|&v| {
+            let vertex = cluster.first_vertex as usize + v as usize;
+            let p = offset + DVec3::from_array(geometry.position.each_ref().map(|a| f64::from(a[vertex])));
+            let at = DVec3::new(right.dot(p), up.dot(p), -back.dot(p));
+            Corner { at, weights: weights.next().expect("a triangle has three corners") }
+        })
+        .collect()
+}
+
+/// Planes (normal, offset) whose positive side is kept: in front of the eye, inside the guard band.
+fn planes(frame: &FrameView) -> [(DVec3, f64); 5] {
+    let eye = &frame.eye;
+    // A little inside the guard band of the fast path, so that rounding cannot bring a corner back out.
+    let guard = f64::from(GUARD) * 0.99;
+    let scale = f64::from(eye.scale);
+    let (cx, cy) = (f64::from(eye.center[0]), f64::from(eye.center[1]));
+    let near = (DVec3::Z, -f64::from(eye.near));
+    let side = |axis: DVec3, sign: f64, room: f64| match eye.perspective {
+        true => (axis * sign * scale + DVec3::Z * room, 0.0),
+        false => (axis * sign * scale, room),
+    };
+    [
+        near,
+        side(DVec3::X, 1.0, guard + cx),
+        side(DVec3::X, -1.0, guard - cx),
+        side(DVec3::Y, -1.0, guard + cy),
+        side(DVec3::Y, 1.0, guard - cy),
+    ]
+}
+
+/// Sutherland and Hodgman 1974: the part of the polygon on the positive side of a plane.
+fn cut(polygon: &[Corner], (normal, offset): (DVec3, f64)) -> Vec<Corner> {
+    let side = |corner: &Corner| normal.dot(corner.at) + offset;
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (i, from) in polygon.iter().enumerate() {
+        let to = &polygon[(i + 1) % polygon.len()];
+        let (a, b) = (side(from), side(to));
+        if a >= 0.0 {
+            kept.push(*from);
+        }
+        if (a >= 0.0) != (b >= 0.0) {
+            let t = a / (a - b);
+            kept.push(Corner { at: from.at.lerp(to.at, t), weights: from.weights.lerp(to.weights, t) });
+        }
+    }
+    kept
+}
+
+fn project(frame: &FrameView, corner: &Corner) -> Screen {
+    let eye = &frame.eye;
+    let distance = corner.at.z;
+    let (factor, depth) = match eye.perspective {
+        true => (f64::from(eye.scale) / distance, 1.0 / distance),
+        false => (f64::from(eye.scale), -distance),
+    };
+    let x = f64::from(eye.center[0]) + corner.at.x * factor;
+    let y = f64::from(eye.center[1]) - corner.at.y * factor;
+    [x as f32, y as f32, depth as f32, 0.0]
+}
+
+/// The first and last pixel whose samples the triangle may cover, if any.
+fn pixels(frame: &FrameView, screen: &[Screen; 3]) -> Option<([i32; 2], [i32; 2])> {
+    let size = [frame.eye.width as i32, frame.eye.height as i32];
+    let (mut first, mut last) = ([0; 2], [0; 2]);
+    for axis in 0..2 {
+        let (least_sample, most_sample) = sample_range(frame.samples, axis);
+        let fixed = screen.map(|v| fixed(v[axis]));
+        let low = fixed.into_iter().fold(i32::MAX, i32::min);
+        let high = fixed.into_iter().fold(i32::MIN, i32::max);
+        first[axis] = ((low + SUBPIXEL - 1 - most_sample) >> 8).max(0);
+        last[axis] = ((high - least_sample) >> 8).min(size[axis] - 1);
+        if first[axis] > last[axis] {
+            return None;
+        }
+    }
+    Some((first, last))
+}
+
+/// A screen coordinate in 1/256 pixel, rounded as the vertex pass rounds it.
+#[inline(always)]
+pub(crate) fn fixed(v: f32) -> i32 {
+    (v * SUBPIXEL as f32 + 0.5).floor() as i32
+}

@@ -1,0 +1,180 @@
+//! Everything about a frame that all its tiles share.
+
+use glanz_bsdf::{Part, Shape};
+use glanz_scene::{AlphaMode, Interpolation, Shading};
+
+use super::eye::{Eye, EyeLight};
+use super::polygons::PolygonView;
+use super::samples;
+use crate::prepare::{Attributes, DirectLobe, PreparedMaterial, PreparedObject};
+use crate::{DrawOptions, Prepared, Show, View};
+
+/// How a triangle of an object takes part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pass {
+    /// Hides what is behind it.
+    Opaque,
+    /// Hides where its texture is opaque enough.
+    Masked,
+    /// Lets through what is behind it.
+    Blended,
+}
+
+/// An object seen from the eye.
+#[derive(Clone, Debug)]
+pub(crate) struct ObjectView {
+    pub material: usize,
+    pub shading: Shading,
+    pub interpolation: Interpolation,
+    pub pass: Pass,
+    /// Whether back faces can be dropped.
+    pub cull_back: bool,
+    pub layout: Layout,
+    /// The anchor along right, up and away from the eye.
+    pub anchor: [f32; 3],
+    pub polygons: Option<PolygonView>,
+}
+
+/// Where attribute groups of three values are among an object's interpolated attributes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Layout {
+    /// Light of the second kind ([`super::reflect::Reflected::plain`]), Gouraud or flat with texture.
+    pub plain: Option<usize>,
+    pub uv: Option<usize>,
+    pub color: Option<usize>,
+    pub tangent: Option<usize>,
+    /// Vertex alpha and tangent sign.
+    pub extra: Option<usize>,
+    /// The number of groups; group 0 is the normal or the light.
+    pub groups: usize,
+}
+
+/// What all tiles of a frame share.
+pub(crate) struct FrameView<'a> {
+    pub prepared: &'a Prepared,
+    pub eye: Eye,
+    pub lights: Vec<EyeLight>,
+    pub materials: std::borrow::Cow<'a, [PreparedMaterial]>,
+    pub objects: Vec<ObjectView>,
+    pub options: &'a DrawOptions,
+    pub samples: &'static [[i32; 2]],
+    pub any_gouraud: bool,
+}
+
+impl<'a> FrameView<'a> {
+    pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
+        let eye = Eye::new(prepared, view);
+        let lights: Vec<_> = prepared.lights.iter().map(|light| EyeLight::new(light, &eye)).collect();
+        let materials = shown_materials(prepared, options.show);
+        let objects: Vec<_> = prepared
+            .objects
+            .iter()
+            .map(|object| ObjectView::new(object, &materials, &lights, &eye, options.show))
+            .collect();
+        let any_gouraud = objects.iter().any(|object| object.shading == Shading::Gouraud);
+        let samples = samples::positions(options.samples);
+        Self { prepared, eye, lights, materials, objects, options, samples, any_gouraud }
+    }
+}
+
+impl ObjectView {
+    fn new(
+        object: &PreparedObject,
+        materials: &[PreparedMaterial],
+        lights: &[EyeLight],
+        eye: &Eye,
+        show: Show,
+    ) -> Self {
+        let material = &materials[object.material];
+        let pass = match material.alpha_mode {
+            AlphaMode::Opaque => Pass::Opaque,
+            AlphaMode::Mask { .. } => Pass::Masked,
+            AlphaMode::Blend => Pass::Blended,
+        };
+        let hidden = object.closed && pass == Pass::Opaque && eye.is_outside(object);
+        let scanline = object.interpolation == Interpolation::Scanline;
+        let mut view = Self {
+            material: object.material,
+            shading: object.shading,
+            interpolation: object.interpolation,
+            pass,
+            cull_back: material.cull_back || hidden,
+            layout: Layout::new(object, material, show),
+            anchor: eye.anchor(object),
+            polygons: None,
+        };
+        if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
+            view.polygons = Some(PolygonView::new(polygons, object, eye, lights, material));
+        }
+        view
+    }
+}
+
+impl Layout {
+    fn new(object: &PreparedObject, material: &PreparedMaterial, show: Show) -> Self {
+        let mut layout = Self { groups: 1, ..Self::default() };
+        let mut group = |wanted: bool| {
+            wanted.then(|| {
+                layout.groups += 1;
+                layout.groups - 1
+            })
+        };
+        let Attributes { uv: has_uv, color: has_color, tangent: has_tangent } = object.attributes;
+        let per_pixel = object.shading == Shading::Phong;
+        let maps = [material.base_color, material.normal_map, material.emission_map];
+        let textured = has_uv && maps.iter().any(Option::is_some);
+        let bent = per_pixel && has_uv && has_tangent && material.normal_map.is_some();
+        let plain = group(!per_pixel && textured);
+        let uv = group(textured || has_uv && show == Show::Uv);
+        let color = group(per_pixel && has_color);
+        let tangent = group(bent);
+        let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
+        Self { plain, uv, color, tangent, extra, ..layout }
+    }
+}
+
+/// The materials as the chosen view wants them: all terms, or one, or none but a test for light.
+fn shown_materials(prepared: &Prepared, show: Show) -> std::borrow::Cow<'_, [PreparedMaterial]> {
+    let part = match show {
+        Show::Ambient => Part::Ambient,
+        Show::Diffuse => Part::Diffuse,
+        Show::Specular => Part::Specular,
+        Show::Lit => {
+            let lights = prepared.lights.len();
+            return prepared.materials.iter().map(|material| lit_test(material, lights)).collect();
+        }
+        _ => return std::borrow::Cow::Borrowed(&prepared.materials),
+    };
+    prepared.materials.iter().map(|material| one_term(material, part)).collect()
+}
+
+fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
+    let mut material = material.clone();
+    let lobes = material.lobes.len().max(1);
+    for (i, tint) in material.tints.iter_mut().enumerate() {
+        if material.lobes[i % lobes].part != part {
+            *tint = [0.0; 3];
+        }
+    }
+    if part != Part::Ambient {
+        material.ambient = Default::default();
+        material.spot_ambient.clear();
+        material.emission = [0.0; 3];
+    }
+    material
+}
+
+/// A material whose value is above zero exactly where some light reaches the front of the surface.
+fn lit_test(material: &PreparedMaterial, lights: usize) -> PreparedMaterial {
+    let shape = Shape::named("lambert", &[]).expect("lambert is in the list of models");
+    PreparedMaterial {
+        lobes: vec![DirectLobe { shape, part: Part::Diffuse, textured: false }],
+        tints: vec![[1.0; 3]; lights],
+        ambient: Default::default(),
+        spot_ambient: Vec::new(),
+        emission: [0.0; 3],
+        base_color: None,
+        emission_map: None,
+        ..material.clone()
+    }
+}

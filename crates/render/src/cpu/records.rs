@@ -1,0 +1,226 @@
+//! Visible triangles, set up for interpolation.
+//!
+//! A record is a row of floats: nine for the barycentric coordinates and the depth, then nine for each
+//! group of three attributes (the values at the first corner, and the differences of the other two from
+//! it). So the inner loop reads nothing but rows of numbers.
+
+use glanz_math::Vec3;
+use glanz_scene::Shading;
+
+use super::clip::EXTRA;
+use super::frame::{FrameView, Layout};
+use super::geometry::{ChunkOutput, Screen};
+use super::gouraud::{Lit, unit};
+use super::raster::Triangle;
+use super::reflect::{Point, reflect};
+
+/// Floats of a group of three attributes, and of the part that comes before the groups.
+pub(crate) const GROUP: usize = 9;
+
+/// What the first pass left.
+pub(crate) struct Projected<'a> {
+    pub screen: &'a [Screen],
+    pub lit: &'a [Lit],
+    pub chunks: &'a [ChunkOutput],
+}
+
+/// A visible triangle of a tile.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Record {
+    /// Where its floats begin.
+    pub offset: u32,
+    pub object: u32,
+    /// The facet within its object.
+    pub facet: u32,
+    /// Which of its edges belong to the facet's outline.
+    pub outline: u8,
+    pub back: bool,
+}
+
+/// The visible triangles of a tile.
+#[derive(Debug, Default)]
+pub(crate) struct Records {
+    pub floats: Vec<f32>,
+    pub list: Vec<Record>,
+}
+
+/// A triangle's vertices: numbers in the geometry's arrays and weights of each corner.
+struct Corners {
+    vertices: [usize; 3],
+    weights: Option<[[f32; 3]; 3]>,
+}
+
+impl Records {
+    pub fn clear(&mut self) {
+        self.floats.clear();
+        self.list.clear();
+    }
+
+    /// Sets a triangle up; returns its number in the list.
+    pub fn add(
+        &mut self,
+        frame: &FrameView,
+        projected: &Projected,
+        chunk: usize,
+        triangle: &Triangle,
+    ) -> u32 {
+        let geometry = &frame.prepared.geometry;
+        let cluster = &geometry.clusters[(triangle.name >> 7) as usize];
+        let number = cluster.first_triangle as usize + (triangle.name & 127) as usize;
+        let first = cluster.first_vertex as usize;
+        let corners = Corners {
+            vertices: geometry.triangles[number].map(|v| first + v as usize),
+            weights: (triangle.key & EXTRA != 0)
+                .then(|| projected.chunks[chunk].extras[(triangle.key & !EXTRA) as usize].weights),
+        };
+        let (facet, outline) = geometry.facets[number];
+        let (position, back) = barycentric(&triangle.screen);
+        let record = Record {
+            offset: self.floats.len() as u32,
+            object: cluster.object,
+            facet,
+            outline: if corners.weights.is_some() { 0 } else { outline },
+            back,
+        };
+        self.floats.extend_from_slice(&position);
+        self.add_attributes(frame, projected, &record, &corners);
+        self.list.push(record);
+        self.list.len() as u32 - 1
+    }
+
+    fn add_attributes(
+        &mut self,
+        frame: &FrameView,
+        projected: &Projected,
+        record: &Record,
+        corners: &Corners,
+    ) {
+        let object = &frame.objects[record.object as usize];
+        let material = &frame.materials[object.material];
+        let geometry = &frame.prepared.geometry;
+        let layout = &object.layout;
+        let side = usize::from(record.back && !object.cull_back);
+        match object.shading {
+            Shading::Phong => {
+                let sign = match (record.back, material.two_sided) {
+                    (false, _) => 1.0,
+                    (true, true) => -1.0,
+                    (true, false) => 0.0,
+                };
+                self.group(corners, |v| geometry.normals[v].map(|c| c * sign));
+            }
+            Shading::Gouraud => {
+                let lit = |v: usize| projected.lit[v][side];
+                match layout.plain {
+                    Some(_) => {
+                        self.group(corners, |v| lit(v)[0]);
+                        self.group(corners, |v| lit(v)[1]);
+                    }
+                    None => self.group(corners, |v| sum(lit(v))),
+                }
+            }
+            Shading::Flat => {
+                let light = flat(frame, record);
+                match layout.plain {
+                    Some(_) => {
+                        self.constant(light[0]);
+                        self.constant(light[1]);
+                    }
+                    None => self.constant(sum(light)),
+                }
+            }
+        }
+        self.add_rest(frame, layout, corners);
+    }
+
+    fn add_rest(&mut self, frame: &FrameView, layout: &Layout, corners: &Corners) {
+        let geometry = &frame.prepared.geometry;
+        let color = |v: usize| geometry.colors.get(v).copied().unwrap_or([1.0; 4]);
+        if layout.uv.is_some() {
+            self.group(corners, |v| [geometry.uvs[v][0], geometry.uvs[v][1], 0.0]);
+        }
+        if layout.color.is_some() {
+            self.group(corners, |v| [color(v)[0], color(v)[1], color(v)[2]]);
+        }
+        if layout.tangent.is_some() {
+            self.group(corners, |v| [0, 1, 2].map(|c| geometry.tangents[v][c]));
+        }
+        if layout.extra.is_some() {
+            let sign = |v: usize| geometry.tangents.get(v).map_or(1.0, |t| t[3]);
+            self.group(corners, |v| [color(v)[3], sign(v), 0.0]);
+        }
+    }
+
+    /// Appends a group from its values at the corners.
+    #[inline(always)]
+    fn group(&mut self, corners: &Corners, value: impl Fn(usize) -> [f32; 3]) {
+        let mut at = corners.vertices.map(value);
+        if let Some(weights) = &corners.weights {
+            let whole = at;
+            at = weights.map(|[u, v, w]| {
+                core::array::from_fn(|c| whole[0][c] * u + whole[1][c] * v + whole[2][c] * w)
+            });
+        }
+        let [a, b, c] = at;
+        let difference = |b: [f32; 3]| [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+        let ([b0, b1, b2], [c0, c1, c2]) = (difference(b), difference(c));
+        self.floats.extend_from_slice(&[a[0], a[1], a[2], b0, b1, b2, c0, c1, c2]);
+    }
+
+    fn constant(&mut self, value: [f32; 3]) {
+        self.floats.extend_from_slice(&[value[0], value[1], value[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    }
+}
+
+fn sum([a, b]: [[f32; 3]; 2]) -> [f32; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// First corner, gradients of the second and third barycentric coordinate on the screen, depth at the
+/// first corner and its differences at the others; and whether the triangle shows its back.
+#[inline(always)]
+fn barycentric([a, b, c]: &[Screen; 3]) -> ([f32; GROUP], bool) {
+    let (x1, y1) = (b[0] - a[0], b[1] - a[1]);
+    let (x2, y2) = (c[0] - a[0], c[1] - a[1]);
+    let area = x1 * y2 - y1 * x2;
+    let inverse = 1.0 / area;
+    let floats = [
+        a[0],
+        a[1],
+        y2 * inverse,
+        -(x2 * inverse),
+        -(y1 * inverse),
+        x1 * inverse,
+        a[2],
+        b[2] - a[2],
+        c[2] - a[2],
+    ];
+    // y runs downwards on the screen: what turns right there is counter-clockwise seen from behind.
+    (floats, area > 0.0)
+}
+
+/// The light of a facet: evaluated once, at its centroid with its own normal.
+fn flat(frame: &FrameView, record: &Record) -> [[f32; 3]; 2] {
+    let prepared = &frame.prepared.objects[record.object as usize];
+    let material = &frame.materials[prepared.material];
+    let Some(facets) = &prepared.facets else { return [[0.0; 3]; 2] };
+    let facet = record.facet as usize;
+    let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
+    let sign = match (record.back, material.two_sided) {
+        (false, _) => 1.0,
+        (true, true) => -1.0,
+        (true, false) => 0.0,
+    };
+    let position = frame.eye.offset(prepared) + vector(facets.centroids[facet]);
+    let eye = &frame.eye;
+    let wo = if eye.perspective { unit(-position) } else { vector(eye.back) };
+    let normal = vector(facets.normals[facet]) * sign;
+    let reflected = reflect(&frame.lights, material, &Point { position, normal, wo });
+    let mut textured = reflected.textured;
+    if let Some(color) = facets.colors.get(facet) {
+        for c in 0..3 {
+            textured[c] *= color[c];
+        }
+    }
+    [textured, reflected.plain]
+}

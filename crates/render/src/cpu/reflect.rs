@@ -1,0 +1,143 @@
+//! The sum over lights and lobes: the heart of the pixel loop.
+//!
+//! C = Σ_l a_l(x) · Σ_k s_k(wo, wi) · T\[l, k, c\]. There is no wavelength here, and no colour but the
+//! numbers of the tint table.
+
+use glanz_bsdf::Pair;
+use glanz_math::{Real, Vec3};
+
+use super::eye::{EyeCone, EyeFalloff, EyeLight};
+use super::inlined;
+use crate::prepare::PreparedMaterial;
+
+/// A surface point as seen: relative to the eye, along world axes.
+#[derive(Clone, Copy)]
+pub(crate) struct Point<R> {
+    pub position: Vec3<R>,
+    /// Unit normal; null where the surface shall not be lit.
+    pub normal: Vec3<R>,
+    /// Unit vector to the viewer.
+    pub wo: Vec3<R>,
+}
+
+/// Light that textures multiply, and light that they do not.
+#[derive(Clone, Copy)]
+pub(crate) struct Reflected<R> {
+    pub textured: [R; 3],
+    pub plain: [R; 3],
+}
+
+/// What reaches the point from a light: direction, reach, and the factor of its cone alone.
+struct Incident<R> {
+    wi: Vec3<R>,
+    reach: Option<R>,
+    cone: Option<R>,
+}
+
+/// All light that `material` sends from `point` to the viewer, without its own emission.
+#[inline(always)]
+pub(crate) fn reflect<R: Real>(
+    lights: &[EyeLight],
+    material: &PreparedMaterial,
+    point: &Point<R>,
+) -> Reflected<R> {
+    let like = point.normal.x;
+    let mut sum = Reflected {
+        textured: material.ambient[0].map(
+            #[inline(always)]
+            |c| like.lit(f64::from(c)),
+        ),
+        plain: material.ambient[1].map(
+            #[inline(always)]
+            |c| like.lit(f64::from(c)),
+        ),
+    };
+    let cos_o = point.normal.dot(point.wo);
+    let lobes = &material.lobes[..];
+    for (number, light) in lights.iter().enumerate() {
+        let incident = arrive(light, point);
+        if let (Some(cone), Some(row)) = (incident.cone, material.spot_ambient.get(number)) {
+            add(&mut sum.textured, cone, &row[0]);
+            add(&mut sum.plain, cone, &row[1]);
+        }
+        let cos_i = point.normal.dot(incident.wi);
+        if !R::any(like.zero().lt(cos_i)) {
+            continue;
+        }
+        let pair = Pair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
+        let row = &material.tints[number * lobes.len()..][..lobes.len()];
+        for (lobe, tint) in lobes.iter().zip(row) {
+            let mut value = lobe.shape.f_cos(&pair);
+            if let Some(reach) = incident.reach {
+                value = value * reach;
+            }
+            add(if lobe.textured { &mut sum.textured } else { &mut sum.plain }, value, tint);
+        }
+    }
+    sum
+}
+
+#[inline(always)]
+fn add<R: Real>(sum: &mut [R; 3], value: R, tint: &[f32; 3]) {
+    for c in 0..3 {
+        sum[c] = sum[c] + value * value.lit(f64::from(tint[c]));
+    }
+}
+
+#[inline(always)]
+fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
+    Vec3::new(like.lit(f64::from(v[0])), like.lit(f64::from(v[1])), like.lit(f64::from(v[2])))
+}
+
+#[inline(always)]
+fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R> {
+    let like = point.normal.x;
+    match light {
+        EyeLight::Directional { towards } => Incident { wi: splat(like, towards), reach: None, cone: None },
+        EyeLight::Point { position, falloff, cone } => {
+            let to_light = splat(like, position) - point.position;
+            // A light on the surface itself: no direction, no light, rather than infinity.
+            let squared = to_light.dot(to_light).max(like.lit(1e-30));
+            let inverse = squared.rsqrt();
+            let wi = to_light * inverse;
+            let fade = match falloff {
+                EyeFalloff::None => None,
+                EyeFalloff::Polynomial([c, l, q]) => {
+                    let distance = squared * inverse;
+                    let f = inlined(
+                        #[inline(always)]
+                        |x: &f32| like.lit(f64::from(*x)),
+                    );
+                    let denominator = f(c) + f(l) * distance + f(q) * squared;
+                    // Light 0 m away without a constant part would be infinite; 1e-20 keeps it a number.
+                    Some(like.one() / denominator.max(like.lit(1e-20)))
+                }
+            };
+            let cone = cone.as_ref().map(
+                #[inline(always)]
+                |cone| inside(cone, wi),
+            );
+            let reach = match (fade, cone) {
+                (Some(a), Some(b)) => Some(a * b),
+                (a, b) => a.or(b),
+            };
+            Incident { wi, reach, cone }
+        }
+    }
+}
+
+/// The cone factor: (−L·D)^exponent inside the cut-off, 0 outside; or a smooth edge as in glTF.
+#[inline(always)]
+fn inside<R: Real>(cone: &EyeCone, wi: Vec3<R>) -> R {
+    let like = wi.x;
+    let cosine = -wi.dot(splat(like, &cone.axis));
+    let factor = match cone.smooth_edge {
+        Some([outer, inverse_width]) => {
+            let t = (cosine - like.lit(f64::from(outer))) * like.lit(f64::from(inverse_width));
+            t.clamp(0.0, 1.0).sqr()
+        }
+        None if cone.exponent == 0.0 => like.one(),
+        None => cosine.max(like.zero()).pow(like.lit(f64::from(cone.exponent))),
+    };
+    factor.select(like.lit(f64::from(cone.cos_cutoff)).le(cosine), like.zero())
+}

@@ -1,0 +1,214 @@
+//! Both passes over a frame, in parallel where the feature `rayon` is on.
+
+use fearless_simd::{Level, dispatch};
+
+use super::bins::{TILE_HEIGHT, TILE_WIDTH};
+use super::frame::FrameView;
+use super::geometry::{self, ChunkOutput, Screen};
+use super::gouraud::Lit;
+use super::records::Projected;
+use super::target::{Band, Codes, PlaneBand};
+use super::tile::{self, TilePlace, TileScratch};
+use crate::develop::DevelopKernel;
+use crate::{Develop, DrawOptions, Frame, Prepared, View};
+use glanz_scene::Background;
+
+/// Draws frames, and keeps its working memory from one to the next.
+#[derive(Debug, Default)]
+pub struct Renderer {
+    screen: Vec<Screen>,
+    lit: Vec<Lit>,
+    chunks: Vec<ChunkOutput>,
+}
+
+/// Chunks of clusters per thread: enough that culled ones do not leave threads idle.
+const CHUNKS_PER_THREAD: usize = 4;
+
+impl Renderer {
+    /// A renderer without working memory yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Draws into a frame of linear channels.
+    pub fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+        let view_frame = FrameView::new(prepared, view, options);
+        let (width, height) = (view.width as usize, view.height as usize);
+        let mut frame = empty_frame(width, height, options);
+        self.project(&view_frame);
+        let bands = plane_bands(&mut frame);
+        self.draw_bands(&view_frame, bands);
+        frame
+    }
+
+    /// Draws and develops into 8-bit RGBA; see [`crate::draw_rgba8`].
+    ///
+    /// # Panics
+    /// If `out` does not hold 4 bytes for each pixel of the view.
+    pub fn draw_rgba8(
+        &mut self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        develop: &Develop,
+        out: &mut [u8],
+    ) {
+        let (width, height) = (view.width as usize, view.height as usize);
+        assert_eq!(out.len(), 4 * width * height, "four bytes for each pixel");
+        let frame = FrameView::new(prepared, view, options);
+        self.project(&frame);
+        let kernel = DevelopKernel::new(develop);
+        let opaque = matches!(options.background, Background::Color(_));
+        let bands = out
+            .chunks_mut(4 * width * TILE_HEIGHT)
+            .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque }))
+            .collect();
+        self.draw_bands(&frame, bands);
+    }
+
+    /// The first pass.
+    fn project(&mut self, frame: &FrameView) {
+        let geometry = &frame.prepared.geometry;
+        let vertices = geometry.position[0].len();
+        self.screen.resize(vertices, [0.0; 4]);
+        self.lit.resize(if frame.any_gouraud { vertices } else { 0 }, Lit::default());
+        let clusters = geometry.clusters.len();
+        let wanted = threads() * CHUNKS_PER_THREAD;
+        let size = clusters.div_ceil(wanted).max(8);
+        let count = clusters.div_ceil(size);
+        self.chunks.resize_with(count, ChunkOutput::default);
+        let first_vertex = |cluster: usize| {
+            geometry.clusters.get(cluster).map_or(vertices, |cluster| cluster.first_vertex as usize)
+        };
+        let (mut screen, mut lit) = (&mut self.screen[..], &mut self.lit[..]);
+        let mut tasks = Vec::with_capacity(count);
+        for (number, output) in self.chunks.iter_mut().enumerate() {
+            let range = number * size..((number + 1) * size).min(clusters);
+            let length = first_vertex(range.end) - first_vertex(range.start);
+            let (own, rest) = screen.split_at_mut(length);
+            screen = rest;
+            let (own_lit, rest) = lit.split_at_mut(length.min(lit.len()));
+            lit = rest;
+            tasks.push((range, own, own_lit, output));
+        }
+        let level = frame.options.level;
+        for_each(
+            tasks,
+            || (),
+            |(), (range, screen, lit, output)| {
+                output.solid.reset(frame.eye.width, frame.eye.height);
+                output.blended.reset(frame.eye.width, frame.eye.height);
+                output.extras.clear();
+                process(level, frame, range, screen, lit, output);
+            },
+        );
+    }
+
+    /// The second pass.
+    fn draw_bands(&self, frame: &FrameView, bands: Vec<Band>) {
+        let projected = Projected { screen: &self.screen, lit: &self.lit, chunks: &self.chunks };
+        let columns = frame.eye.width.div_ceil(TILE_WIDTH);
+        let level = frame.options.level;
+        let tasks: Vec<_> = bands.into_iter().enumerate().collect();
+        for_each(tasks, TileScratch::default, |scratch, (row, mut band)| {
+            for column in 0..columns {
+                draw_tile(level, frame, &projected, TilePlace { column, row }, scratch, &mut band);
+            }
+        });
+    }
+}
+
+/// One dispatch per chunk: everything below is compiled for the level.
+fn process(
+    level: Level,
+    frame: &FrameView,
+    range: core::ops::Range<usize>,
+    screen: &mut [Screen],
+    lit: &mut [Lit],
+    output: &mut ChunkOutput,
+) {
+    dispatch!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
+}
+
+/// One dispatch per tile.
+fn draw_tile(
+    level: Level,
+    frame: &FrameView,
+    projected: &Projected,
+    place: TilePlace,
+    scratch: &mut TileScratch,
+    band: &mut Band,
+) {
+    dispatch!(level, simd => tile::draw(simd, frame, projected, place, scratch, band));
+}
+
+fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
+    let count = width * height;
+    let plane = |wanted: bool| vec![0.0f32; if wanted { count } else { 0 }];
+    let layers = options.layers;
+    Frame {
+        width,
+        height,
+        rgb: core::array::from_fn(|_| plane(true)),
+        alpha: plane(true),
+        depth: plane(layers.depth),
+        normal: core::array::from_fn(|_| plane(layers.normal)),
+        object: vec![0; if layers.object { count } else { 0 }],
+    }
+}
+
+/// The frame's planes, cut into bands.
+fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
+    fn next<'a, T>(rest: &mut &'a mut [T], length: usize) -> &'a mut [T] {
+        let (own, others) = core::mem::take(rest).split_at_mut(length.min(rest.len()));
+        *rest = others;
+        own
+    }
+    let mut rgb = frame.rgb.each_mut().map(|plane| &mut plane[..]);
+    let mut normal = frame.normal.each_mut().map(|plane| &mut plane[..]);
+    let (mut alpha, mut depth) = (&mut frame.alpha[..], &mut frame.depth[..]);
+    let mut object = &mut frame.object[..];
+    let length = frame.width * TILE_HEIGHT;
+    (0..frame.height.div_ceil(TILE_HEIGHT))
+        .map(|_| {
+            Band::Planes(PlaneBand {
+                rgb: rgb.each_mut().map(|plane| next(plane, length)),
+                alpha: next(&mut alpha, length),
+                depth: next(&mut depth, length),
+                normal: normal.each_mut().map(|plane| next(plane, length)),
+                object: next(&mut object, length),
+            })
+        })
+        .collect()
+}
+
+#[cfg(feature = "rayon")]
+fn threads() -> usize {
+    rayon::current_num_threads()
+}
+
+#[cfg(not(feature = "rayon"))]
+fn threads() -> usize {
+    1
+}
+
+/// Runs `work` on every task, each thread with a scratch of its own.
+#[cfg(feature = "rayon")]
+fn for_each<T: Send, W>(
+    tasks: Vec<T>,
+    scratch: impl Fn() -> W + Sync + Send,
+    work: impl Fn(&mut W, T) + Sync + Send,
+) {
+    use rayon::prelude::*;
+    if tasks.len() < 2 {
+        return tasks.into_iter().for_each(|task| work(&mut scratch(), task));
+    }
+    tasks.into_par_iter().with_max_len(1).for_each_init(scratch, work);
+}
+
+/// Runs `work` on every task, one after the other.
+#[cfg(not(feature = "rayon"))]
+fn for_each<T, W>(tasks: Vec<T>, scratch: impl Fn() -> W, work: impl Fn(&mut W, T)) {
+    let mut own = scratch();
+    tasks.into_iter().for_each(|task| work(&mut own, task));
+}
