@@ -5,6 +5,7 @@
 
 pub mod builtin;
 mod camera;
+mod default_lights;
 pub mod file;
 mod light;
 mod material;
@@ -19,6 +20,7 @@ mod topology;
 
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
+pub use default_lights::add_default_lights;
 pub use light::{Attenuation, Light, LightColors, LightKind, Space};
 pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, TextureUse};
 pub use mesh::{Bounds, Mesh, MeshError};

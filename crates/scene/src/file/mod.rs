@@ -1,1 +1,142 @@
-//! Scene files.
+//! Scene files: TOML with a JSON Schema from the same types.
+//!
+//! [`load`] reads a file, [`parse_str`] a text. A scene file is taken literally: without lights the
+//! picture is dark. Unknown keys are refused with the nearest known name; every error has its place.
+//! The tables of a file are described by [`schema`], with all keys, ranges and defaults.
+//!
+//! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
+//! more than 50 million triangles.
+
+mod build;
+mod error;
+mod explain;
+mod hash;
+mod lights;
+mod materials;
+mod near;
+mod objects;
+mod place;
+mod schema;
+mod sets;
+mod table;
+mod types;
+mod values;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+pub use error::FileError;
+pub use schema::schema;
+use serde::Deserialize;
+use toml::de::DeTable;
+pub use types::{ShowName, ToneMapName};
+
+use crate::Scene;
+use build::Builder;
+use error::{Problem, Source};
+use explain::{Paths, explain};
+use hash::Hash;
+use types::SceneTable;
+
+/// The most bytes that a scene file may have.
+pub const MAX_BYTES: u64 = 16 << 20;
+
+/// How a scene file is read.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LoadOptions {
+    /// Whether files outside of the scene file's folder are read.
+    pub allow_outside: bool,
+    /// Values to set before the file is understood: paths such as `materials.ball.shininess` or
+    /// `lights.0.color`, and TOML. What is not TOML is taken as a string.
+    pub sets: Vec<(String, String)>,
+}
+
+/// What a scene file says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// What the picture shows.
+    pub show: ShowName,
+    /// Tone mapping.
+    pub tone_map: ToneMapName,
+    /// Exposure in stops.
+    pub ev: f64,
+    /// What was ignored or approximated, in words for people.
+    pub notes: Vec<String>,
+    /// A number for the content: of the file with the values set, however it is written, and of the
+    /// files that it names.
+    pub hash: u64,
+}
+
+/// Reads a scene file.
+pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
+    let text = read_text(path).map_err(|message| FileError::whole(path, message))?;
+    parse(path, &text, path.parent().unwrap_or(Path::new("")), options)
+}
+
+/// Reads a scene from a text. Files that it names are relative to `base`.
+pub fn parse_str(text: &str, base: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
+    parse(Path::new("scene"), text, base, options)
+}
+
+fn read_text(path: &Path) -> Result<String, String> {
+    use std::io::Read;
+    let cannot = |error: std::io::Error| format!("the scene file cannot be read: {error}");
+    // Asked before opening, since opening a pipe waits for its other end.
+    let length = std::fs::metadata(path).map_err(cannot)?.len();
+    let too_long = |found| format!("expected a scene file of at most {MAX_BYTES} bytes, found {found}");
+    if length > MAX_BYTES {
+        return Err(too_long(length.to_string()));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(cannot)?;
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(too_long("more".to_owned()));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let byte = error.utf8_error().valid_up_to();
+        format!("expected UTF-8 text, found byte {byte} that is not")
+    })
+}
+
+fn parse(path: &Path, text: &str, base: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
+    let mut source = Source::new(path, text);
+    if text.len() as u64 > MAX_BYTES {
+        let message = format!("expected a scene of at most {MAX_BYTES} bytes, found {}", text.len());
+        return Err(FileError::whole(path, message));
+    }
+    let sets = sets::collect(&mut source, &options.sets);
+    let result = sets.and_then(|sets| understand(text, &sets, base, options.allow_outside));
+    result.map_err(|problem| source.error(problem))
+}
+
+fn understand(
+    text: &str,
+    sets: &[sets::Override],
+    base: &Path,
+    allow_outside: bool,
+) -> Result<Loaded, Problem> {
+    let mut root = DeTable::parse(text).map_err(|error| explain(&error, None))?;
+    for set in sets {
+        set.apply(root.get_mut())?;
+    }
+    let mut hash = Hash::new();
+    hash.table(root.get_ref());
+    let paths = Paths::of(root.get_ref());
+    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
+        .map_err(|error| explain(&error, Some(&paths)))?;
+    let mut builder = Builder::new(base, allow_outside, hash);
+    builder.build(&table)?;
+    Ok(Loaded {
+        show: table.render.show,
+        tone_map: table.render.tone_map,
+        ev: table.render.ev.map_or(0.0, |ev| ev.0),
+        scene: builder.scene,
+        notes: builder.notes,
+        hash: builder.hash.finish(),
+    })
+}

@@ -1,0 +1,369 @@
+//! The tables of a scene file, as serde and the JSON Schema see them.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use super::lights::LightTable;
+use super::materials::MaterialTable;
+use super::objects::ObjectTable;
+use super::table;
+use super::values::{At, Color, FieldOfView, Positive, Stops, Vector};
+use crate::{Interpolation, Shading};
+
+/// A Glanz scene: picture, camera, lights, materials and objects.
+///
+/// Lengths in metres, angles in degrees, right-handed axes with +Y up, linear RGB colours.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(title = "Glanz scene")]
+pub(crate) struct SceneTable {
+    /// The picture to be made.
+    #[serde(deserialize_with = "table::table")]
+    pub image: ImageTable,
+    /// Where the eye is. Without it the scene is framed automatically. The name of a camera of a
+    /// glTF file chooses that one.
+    pub camera: Option<At<CameraRef>>,
+    /// How to draw.
+    #[serde(deserialize_with = "table::table")]
+    pub render: RenderTable,
+    /// Light that comes from everywhere.
+    #[serde(deserialize_with = "table::optional")]
+    pub ambient: Option<AmbientTable>,
+    /// The lights. A scene without lights is dark.
+    #[serde(deserialize_with = "table::list")]
+    pub lights: Vec<At<LightTable>>,
+    /// The materials, by name.
+    pub materials: BTreeMap<String, At<MaterialTable>>,
+    /// The objects.
+    #[serde(deserialize_with = "table::list")]
+    pub objects: Vec<At<ObjectTable>>,
+}
+
+/// The picture to be made.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct ImageTable {
+    /// Width in pixels.
+    pub width: Side,
+    /// Height in pixels.
+    pub height: Side,
+    /// Samples per pixel for anti-aliasing.
+    pub samples: Samples,
+    /// Shade every sample rather than once per pixel and surface.
+    pub supersample: bool,
+    /// What is where nothing is: a colour, or "transparent".
+    pub background: BackgroundValue,
+}
+
+impl Default for ImageTable {
+    fn default() -> Self {
+        let image = crate::Image::default();
+        Self {
+            width: Side(image.width),
+            height: Side(image.height),
+            samples: Samples(image.samples),
+            supersample: image.supersample,
+            background: BackgroundValue(image.background),
+        }
+    }
+}
+
+/// How to draw.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct RenderTable {
+    /// Where the illumination model is evaluated, and what is interpolated.
+    pub shading: ShadingName,
+    /// How values between vertices are found.
+    pub interpolation: InterpolationName,
+    /// What the picture shows.
+    pub show: ShowName,
+    /// How light is compressed to the display's range.
+    pub tone_map: ToneMapName,
+    /// Exposure in stops.
+    pub ev: Option<Stops>,
+}
+
+/// Light that comes from everywhere.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AmbientTable {
+    /// What it sends to the ambient term of every material.
+    pub color: Color,
+}
+
+/// The camera.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CameraTable {
+    /// Position of the eye.
+    pub eye: At<Vector>,
+    /// The point in the middle of the picture; the origin by default.
+    pub target: Option<At<Vector>>,
+    /// The direction that appears upright; +Y by default.
+    pub up: Option<super::values::Direction>,
+    /// Perspective or parallel.
+    #[serde(default)]
+    pub projection: ProjectionName,
+    /// Vertical field of view of a perspective camera, in degrees; 40 by default.
+    pub fov_deg: Option<At<FieldOfView>>,
+    /// What height an orthographic camera shows, in metres.
+    pub height: Option<At<Positive>>,
+}
+
+/// A camera, or the name of one.
+#[derive(Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(crate) enum CameraRef {
+    /// A camera.
+    Table(CameraTable),
+    /// The name of a camera of a glTF file that an object is from.
+    Name(String),
+}
+
+impl<'de> Deserialize<'de> for CameraRef {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Camera;
+        impl<'de> Visitor<'de> for Camera {
+            type Value = CameraRef;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a camera's table, or the name of a camera of a glTF file")
+            }
+            fn visit_str<E>(self, name: &str) -> Result<CameraRef, E> {
+                Ok(CameraRef::Name(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<CameraRef, A::Error> {
+                CameraTable::deserialize(MapAccessDeserializer::new(map)).map(CameraRef::Table)
+            }
+        }
+        deserializer.deserialize_any(Camera)
+    }
+}
+
+/// A name out of a few, which are the variants in kebab-case.
+macro_rules! names {
+    ($(#[$doc:meta])* $vis:vis $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $text:literal),+ $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+        $vis enum $name {
+            $($(#[$variant_doc])* #[serde(rename = $text)] $variant),+
+        }
+
+        impl $name {
+            /// The name in files and on the command line.
+            #[allow(dead_code, reason = "not all of the lists are printed")]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $text),+
+                }
+            }
+        }
+    };
+}
+pub(crate) use names;
+
+names! {
+    /// Where the illumination model is evaluated.
+    pub(crate) ShadingName {
+        /// Once per facet.
+        Flat = "flat",
+        /// At the vertices.
+        Gouraud = "gouraud",
+        /// At each pixel.
+        #[default]
+        Phong = "phong",
+    }
+}
+
+impl ShadingName {
+    pub(crate) fn shading(self) -> Shading {
+        match self {
+            Self::Flat => Shading::Flat,
+            Self::Gouraud => Shading::Gouraud,
+            Self::Phong => Shading::Phong,
+        }
+    }
+}
+
+names! {
+    /// How values between vertices are found.
+    pub(crate) InterpolationName {
+        /// Linear on the surface in space.
+        #[default]
+        Perspective = "perspective",
+        /// Linear on the screen, over triangles.
+        ScreenLinear = "screen-linear",
+        /// Along the edges of the polygon, then along the scanline.
+        Scanline = "scanline",
+    }
+}
+
+impl InterpolationName {
+    pub(crate) fn interpolation(self) -> Interpolation {
+        match self {
+            Self::Perspective => Interpolation::Perspective,
+            Self::ScreenLinear => Interpolation::ScreenLinear,
+            Self::Scanline => Interpolation::Scanline,
+        }
+    }
+}
+
+names! {
+    /// What a scene file asks the picture to show.
+    pub ShowName {
+        /// Light on surfaces.
+        #[default]
+        Shaded = "shaded",
+        /// Shading normals.
+        Normals = "normals",
+        /// Distance.
+        Depth = "depth",
+        /// A colour per object.
+        Ids = "ids",
+        /// A colour per facet.
+        Facets = "facets",
+        /// The edges of the facets.
+        Wireframe = "wireframe",
+        /// The ambient and emitted terms alone.
+        Ambient = "ambient",
+        /// The diffuse terms alone.
+        Diffuse = "diffuse",
+        /// The specular terms alone.
+        Specular = "specular",
+        /// Texture coordinates.
+        Uv = "uv",
+        /// Where any light reaches the surface.
+        Lit = "lit",
+    }
+}
+
+names! {
+    /// The tone mapping that a scene file asks for.
+    pub ToneMapName {
+        /// None: what is above 1 is clipped.
+        #[default]
+        None = "none",
+        /// Reinhard et al. 2002.
+        Reinhard = "reinhard",
+        /// Academy, fitted.
+        Aces = "aces",
+        /// AgX.
+        Agx = "agx",
+        /// Khronos PBR neutral.
+        KhronosNeutral = "khronos-neutral",
+    }
+}
+
+names! {
+    /// How the scene is projected.
+    pub(crate) ProjectionName {
+        /// A pinhole.
+        #[default]
+        Perspective = "perspective",
+        /// Parallel rays.
+        Orthographic = "orthographic",
+    }
+}
+
+/// A side of a picture in pixels.
+#[derive(Debug)]
+pub(crate) struct Side(pub u32);
+
+/// The longest side of a picture, in pixels.
+const MAX_SIDE: u32 = 16_384;
+
+impl<'de> Deserialize<'de> for Side {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let pixels = i64::deserialize(deserializer)?;
+        u32::try_from(pixels).ok().filter(|p| (1..=MAX_SIDE).contains(p)).map(Self).ok_or_else(|| {
+            D::Error::custom(format!("expected between 1 and {MAX_SIDE} pixels, found {pixels}"))
+        })
+    }
+}
+
+impl JsonSchema for Side {
+    fn schema_name() -> Cow<'static, str> {
+        "Side".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 1, "maximum": MAX_SIDE })
+    }
+}
+
+/// Samples per pixel.
+#[derive(Debug)]
+pub(crate) struct Samples(pub u32);
+
+impl<'de> Deserialize<'de> for Samples {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match i64::deserialize(deserializer)? {
+            samples @ (1 | 2 | 4 | 8 | 16) => Ok(Self(samples as u32)),
+            found => Err(D::Error::custom(format!("expected 1, 2, 4, 8 or 16 samples, found {found}"))),
+        }
+    }
+}
+
+impl JsonSchema for Samples {
+    fn schema_name() -> Cow<'static, str> {
+        "Samples".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "enum": [1, 2, 4, 8, 16] })
+    }
+}
+
+/// What is where nothing is.
+#[derive(Debug)]
+pub(crate) struct BackgroundValue(pub crate::Background);
+
+impl<'de> Deserialize<'de> for BackgroundValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Background;
+        impl<'de> Visitor<'de> for Background {
+            type Value = BackgroundValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a colour such as [0.0, 0.0, 0.2], \"#rrggbb\", or \"transparent\"")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<BackgroundValue, E> {
+                if text == "transparent" {
+                    return Ok(BackgroundValue(crate::Background::Transparent));
+                }
+                let color = Color::parse_hex(text);
+                color.map(|c| BackgroundValue(crate::Background::Color(c.0))).ok_or_else(|| {
+                    let found = text.chars().take(40).collect::<String>();
+                    E::custom(format!("expected a colour or \"transparent\", found \"{found}\""))
+                })
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<BackgroundValue, A::Error> {
+                let de = serde::de::value::SeqAccessDeserializer::new(seq);
+                Color::deserialize(de).map(|c| BackgroundValue(crate::Background::Color(c.0)))
+            }
+        }
+        deserializer.deserialize_any(Background)
+    }
+}
+
+impl JsonSchema for BackgroundValue {
+    fn schema_name() -> Cow<'static, str> {
+        "Background".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let color = generator.subschema_for::<Color>();
+        json_schema!({ "anyOf": [{ "const": "transparent" }, color] })
+    }
+}
