@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 
 use crate::{
     Mesh,
-    topology::{Splitter, Welded, for_each_edge},
+    topology::{Groups, Splitter, Welded, for_each_edge},
 };
 
 /// Where the normals of a mesh come from.
@@ -230,40 +230,6 @@ fn assign(mesh: Mesh, groups: &[u32], facets: &[DVec3], sums: &[DVec3]) -> Mesh 
 /// +Z in the place of no normal.
 fn usable(normal: Vec3) -> Vec3 {
     if normal == Vec3::ZERO { Vec3::Z } else { normal }
-}
-
-/// Disjoint sets of corners. The root of each is its first member.
-struct Groups(Vec<u32>);
-
-impl Groups {
-    fn new(count: usize) -> Self {
-        Self((0..count as u32).collect())
-    }
-
-    fn root(&mut self, mut member: u32) -> u32 {
-        loop {
-            let parent = self.0[member as usize];
-            if parent == member {
-                return member;
-            }
-            // Halving the path keeps later searches short.
-            self.0[member as usize] = self.0[parent as usize];
-            member = parent;
-        }
-    }
-
-    fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.0[a.max(b) as usize] = a.min(b);
-    }
-
-    fn into_roots(mut self) -> Vec<u32> {
-        for member in 0..self.0.len() as u32 {
-            // Parents come before their children, so one step is enough here.
-            self.0[member as usize] = self.0[self.0[member as usize] as usize];
-        }
-        self.0
-    }
 }
 
 #[cfg(test)]

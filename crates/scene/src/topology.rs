@@ -129,3 +129,40 @@ pub(crate) fn for_each_edge(sides: &[[u32; 2]], points: usize, mut visit: impl F
         }
     }
 }
+
+/// Disjoint sets of numbers. The root of each is its first member.
+pub(crate) struct Groups(Vec<u32>);
+
+impl Groups {
+    /// Each member alone.
+    pub fn new(count: usize) -> Self {
+        Self((0..count as u32).collect())
+    }
+
+    fn root(&mut self, mut member: u32) -> u32 {
+        loop {
+            let parent = self.0[member as usize];
+            if parent == member {
+                return member;
+            }
+            // Halving the path keeps later searches short.
+            self.0[member as usize] = self.0[parent as usize];
+            member = parent;
+        }
+    }
+
+    /// Makes one set of those of both members.
+    pub fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+
+    /// The first member of the set of each.
+    pub fn into_roots(mut self) -> Vec<u32> {
+        for member in 0..self.0.len() as u32 {
+            // Parents come before their children, so one step is enough here.
+            self.0[member as usize] = self.0[self.0[member as usize] as usize];
+        }
+        self.0
+    }
+}
