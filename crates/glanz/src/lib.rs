@@ -1,1 +1,18 @@
+//! How does this material look, under this light, to this eye?
+//!
+//! This crate is the front door of Glanz: it re-exports the others under short names, and carries
+//! the command `glanz` (feature `cli`, on by default; libraries that only draw leave it out).
+//!
+//! | name | holds |
+//! |---|---|
+//! | [`math`] | numbers that run as f64, f32 and 16 lanes; vectors; quadrature |
+//! | [`color`] | linear RGB and the sRGB transfer |
+//! | [`bsdf`] | the shapes of reflection lobes, from one list of models |
+//! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
+//! | [`render`] | from a scene to linear channels to picture files, on the CPU |
 
+pub use glanz_bsdf as bsdf;
+pub use glanz_color as color;
+pub use glanz_math as math;
+pub use glanz_render as render;
+pub use glanz_scene as scene;

@@ -1,0 +1,76 @@
+//! From where.
+
+use clap::Args;
+use glam::DVec3;
+use glanz_scene::{Camera, Projection};
+
+use super::super::failure::Failure;
+use super::super::load::Input;
+use super::values;
+
+/// Another camera than the scene's.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Camera")]
+pub struct CameraArgs {
+    /// A camera of the model by its name or its number, from 0
+    #[arg(long, value_name = "NAME")]
+    pub camera: Option<String>,
+
+    /// Where the eye is
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
+    pub eye: Option<[f64; 3]>,
+
+    /// What is in the middle of the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
+    pub target: Option<[f64; 3]>,
+
+    /// Which direction is upright
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
+    pub up: Option<[f64; 3]>,
+
+    /// Vertical field of view of a perspective camera, in degrees
+    #[arg(long, value_name = "DEGREES")]
+    pub fov_deg: Option<f64>,
+}
+
+impl CameraArgs {
+    /// The camera to use: the one named, or the scene's, or one that shows everything; with the
+    /// numbers given instead of its own.
+    pub fn resolve(
+        &self,
+        Input { scene, cameras, .. }: &Input,
+        (width, height): (u32, u32),
+    ) -> Result<Camera, Failure> {
+        let mut camera = match &self.camera {
+            Some(name) => find(name, cameras)?,
+            None => scene.camera_or_framing(f64::from(width.max(1)) / f64::from(height.max(1))),
+        };
+        let vector = |given: Option<[f64; 3]>, own| given.map_or(own, DVec3::from_array);
+        camera.eye = vector(self.eye, camera.eye);
+        camera.target = vector(self.target, camera.target);
+        camera.up = vector(self.up, camera.up);
+        if let Some(degrees) = self.fov_deg {
+            if !(degrees > 0.0 && degrees < 180.0) {
+                return Err(Failure::Usage(format!("--fov-deg is {degrees}, but must be between 0 and 180")));
+            }
+            camera.projection = Projection::Perspective { fov_y: degrees.to_radians() };
+        }
+        Ok(camera)
+    }
+}
+
+/// The camera called `name`, or of that number.
+fn find(name: &str, named: &[(String, Camera)]) -> Result<Camera, Failure> {
+    let by_name = named.iter().find(|(own, _)| own == name);
+    let by_number = || name.parse::<usize>().ok().and_then(|number| named.get(number));
+    match by_name.or_else(by_number) {
+        Some((_, camera)) => Ok(*camera),
+        None if named.is_empty() => {
+            Err(Failure::Usage(format!("there is no camera '{name}': the file has no named cameras")))
+        }
+        None => {
+            let known = named.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+            Err(Failure::Usage(format!("there is no camera '{name}'; the file has: {known}")))
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Groups of options that commands share. Help, completions and documentation come from here.
+
+mod camera;
+pub mod choices;
+mod input;
+mod look;
+mod picture;
+mod target;
+mod values;
+
+pub use camera::CameraArgs;
+pub use input::InputArgs;
+pub use look::LookArgs;
+pub use picture::{BitDepth, DevelopArgs};
+pub use target::{Target, TargetArgs, check_folder};
+pub use values::{angles, assignment, size};
+
+use clap::Args;
+
+use super::failure::Failure;
+
+/// How large the picture is.
+#[derive(Args, Clone, Copy, Debug)]
+#[command(next_help_heading = "Picture")]
+pub struct SizeArgs {
+    /// Width and height in pixels [default: the scene's, else 800x600]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+}
+
+/// How the machine is used.
+#[derive(Args, Clone, Copy, Debug)]
+#[command(next_help_heading = "Machine")]
+pub struct MachineArgs {
+    /// How many threads draw; the picture does not depend on it [default: all processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl MachineArgs {
+    /// Sets the number of threads for the whole process. Threads start when there is work for them.
+    pub fn apply(self) -> Result<(), Failure> {
+        let Some(threads) = self.threads else {
+            return Ok(());
+        };
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(usize::from(threads))
+            .build_global()
+            .map_err(|error| Failure::new(format_args!("cannot start {threads} threads: {error}")))
+    }
+}

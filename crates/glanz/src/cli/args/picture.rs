@@ -1,0 +1,48 @@
+//! What becomes of the drawn light.
+
+use clap::{Args, ValueEnum};
+use glanz_render::{Develop, ToneMap};
+
+use super::super::failure::Failure;
+use super::super::load::Input;
+use super::choices;
+
+/// Bits per channel of a PNG.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum BitDepth {
+    /// 256 steps
+    #[default]
+    #[value(name = "8")]
+    Eight,
+    /// 65536 steps
+    #[value(name = "16")]
+    Sixteen,
+}
+
+/// From linear light to a picture.
+#[derive(Args, Clone, Copy, Debug)]
+#[command(next_help_heading = "Development")]
+pub struct DevelopArgs {
+    /// Exposure in stops: 1 doubles the light
+    #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
+    pub ev: Option<f32>,
+
+    /// How what is too bright for a screen is compressed
+    #[arg(long, value_name = "NAME", value_parser = choices::tone_map())]
+    pub tone_map: Option<ToneMap>,
+
+    /// Dither before rounding to 8 bits
+    #[arg(long)]
+    pub dither: bool,
+}
+
+impl DevelopArgs {
+    /// The settings, checked: those of the scene where the command line has none.
+    pub fn resolve(self, input: &Input) -> Result<Develop, Failure> {
+        let ev = self.ev.unwrap_or(input.ev);
+        if !(-64.0..=64.0).contains(&ev) {
+            return Err(Failure::Usage(format!("--ev is {ev}, but must be between -64 and 64 stops")));
+        }
+        Ok(Develop { ev, tone_map: self.tone_map.unwrap_or(input.tone_map), dither: self.dither })
+    }
+}

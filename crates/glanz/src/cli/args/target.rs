@@ -1,0 +1,101 @@
+//! Where the picture goes.
+
+use std::ffi::OsStr;
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueHint};
+
+use super::super::failure::{Failure, Report};
+
+/// Where the picture goes.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Output")]
+pub struct TargetArgs {
+    /// The picture's file, its format by its ending; - for a PNG to stdout [default: beside the
+    /// input, never over an existing file]
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+
+    /// Without -o: write even over an existing file
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Where the picture goes, checked before any work is done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// To whoever reads our output, as PNG.
+    Stdout,
+    /// Into this file.
+    File(PathBuf),
+}
+
+impl TargetArgs {
+    /// Where the picture goes; without `-o` into a file beside `input`, with `ending` for its own
+    /// name's: `model.glb` and `.png` make `model.png`.
+    pub fn resolve(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
+        let target = self.named(input, ending)?;
+        if let Target::File(path) = &target {
+            check_folder(path)?;
+            self.check_free(path)?;
+        }
+        Ok(target)
+    }
+
+    /// The same, with nothing asked of the file system.
+    pub fn named(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
+        match &self.output {
+            Some(path) if path == OsStr::new("-") => {
+                if io::stdout().is_terminal() {
+                    let message = "stdout is a terminal, which shows no PNG; add --preview or redirect it";
+                    return Err(Failure::Usage(message.to_owned()));
+                }
+                Ok(Target::Stdout)
+            }
+            Some(path) => Ok(Target::File(path.clone())),
+            None => Ok(Target::File(beside(input, ending))),
+        }
+    }
+
+    /// That a file which the user did not name may be written.
+    pub fn check_free(&self, path: &Path) -> Result<(), Failure> {
+        if self.output.is_none() && !self.force && path.exists() {
+            let report = Report::new(format_args!("'{}' exists already", path.display()));
+            return Err(report.help("write over it with --force, or choose another file with -o").into());
+        }
+        Ok(())
+    }
+}
+
+/// The file beside `input` whose name has `ending` in place of its own.
+pub fn beside(input: &Path, ending: &str) -> PathBuf {
+    let mut name = input.file_stem().unwrap_or(OsStr::new("picture")).to_owned();
+    name.push(ending);
+    input.with_file_name(name)
+}
+
+/// That the folder of a file exists and the file is none.
+pub fn check_folder(path: &Path) -> Result<(), Failure> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+        let report = Report::new(format_args!("cannot write '{}'", path.display()));
+        return Err(report.help(format_args!("there is no folder '{}'", folder.display())).into());
+    }
+    if path.is_dir() {
+        return Err(Failure::new(format_args!("cannot write '{}': it is a folder", path.display())));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_picture_of_a_model_lies_beside_it() {
+        assert_eq!(beside(Path::new("a/model.glb"), ".png"), Path::new("a/model.png"));
+        assert_eq!(beside(Path::new("model.v2.glb"), "_sheet.png"), Path::new("model.v2_sheet.png"));
+        assert_eq!(beside(Path::new("model"), ".png"), Path::new("model.png"));
+    }
+}

@@ -1,0 +1,73 @@
+//! One file per command.
+
+mod bsdf;
+mod compare;
+mod completions;
+mod film;
+mod info;
+mod render;
+mod schema;
+mod sweep;
+
+use clap::{Command as ClapCommand, Subcommand};
+
+use super::failure::Failure;
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Draw a scene or a model
+    #[command(after_help = render::EXAMPLES)]
+    Render(Box<render::RenderArgs>),
+    /// Draw a sheet of pictures in which values of the scene vary
+    #[command(after_help = sweep::EXAMPLES)]
+    Sweep(Box<sweep::SweepArgs>),
+    /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
+    #[command(after_help = compare::EXAMPLES)]
+    ShadeCompare(Box<compare::CompareArgs>),
+    /// Tell what is in a scene or a model, and what of it is ignored
+    #[command(after_help = info::EXAMPLES)]
+    Info(info::InfoArgs),
+    /// The models of reflection and their numbers
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  glanz bsdf list\n  glanz bsdf eval phong --wo 30,0 --wi 45,180"
+    )]
+    Bsdf(bsdf::BsdfCommand),
+    /// Print the JSON Schema of scene files
+    #[command(after_help = "Example:\n  glanz schema > scene.schema.json")]
+    Schema,
+    /// Print what a shell needs to complete command lines
+    #[command(
+        after_help = "Example:\n  glanz completions bash > ~/.local/share/bash-completion/completions/glanz"
+    )]
+    Completions(completions::CompletionsArgs),
+}
+
+impl Command {
+    /// The names that lead to the command.
+    pub fn path(&self) -> Vec<&'static str> {
+        match self {
+            Self::Render(_) => vec!["render"],
+            Self::Sweep(_) => vec!["sweep"],
+            Self::ShadeCompare(_) => vec!["shade-compare"],
+            Self::Info(_) => vec!["info"],
+            Self::Bsdf(command) => vec!["bsdf", command.name()],
+            Self::Schema => vec!["schema"],
+            Self::Completions(_) => vec!["completions"],
+        }
+    }
+
+    /// Does it. `root` defines the whole command line.
+    pub fn run(&self, root: fn() -> ClapCommand) -> Result<(), Failure> {
+        match self {
+            Self::Render(args) => args.run(),
+            Self::Sweep(args) => args.run(),
+            Self::ShadeCompare(args) => args.run(),
+            Self::Info(args) => args.run(),
+            Self::Bsdf(command) => command.run(),
+            Self::Schema => schema::run(),
+            Self::Completions(args) => args.run(root()),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Several pictures in a row: their numbers, their names, their cameras.
+
+use std::ops::Range;
+
+use glam::{DQuat, DVec3};
+use glanz_scene::Camera;
+
+use super::print::number;
+
+/// The most frames of one film.
+const MAX_FRAMES: u32 = 100_000;
+
+/// `0..120` (without 120) or `0..=119`.
+pub fn range(text: &str) -> Result<Range<u32>, String> {
+    const EXPECTED: &str = "expected FIRST..END, such as 0..120 for 120 frames from 0 to 119";
+    let (first, end) = text.split_once("..").ok_or(EXPECTED)?;
+    let (end, inclusive) = end.strip_prefix('=').map_or((end, 0), |end| (end, 1));
+    let number = |text: &str| text.trim().parse::<u32>().map_err(|_| EXPECTED);
+    let (first, end) = (number(first)?, number(end)?.saturating_add(inclusive));
+    match end.checked_sub(first) {
+        None | Some(0) => Err(format!("there is no frame in {text}; {EXPECTED}")),
+        Some(count) if count > MAX_FRAMES => {
+            Err(format!("{count} frames are too many; at most {MAX_FRAMES}"))
+        }
+        Some(_) => Ok(first..end),
+    }
+}
+
+/// A number of the scene that changes evenly during a film.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    path: String,
+    from: f64,
+    to: f64,
+}
+
+impl Motion {
+    /// `PATH=FROM:TO`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        const EXPECTED: &str = "expected PATH=FROM:TO, such as camera.fov_deg=20:60";
+        let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
+        let (from, to) = values.split_once(':').ok_or(EXPECTED)?;
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+        let (from, to) = number(from).zip(number(to)).ok_or(EXPECTED)?;
+        match path.trim() {
+            "" => Err(EXPECTED.to_owned()),
+            path => Ok(Self { path: path.to_owned(), from, to }),
+        }
+    }
+
+    /// What to set after a part of the film.
+    pub fn at(&self, part: f64) -> (String, String) {
+        // Not more digits than a value that is set by hand would have.
+        (self.path.clone(), number(self.from + (self.to - self.from) * part))
+    }
+}
+
+/// A file name with a place for the frame's number: `{frame}`, or `{frame:04}` for four digits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Template {
+    before: String,
+    after: String,
+    digits: usize,
+}
+
+impl Template {
+    /// The template in `text`; `None` if there is no place for a number.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (before, rest) = text.split_once("{frame")?;
+        let (format, after) = rest.split_once('}')?;
+        let digits = match format.strip_prefix(':') {
+            Some(digits) => digits.parse().ok().filter(|digits| *digits <= 20)?,
+            None if format.is_empty() => 1,
+            None => return None,
+        };
+        Some(Self { before: before.to_owned(), after: after.to_owned(), digits })
+    }
+
+    /// The name of frame `number`.
+    pub fn name(&self, number: u32) -> String {
+        format!("{}{number:0digits$}{}", self.before, self.after, digits = self.digits)
+    }
+}
+
+/// The camera after `part` of a full turn around its target, counter-clockwise seen from above.
+///
+/// The axis is the camera's `up`, so that the horizon stays level.
+pub fn turned(camera: &Camera, part: f64) -> Camera {
+    let axis = camera.up.try_normalize().unwrap_or(DVec3::Y);
+    let turn = DQuat::from_axis_angle(axis, part * core::f64::consts::TAU);
+    Camera { eye: camera.target + turn * (camera.eye - camera.target), ..*camera }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glanz_scene::Bounds;
+
+    #[test]
+    fn a_range_leaves_its_end_out_unless_told() {
+        assert_eq!(range("0..120"), Ok(0..120));
+        assert_eq!(range("3..=3"), Ok(3..4));
+        for wrong in ["", "5", "5..5", "6..5", "-1..3", "0..4294967295", "a..b"] {
+            assert!(range(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_template_says_where_the_number_goes() {
+        let name = |text: &str| Template::parse(text).map(|template| template.name(7));
+        assert_eq!(name("spin_{frame:04}.png").as_deref(), Some("spin_0007.png"));
+        assert_eq!(name("{frame}/a.png").as_deref(), Some("7/a.png"));
+        for wrong in ["spin.png", "{frame", "{frames}", "{frame:x}", "{frame:99999}"] {
+            assert_eq!(name(wrong), None, "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_quarter_turn_keeps_distance_and_height() {
+        let camera = Camera { eye: DVec3::new(0.0, 1.0, 4.0), ..Camera::framing(&Bounds::EMPTY, 1.0) };
+        let camera = Camera { target: DVec3::new(0.0, 1.0, 0.0), ..camera };
+        let quarter = turned(&camera, 0.25);
+        assert!((quarter.eye - DVec3::new(4.0, 1.0, 0.0)).length() < 1e-12);
+        assert_eq!(turned(&camera, 0.0).eye, camera.eye);
+    }
+}

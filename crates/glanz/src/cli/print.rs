@@ -1,0 +1,100 @@
+//! Data on stdout.
+
+use std::io::{self, Write};
+
+use clap::{Args, ValueEnum};
+use serde_json::Value;
+
+use super::failure::{Failure, plain};
+
+/// How data is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people
+    #[default]
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The choice between text and JSON.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct FormatArgs {
+    /// How data is printed on stdout
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    pub format: Format,
+}
+
+/// Writes all of `bytes` to stdout. That nobody reads any more is [`Failure::Closed`].
+pub fn bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::Closed,
+        _ => Failure::new(format_args!("cannot write to stdout: {}", plain(&error))),
+    })
+}
+
+/// Writes text to stdout.
+pub fn text(text: &str) -> Result<(), Failure> {
+    bytes(text.as_bytes())
+}
+
+/// Writes JSON to stdout, indented.
+pub fn json(value: &Value) -> Result<(), Failure> {
+    text(&format!("{value:#}\n"))
+}
+
+/// Tells something on stderr that is no data. That nobody listens is no failure.
+pub fn note(message: impl std::fmt::Display) {
+    let _ = writeln!(io::stderr().lock(), "{message}");
+}
+
+/// Tells on stderr that not all of `input` is drawn as it says, and where to read more.
+pub fn notes(input: &std::path::Path, notes: &[String]) {
+    match notes {
+        [] => {}
+        [only] => note(format_args!("note: {only}")),
+        _ => note(format_args!(
+            "note: {} things are ignored or changed; 'glanz info {}' lists them",
+            notes.len(),
+            input.display()
+        )),
+    }
+}
+
+/// A number for people: up to six significant digits, no trailing zeros.
+pub fn number(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..9).contains(&magnitude) {
+        return format!("{value:.4e}");
+    }
+    let text = format!("{value:.*}", (5 - magnitude).max(0) as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_six_digits_and_no_trailing_zeros() {
+        let cases = [
+            (0.0, "0"),
+            (1.0, "1"),
+            (0.1 + 0.2, "0.3"),
+            (-1.234_567_8, "-1.23457"),
+            (1e12, "1.0000e12"),
+            (123_456_789.0, "123456789"),
+            (0.000_012_3, "1.2300e-5"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
+    }
+}

@@ -1,0 +1,316 @@
+//! What is in a scene, in words and as JSON.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use glam::DVec3;
+use glanz_color::Rgb;
+use glanz_scene::{
+    AlphaMode, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Material, Mesh, Projection,
+    Space,
+};
+use serde_json::{Value, json};
+
+use super::load::Input;
+use super::print::number;
+
+/// The most things of a kind that are listed for people; JSON has all.
+const MOST_LISTED: usize = 40;
+
+/// What is in a scene.
+pub struct Summary<'a> {
+    /// The scene.
+    pub input: &'a Input,
+    /// Its file.
+    pub path: &'a Path,
+}
+
+impl Summary<'_> {
+    /// For people.
+    pub fn text(&self) -> String {
+        let scene = &self.input.scene;
+        let mut text = format!("{}\n", self.path.display());
+        let total: usize = self.triangles();
+        let instances = plural(scene.objects.len(), "object");
+        line(&mut text, "shows", &format!("{instances} with {}", plural(total, "triangle")));
+        line(&mut text, "bounds", &bounds_text(&scene.bounds()));
+        let image = scene.image;
+        line(&mut text, "picture", &format!("{}x{}, {} samples", image.width, image.height, image.samples));
+        section(&mut text, "meshes", scene.meshes.iter().map(mesh_text));
+        section(&mut text, "materials", scene.materials.iter().map(material_text));
+        section(
+            &mut text,
+            "textures",
+            scene
+                .textures
+                .iter()
+                .map(|texture| format!("{} {}x{}", name(&texture.name), texture.width, texture.height)),
+        );
+        let lights =
+            if self.input.default_lights { "lights (the file has none; these are added)" } else { "lights" };
+        section(&mut text, lights, scene.lights.iter().map(light_text));
+        match (&scene.camera, self.input.cameras.is_empty()) {
+            (Some(camera), true) => section(&mut text, "cameras", [camera_text("", camera)]),
+            (None, true) => line(&mut text, "cameras", "none; the scene is framed automatically"),
+            _ => {
+                let cameras = self.input.cameras.iter();
+                section(&mut text, "cameras", cameras.map(|(name, camera)| camera_text(name, camera)));
+            }
+        }
+        section(&mut text, "ignored or changed", self.input.notes.iter().cloned());
+        text
+    }
+
+    /// For programs.
+    pub fn json(&self) -> Value {
+        let scene = &self.input.scene;
+        let cameras: Vec<_> = match (&scene.camera, self.input.cameras.as_slice()) {
+            (Some(camera), []) => vec![camera_json("", camera)],
+            (_, named) => named.iter().map(|(name, camera)| camera_json(name, camera)).collect(),
+        };
+        let textures = scene
+            .textures
+            .iter()
+            .map(|texture| json!({ "name": texture.name, "width": texture.width, "height": texture.height }));
+        let objects = scene
+            .objects
+            .iter()
+            .map(|object| json!({ "name": object.name, "mesh": object.mesh, "material": object.material }));
+        let image = scene.image;
+        json!({
+            "file": self.path.display().to_string(),
+            "triangles": self.triangles(),
+            "bounds": bounds_json(&scene.bounds()),
+            "image": {
+                "width": image.width, "height": image.height, "samples": image.samples,
+                "background": match image.background {
+                    Background::Color(color) => json!(color),
+                    Background::Transparent => json!("transparent"),
+                },
+            },
+            "objects": objects.collect::<Vec<_>>(),
+            "meshes": scene.meshes.iter().map(mesh_json).collect::<Vec<_>>(),
+            "materials": scene.materials.iter().map(material_json).collect::<Vec<_>>(),
+            "textures": textures.collect::<Vec<_>>(),
+            "lights": scene.lights.iter().map(light_json).collect::<Vec<_>>(),
+            "default_lights": self.input.default_lights,
+            "cameras": cameras,
+            "notes": self.input.notes,
+        })
+    }
+
+    /// How many triangles are drawn: those of a mesh count once per object.
+    fn triangles(&self) -> usize {
+        let scene = &self.input.scene;
+        scene.objects.iter().map(|object| scene.meshes[object.mesh].triangle_count()).sum()
+    }
+}
+
+fn line(text: &mut String, title: &str, content: &str) {
+    writeln!(text, "  {title:<10} {content}").expect("a string takes everything");
+}
+
+/// A title with a number, and the things below it; nothing where there is nothing.
+fn section(text: &mut String, title: &str, items: impl IntoIterator<Item = String>) {
+    let items: Vec<_> = items.into_iter().collect();
+    if items.is_empty() {
+        return;
+    }
+    writeln!(text, "  {title}: {}", items.len()).expect("a string takes everything");
+    for item in items.iter().take(MOST_LISTED) {
+        writeln!(text, "    {item}").expect("a string takes everything");
+    }
+    if let Some(more) = items.len().checked_sub(MOST_LISTED).filter(|more| *more > 0) {
+        writeln!(text, "    and {more} more; --format json lists all").expect("a string takes everything");
+    }
+}
+
+fn plural(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+}
+
+fn name(name: &str) -> &str {
+    if name.is_empty() { "(unnamed)" } else { name }
+}
+
+fn vector(v: DVec3) -> String {
+    v.to_array().map(number).join(", ")
+}
+
+fn color(Rgb(channels): Rgb) -> String {
+    format!("({})", channels.map(|channel| number(f64::from(channel))).join(", "))
+}
+
+fn bounds_text(bounds: &Bounds) -> String {
+    match bounds.is_empty() {
+        true => "empty".to_owned(),
+        false => format!("({}) to ({})", vector(bounds.min), vector(bounds.max)),
+    }
+}
+
+fn bounds_json(bounds: &Bounds) -> Value {
+    match bounds.is_empty() {
+        true => Value::Null,
+        false => json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() }),
+    }
+}
+
+fn attributes(mesh: &Mesh) -> Vec<&'static str> {
+    let has = [
+        (!mesh.normals.is_empty(), "normals"),
+        (!mesh.uvs.is_empty(), "uvs"),
+        (!mesh.tangents.is_empty(), "tangents"),
+        (!mesh.colors.is_empty(), "colors"),
+    ];
+    has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
+}
+
+fn mesh_text(mesh: &Mesh) -> String {
+    let mut text = format!(
+        "{}: {}, {}",
+        name(&mesh.name),
+        plural(mesh.triangle_count(), "triangle"),
+        plural(mesh.positions.len(), "vertex").replace("vertexs", "vertices"),
+    );
+    let attributes = attributes(mesh);
+    if !attributes.is_empty() {
+        write!(text, ", with {}", attributes.join(", ")).expect("a string takes everything");
+    }
+    text
+}
+
+fn mesh_json(mesh: &Mesh) -> Value {
+    json!({
+        "name": mesh.name, "vertices": mesh.positions.len(), "faces": mesh.face_count(),
+        "triangles": mesh.triangle_count(), "attributes": attributes(mesh), "bounds": bounds_json(&mesh.bounds()),
+    })
+}
+
+fn lobe_text(lobe: &Lobe) -> String {
+    let info = lobe.shape.info();
+    let params = info.params.iter().zip(lobe.shape.params());
+    let params: String = params.map(|(param, value)| format!(" {} {}", param.name, number(value))).collect();
+    format!("{}{params} × {}", info.name, color(lobe.tint))
+}
+
+fn maps(material: &Material) -> Vec<&'static str> {
+    let has = [
+        (material.base_color.is_some(), "base color"),
+        (material.normal_map.is_some(), "normal"),
+        (material.emission_map.is_some(), "emission"),
+    ];
+    has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
+}
+
+fn material_text(material: &Material) -> String {
+    let lobes = material.lobes.iter().map(lobe_text).collect::<Vec<_>>().join(" + ");
+    let mut text = format!("{}: {}", name(&material.name), if lobes.is_empty() { "black" } else { &lobes });
+    let maps = maps(material);
+    if !maps.is_empty() {
+        write!(text, ", textures: {}", maps.join(", ")).expect("a string takes everything");
+    }
+    match material.alpha_mode {
+        AlphaMode::Opaque => {}
+        AlphaMode::Mask { cutoff } => {
+            write!(text, ", cut out below alpha {cutoff}").expect("a string takes everything");
+        }
+        AlphaMode::Blend => write!(text, ", alpha {}", material.alpha).expect("a string takes everything"),
+    }
+    text
+}
+
+fn material_json(material: &Material) -> Value {
+    let lobes = material.lobes.iter().map(|lobe| {
+        let info = lobe.shape.info();
+        let params = info.params.iter().zip(lobe.shape.params());
+        let params: serde_json::Map<_, Value> =
+            params.map(|(param, value)| (param.name.to_owned(), value.into())).collect();
+        json!({ "shape": info.name, "params": params, "tint": lobe.tint })
+    });
+    let alpha_mode = match material.alpha_mode {
+        AlphaMode::Opaque => "opaque",
+        AlphaMode::Mask { .. } => "mask",
+        AlphaMode::Blend => "blend",
+    };
+    json!({
+        "name": material.name, "lobes": lobes.collect::<Vec<_>>(), "two_sided": material.two_sided,
+        "textures": maps(material), "alpha": material.alpha, "alpha_mode": alpha_mode,
+    })
+}
+
+fn attenuation_text(attenuation: &Attenuation) -> String {
+    match *attenuation {
+        Attenuation::NONE => String::new(),
+        Attenuation { constant, linear, quadratic } => {
+            format!(", attenuation {}, {}, {}", number(constant), number(linear), number(quadratic))
+        }
+    }
+}
+
+fn light_text(light: &Light) -> String {
+    let kind = match &light.kind {
+        LightKind::Ambient => "ambient".to_owned(),
+        LightKind::Directional { direction } => format!("directional along ({})", vector(*direction)),
+        LightKind::Point { position, attenuation } => {
+            format!("point at ({}){}", vector(*position), attenuation_text(attenuation))
+        }
+        LightKind::Spot { position, direction, cutoff, attenuation, .. } => format!(
+            "spot at ({}) along ({}), cutoff {}°{}",
+            vector(*position),
+            vector(*direction),
+            number(cutoff.to_degrees()),
+            attenuation_text(attenuation)
+        ),
+    };
+    let sent = match light.kind {
+        LightKind::Ambient => light.colors.ambient,
+        _ => light.colors.diffuse,
+    };
+    let camera = if light.space == Space::Camera { ", moves with the camera" } else { "" };
+    let prefix = if light.name.is_empty() { String::new() } else { format!("{}: ", light.name) };
+    format!("{prefix}{kind}, color {}{camera}", color(sent))
+}
+
+fn light_json(light: &Light) -> Value {
+    let attenuation = |a: &Attenuation| json!([a.constant, a.linear, a.quadratic]);
+    let mut value = match &light.kind {
+        LightKind::Ambient => json!({ "kind": "ambient" }),
+        LightKind::Directional { direction } => {
+            json!({ "kind": "directional", "direction": direction.to_array() })
+        }
+        LightKind::Point { position, attenuation: a } => {
+            json!({ "kind": "point", "position": position.to_array(), "attenuation": attenuation(a) })
+        }
+        LightKind::Spot { position, direction, cutoff, exponent, attenuation: a, .. } => json!({
+            "kind": "spot", "position": position.to_array(), "direction": direction.to_array(),
+            "cutoff_deg": cutoff.to_degrees(), "exponent": exponent, "attenuation": attenuation(a),
+        }),
+    };
+    value["name"] = json!(light.name);
+    value["ambient"] = json!(light.colors.ambient);
+    value["diffuse"] = json!(light.colors.diffuse);
+    value["specular"] = json!(light.colors.specular);
+    value["attached_to"] = json!(if light.space == Space::Camera { "camera" } else { "world" });
+    value
+}
+
+fn camera_text(label: &str, camera: &Camera) -> String {
+    let projection = match camera.projection {
+        Projection::Perspective { fov_y } => format!("{}° vertical", number(fov_y.to_degrees())),
+        Projection::Orthographic { height } => format!("orthographic, {} high", number(height)),
+    };
+    let prefix = if label.is_empty() { String::new() } else { format!("{label}: ") };
+    format!("{prefix}from ({}) to ({}), {projection}", vector(camera.eye), vector(camera.target))
+}
+
+fn camera_json(label: &str, camera: &Camera) -> Value {
+    let mut value = json!({
+        "name": label, "eye": camera.eye.to_array(), "target": camera.target.to_array(),
+        "up": camera.up.to_array(),
+    });
+    match camera.projection {
+        Projection::Perspective { fov_y } => value["fov_deg"] = json!(fov_y.to_degrees()),
+        Projection::Orthographic { height } => value["height"] = json!(height),
+    }
+    value
+}

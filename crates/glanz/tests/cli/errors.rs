@@ -1,0 +1,140 @@
+//! Every way to fail: one message that names what is wrong, and the right exit code.
+
+use crate::house::{Folder, SCENE, command};
+
+/// Snapshots the failure of `glanz render` with these words on the scene of the house.
+macro_rules! fails {
+    ($($name:ident: $words:expr;)+) => {
+        $(#[test]
+        fn $name() {
+            let folder = Folder::with_scene();
+            let before = folder.names();
+            insta::assert_snapshot!(folder.glanz(&$words).failure());
+            assert_eq!(folder.names(), before, "a failure leaves no file behind");
+        })+
+    };
+}
+
+fails! {
+    no_command: ["draw", "scene.toml"];
+    no_input: ["render"];
+    a_missing_scene: ["render", "none.toml", "-o", "a.png"];
+    a_missing_model: ["render", "none.glb", "-o", "a.png"];
+    a_missing_scene_for_info: ["info", "none.toml"];
+    a_file_that_is_neither_scene_nor_model: ["render", ".", "-o", "a.png"];
+    a_size_that_is_none: ["render", "scene.toml", "--size", "wide"];
+    a_size_of_zero: ["render", "scene.toml", "--size", "0x600"];
+    a_size_beyond_all_measure: ["render", "scene.toml", "--size", "1000000000x1000000000"];
+    a_size_beyond_all_measure_set_in_the_scene: ["render", "scene.toml", "--set", "image.width=1000000000"];
+    an_unknown_model_of_highlights: ["render", "scene.toml", "--model", "blin-phong"];
+    an_unknown_view: ["render", "scene.toml", "--show", "normal"];
+    a_number_of_samples_that_is_none: ["render", "scene.toml", "--samples", "3"];
+    an_assignment_without_a_value: ["render", "scene.toml", "--set", "image.width"];
+    a_value_that_does_not_fit: ["render", "scene.toml", "--set", "materials.ball.shininess=high"];
+    a_path_that_leads_nowhere: ["render", "scene.toml", "--set", "materials.ball.shinyness=3"];
+    an_output_folder_that_is_missing: ["render", "scene.toml", "-o", "none/a.png"];
+    an_output_that_is_a_folder: ["render", "scene.toml", "-o", "."];
+    an_output_of_unknown_format: ["render", "scene.toml", "-o", "a.bmp"];
+    an_output_without_format: ["render", "scene.toml", "-o", "a"];
+    sixteen_bits_in_a_gif: ["render", "scene.toml", "-o", "a.gif", "--bit-depth", "16"];
+    frames_without_a_place_for_the_number: ["render", "scene.toml", "--frames", "0..3", "--turntable", "-o", "a.png"];
+    frames_that_are_all_the_same: ["render", "scene.toml", "--frames", "0..3", "-o", "a{frame}.png"];
+    frames_to_stdout: ["render", "scene.toml", "--frames", "0..3", "--turntable", "-o", "-"];
+    frames_that_are_none: ["render", "scene.toml", "--frames", "3..3", "--turntable", "-o", "a.gif"];
+    a_turntable_without_frames: ["render", "scene.toml", "--turntable"];
+    a_field_of_view_beyond_the_half_space: ["render", "scene.toml", "--fov-deg", "180"];
+    an_eye_that_is_the_target: ["render", "scene.toml", "--eye", "1,1,1", "--target", "1,1,1"];
+    a_background_that_is_no_color: ["render", "scene.toml", "--background", "white"];
+    an_exposure_beyond_all_measure: ["render", "scene.toml", "--ev", "1000"];
+    a_camera_that_is_not_there: ["render", "scene.toml", "--camera", "left"];
+    no_threads: ["render", "scene.toml", "--threads", "0"];
+    a_sweep_without_values: ["sweep", "scene.toml", "--vary", "materials.ball.shininess"];
+    a_sweep_of_nothing: ["sweep", "scene.toml"];
+    a_sweep_of_a_path_that_leads_nowhere: ["sweep", "scene.toml", "--vary", "materials.bell.shininess=1,2"];
+    a_sweep_larger_than_a_picture: ["sweep", "scene.toml", "--vary", "image.width=1:9:9", "--cell", "4000x400", "--columns", "9"];
+    a_sweep_of_too_many_pictures: ["sweep", "scene.toml", "--vary", "camera.fov_deg=1:9:5000", "--vary", "render.ev=1:9:5000"];
+    a_sheet_as_exr: ["sweep", "scene.toml", "--vary", "render.ev=1,2", "-o", "a.exr"];
+    a_comparison_of_one_shading: ["shade-compare", "scene.toml", "--shading", "flat"];
+    an_unknown_bsdf: ["bsdf", "show", "pong"];
+    an_unknown_parameter: ["bsdf", "eval", "phong", "--set", "roughness=1", "--wo", "0,0", "--wi", "0,0"];
+    a_parameter_out_of_range: ["bsdf", "eval", "phong", "--set", "shininess=-1", "--wo", "0,0", "--wi", "0,0"];
+    a_parameter_that_is_no_number: ["bsdf", "albedo", "phong", "--set", "shininess=high"];
+    a_direction_that_is_none: ["bsdf", "eval", "phong", "--wo", "0", "--wi", "0,0"];
+    an_albedo_of_emission: ["bsdf", "albedo", "emission"];
+    an_unknown_shell: ["completions", "tcsh"];
+}
+
+#[test]
+fn an_unknown_key_is_shown_in_its_line() {
+    let folder = Folder::with_scene();
+    folder.write("scene.toml", SCENE.replace("shininess", "shinyness"));
+    insta::assert_snapshot!(folder.glanz(&["render", "scene.toml"]).failure());
+}
+
+#[test]
+fn text_that_is_no_toml_is_shown_in_its_line() {
+    let folder = Folder::with_scene();
+    folder.write("scene.toml", SCENE.replace("width = 48", "width = = 48"));
+    insta::assert_snapshot!(folder.glanz(&["info", "scene.toml"]).failure());
+}
+
+#[test]
+fn a_damaged_model_is_one_error() {
+    let folder = Folder::new();
+    folder.write("a.glb", b"glTF\x02\0\0\0\xff\xff\xff\xff");
+    insta::assert_snapshot!(folder.glanz(&["info", "a.glb"]).failure());
+}
+
+#[test]
+fn an_existing_picture_beside_the_input_stays_as_it_is() {
+    let folder = Folder::with_scene();
+    folder.write("scene.png", "mine");
+    insta::assert_snapshot!(folder.glanz(&["render", "scene.toml"]).failure());
+    assert_eq!(folder.read("scene.png"), b"mine");
+    assert_eq!(folder.glanz(&["render", "scene.toml", "--force"]).code, 0);
+    assert!(folder.read("scene.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn an_existing_frame_stops_the_film_before_it_begins() {
+    let folder = Folder::with_scene();
+    folder.write("scene_0002.png", "mine");
+    let run = folder.glanz(&["render", "scene.toml", "--frames", "0..3", "--turntable"]);
+    insta::assert_snapshot!(run.failure());
+    assert_eq!(folder.names(), ["scene.toml", "scene_0002.png"]);
+}
+
+#[test]
+fn an_unknown_simd_level_is_wrong_use() {
+    let folder = Folder::with_scene();
+    let run = folder.glanz_with(&["render", "scene.toml"], &[("GLANZ_SIMD", "mmx")]);
+    insta::assert_snapshot!(run.failure());
+}
+
+#[test]
+fn messages_have_no_colors_where_nobody_looks() {
+    let folder = Folder::new();
+    folder.write("scene.toml", "[image]\nwdth = 3\n");
+    for words in [["info", "scene.toml"], ["info", "--wrong"]] {
+        assert!(!folder.glanz(&words).stderr.contains('\x1b'));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    use std::process::Stdio;
+    let folder = Folder::with_scene();
+    for words in [&["schema"][..], &["render", "scene.toml", "-o", "-", "--size", "1000x1000"], &["--help"]] {
+        let mut child = command(&folder.path(""))
+            .args(words)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{words:?}");
+        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}

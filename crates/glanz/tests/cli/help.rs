@@ -1,0 +1,79 @@
+//! What `--help`, `--version`, `schema` and `completions` print.
+
+use crate::house::Folder;
+
+/// The words that lead to every command.
+const COMMANDS: [&[&str]; 12] = [
+    &[],
+    &["render"],
+    &["sweep"],
+    &["shade-compare"],
+    &["info"],
+    &["bsdf"],
+    &["bsdf", "list"],
+    &["bsdf", "show"],
+    &["bsdf", "eval"],
+    &["bsdf", "albedo"],
+    &["schema"],
+    &["completions"],
+];
+
+fn help(words: &[&str]) -> String {
+    let folder = Folder::new();
+    let run = folder.glanz(&[words, &["--help"]].concat());
+    assert!(run.stderr.is_empty());
+    run.text().to_owned()
+}
+
+#[test]
+fn every_command_has_help_with_an_example() {
+    for words in COMMANDS {
+        let help = help(words);
+        assert!(help.contains("Example"), "glanz {}: no example", words.join(" "));
+        let example = help.split("Example").nth(1).unwrap();
+        assert!(example.contains("glanz "), "glanz {}: the example shows no command", words.join(" "));
+        insta::assert_snapshot!(format!("help_{}", words.join("_")).trim_end_matches('_'), help);
+    }
+}
+
+#[test]
+fn the_list_of_commands_above_is_complete() {
+    let listed = |help: &str| -> Vec<String> {
+        let commands = help.split("Commands:").nth(1).unwrap_or("").split("\n\n").next().unwrap_or("");
+        let names = commands.lines().filter_map(|line| line.split_whitespace().next());
+        names.filter(|name| *name != "help").map(str::to_owned).collect()
+    };
+    for name in listed(&help(&[])) {
+        assert!(COMMANDS.contains(&[name.as_str()].as_slice()), "{name}");
+    }
+    for name in listed(&help(&["bsdf"])) {
+        assert!(COMMANDS.contains(&["bsdf", name.as_str()].as_slice()), "bsdf {name}");
+    }
+}
+
+#[test]
+fn the_version_is_that_of_the_package() {
+    let run = Folder::new().glanz(&["--version"]);
+    assert_eq!(run.text(), format!("glanz {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn the_schema_names_the_tables_of_a_scene() {
+    let schema = Folder::new().glanz(&["schema"]).json();
+    for table in ["image", "camera", "render", "ambient", "lights", "materials", "objects"] {
+        assert!(schema["properties"][table].is_object(), "{table}");
+    }
+}
+
+#[test]
+fn every_shell_gets_completions_that_know_the_models() {
+    let folder = Folder::new();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let run = folder.glanz(&["completions", shell]);
+        assert!(run.text().contains("shade-compare"), "{shell}");
+        // These two complete the names of commands and options, not the values.
+        if !["powershell", "elvish"].contains(&shell) {
+            assert!(run.text().contains("blinn-phong-normalized"), "{shell}");
+        }
+    }
+}
