@@ -109,7 +109,7 @@ mod tests {
     fn the_number_is_the_same_everywhere() {
         let mut hash = Hash::new();
         hash.bytes(b"glanz scene");
-        assert_eq!(hash.finish(), hash.finish());
-        assert_eq!(Hash::new().finish(), 0xf52a_15e9_a9b5_e89b);
+        // From a separate calculation with Python's integers.
+        assert_eq!(hash.finish(), 0x55b2_f184_1c3b_8da9);
     }
 }

@@ -2,12 +2,15 @@
 //!
 //! serde would also fill a struct from a list, field by field; in a scene file that is a mistake.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
+
+use super::values::At;
 
 /// Reads a `T` from a table only.
 struct Table<T>(T);
@@ -42,6 +45,30 @@ where
     D: Deserializer<'de>,
 {
     table(deserializer).map(Some)
+}
+
+/// For `deserialize_with`: a list of tables, each with its place.
+pub(crate) fn placed_list<'de, T, D>(deserializer: D) -> Result<Vec<At<T>>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    let tables = Vec::<At<Table<T>>>::deserialize(deserializer)?;
+    Ok(tables.into_iter().map(bare).collect())
+}
+
+/// For `deserialize_with`: tables by name, each with its place.
+pub(crate) fn placed_map<'de, T, D>(deserializer: D) -> Result<BTreeMap<String, At<T>>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    let tables = BTreeMap::<String, At<Table<T>>>::deserialize(deserializer)?;
+    Ok(tables.into_iter().map(|(name, table)| (name, bare(table))).collect())
+}
+
+fn bare<T>(table: At<Table<T>>) -> At<T> {
+    At { value: table.value.0, span: table.span }
 }
 
 /// For `deserialize_with`: a list of tables.

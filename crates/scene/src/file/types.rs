@@ -36,12 +36,13 @@ pub(crate) struct SceneTable {
     #[serde(deserialize_with = "table::optional")]
     pub ambient: Option<AmbientTable>,
     /// The lights. A scene without lights is dark.
-    #[serde(deserialize_with = "table::list")]
+    #[serde(deserialize_with = "table::placed_list")]
     pub lights: Vec<At<LightTable>>,
     /// The materials, by name.
+    #[serde(deserialize_with = "table::placed_map")]
     pub materials: BTreeMap<String, At<MaterialTable>>,
     /// The objects.
-    #[serde(deserialize_with = "table::list")]
+    #[serde(deserialize_with = "table::placed_list")]
     pub objects: Vec<At<ObjectTable>>,
 }
 
