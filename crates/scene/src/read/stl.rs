@@ -217,3 +217,87 @@ impl State {
         }
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::super::Format;
+    use super::super::tests::{check, error_of, read_bytes};
+    use super::*;
+
+    pub const TEXT: &str = "solid two words
+facet normal 0 0 1
+  outer loop
+    vertex 0 0 0
+    vertex 1 0 0
+    vertex 0 1 0
+  endloop
+endfacet
+FACET NORMAL 0 0 0
+  OUTER LOOP
+    VERTEX 1 0 -0
+    VERTEX 1 1e0 0
+    VERTEX 0 1 0
+  ENDLOOP
+ENDFACET
+endsolid two words
+";
+
+    /// The same two facets in binary, after a header that begins as text does.
+    pub fn binary() -> Vec<u8> {
+        let mut bytes = b"solid but binary".to_vec();
+        bytes.resize(80, 0);
+        bytes.extend(2u32.to_le_bytes());
+        for corners in
+            [[0.0f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], [1.0, 0.0, -0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0]]
+        {
+            bytes.extend([0; 12]);
+            corners.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+            bytes.extend([0; 2]);
+        }
+        bytes
+    }
+
+    #[test]
+    fn text_and_binary_mean_the_same_and_corners_are_joined() {
+        let read = |bytes: &[u8]| {
+            let model = read_bytes(bytes, Format::Stl).unwrap();
+            check(&model);
+            model.meshes
+        };
+        let (text, binary) = (read(TEXT.as_bytes()), read(&binary()));
+        assert_eq!(text[0].corners, [0, 1, 2, 1, 3, 2]);
+        assert_eq!(text[0].positions.len(), 4);
+        assert_eq!((&text[0].name[..], &binary[0].name[..]), ("two words", "solid but binary"));
+        assert_eq!((&text[0].corners, &text[0].positions), (&binary[0].corners, &binary[0].positions));
+    }
+
+    #[test]
+    fn solids_become_meshes() {
+        let model = read_bytes(format!("{TEXT}{TEXT}solid\nendsolid\n").as_bytes(), Format::Stl).unwrap();
+        assert_eq!(model.meshes.iter().map(Mesh::face_count).collect::<Vec<_>>(), [2, 2, 0]);
+    }
+
+    #[test]
+    fn a_billion_claimed_facets_are_one_error() {
+        let mut bytes = vec![0; 100];
+        bytes[80..84].copy_from_slice(&1_000_000_000u32.to_le_bytes());
+        let error = error_of(&bytes, Format::Stl);
+        assert_eq!(
+            error,
+            "file: byte 80: expected 50000000084 bytes for the 1000000000 facets that are told here, found 100 bytes"
+        );
+    }
+
+    #[test]
+    fn errors_name_place_and_expectation() {
+        let broken = |from: &str, to: &str| error_of(TEXT.replacen(from, to, 1).as_bytes(), Format::Stl);
+        assert!(broken("vertex 0 0 0", "vertex 0 0 nan").contains("line 4: expected 'vertex' and three"));
+        assert!(broken("    vertex 0 0 0\n", "").contains("line 6: expected 'vertex', found '  endloop'"));
+        assert!(broken("outer", "inner").contains("line 3: expected 'outer loop'"));
+        assert!(error_of(&TEXT.as_bytes()[..65], Format::Stl).contains("found the end of the file"));
+        assert!(error_of(b"", Format::Stl).contains("binary header of 84 bytes"));
+        let mut bytes = binary();
+        bytes[84 + 12..84 + 16].copy_from_slice(&f32::INFINITY.to_le_bytes());
+        assert!(error_of(&bytes, Format::Stl).contains("facet 0: expected finite coordinates"));
+    }
+}

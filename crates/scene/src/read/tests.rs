@@ -1,1 +1,230 @@
-//! Tests.
+//! What holds for all readers: no bytes do harm, and every error names file, place and expectation.
+
+use std::collections::HashMap;
+
+use proptest::prelude::*;
+
+use super::*;
+
+/// Reads bytes of this format under the name `file`.
+pub(super) fn read_bytes(bytes: &[u8], format: Format) -> Result<Model, ReadError> {
+    read_model_bytes(bytes, format, "file", &NoFiles, &ReadOptions::default())
+}
+
+/// The message of the one error that reading must give, which begins with the file's name.
+pub(super) fn error_of(bytes: &[u8], format: Format) -> String {
+    let message = read_bytes(bytes, format).expect_err("the file is broken").to_string();
+    assert!(message.starts_with("file: "), "{message}");
+    assert!(message.contains("expected"), "{message}");
+    message
+}
+
+/// Checks what all other code relies on.
+pub(super) fn check(model: &Model) {
+    for mesh in &model.meshes {
+        assert_eq!(mesh.validate(), Ok(()));
+        let unit = |length: f32| (length - 1.0).abs() < 1e-5;
+        assert!(mesh.normals.iter().all(|normal| unit(normal.length())));
+        assert!(mesh.tangents.iter().all(|tangent| unit(tangent.truncate().length())));
+    }
+    for object in &model.objects {
+        assert!(object.mesh < model.meshes.len() && object.material < model.materials.len());
+        assert!(object.transform.is_finite());
+    }
+    for material in &model.materials {
+        for map in [material.base_color, material.normal_map, material.emission_map].iter().flatten() {
+            assert!(map.texture < model.textures.len());
+        }
+    }
+    for texture in &model.textures {
+        assert_eq!(texture.rgba.len(), texture.width as usize * texture.height as usize * 4);
+        assert!(!texture.rgba.is_empty());
+    }
+}
+
+/// The files that samples refer to.
+fn companions() -> HashMap<String, Vec<u8>> {
+    HashMap::from([
+        ("m.mtl".to_owned(), obj::tests::MTL.as_bytes().to_vec()),
+        ("wood.png".to_owned(), texture::tests::png(2, 2, &[200; 16])),
+    ])
+}
+
+/// Valid files of all formats and encodings.
+fn samples() -> Vec<(Format, Vec<u8>)> {
+    let mut samples = vec![
+        (Format::Gltf, gltf::tests::sample_glb()),
+        (Format::Gltf, gltf::tests::sample_json().into_bytes()),
+        (Format::Obj, obj::tests::SAMPLE.as_bytes().to_vec()),
+        (Format::Stl, stl::tests::TEXT.as_bytes().to_vec()),
+        (Format::Stl, stl::tests::binary()),
+    ];
+    samples.extend(ply::tests::samples().map(|bytes| (Format::Ply, bytes)));
+    samples
+}
+
+#[test]
+fn all_samples_are_valid() {
+    for (format, bytes) in samples() {
+        let model = read_model_bytes(&bytes, format, "file", &companions(), &ReadOptions::default());
+        let model = model.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        check(&model);
+        assert!(model.triangle_count() > 0, "{format:?}");
+    }
+}
+
+/// Reads damaged bytes, and checks what comes out whichever it is.
+fn read_damaged(bytes: &[u8], format: Format) {
+    match read_model_bytes(bytes, format, "file", &companions(), &ReadOptions::default()) {
+        Ok(model) => check(&model),
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.contains(": expected "), "{message}");
+            assert!(
+                ["file: ", "m.mtl: ", "wood.png: "].iter().any(|name| message.starts_with(name)),
+                "{message}"
+            );
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn truncated_and_flipped_files_do_no_harm(
+        sample in any::<prop::sample::Index>(),
+        keep in any::<prop::sample::Index>(),
+        cut in any::<bool>(),
+        flips in proptest::collection::vec((any::<prop::sample::Index>(), 0u8..8), 0..4),
+    ) {
+        let samples = samples();
+        let (format, mut bytes) = samples[sample.index(samples.len())].clone();
+        for (byte, bit) in flips {
+            let byte = byte.index(bytes.len());
+            bytes[byte] ^= 1 << bit;
+        }
+        if cut {
+            bytes.truncate(keep.index(bytes.len()));
+        }
+        read_damaged(&bytes, format);
+    }
+
+    #[test]
+    fn numbers_replaced_by_absurd_ones_do_no_harm(
+        sample in any::<prop::sample::Index>(),
+        place in any::<prop::sample::Index>(),
+        absurd in prop::sample::select(vec!["-1", "4294967296", "1000000000", "nan", "1e400", "0", "18446744073709551615"]),
+    ) {
+        let samples: Vec<(Format, Vec<u8>)> =
+            samples().into_iter().filter(|(_, bytes)| bytes.iter().any(u8::is_ascii_digit)).collect();
+        let (format, bytes) = samples[sample.index(samples.len())].clone();
+        let digits: Vec<usize> = (0..bytes.len()).filter(|&i| bytes[i].is_ascii_digit()).collect();
+        let at = digits[place.index(digits.len())];
+        let end = at + bytes[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let damaged = [&bytes[..at], absurd.as_bytes(), &bytes[end..]].concat();
+        read_damaged(&damaged, format);
+    }
+
+    #[test]
+    fn random_bytes_do_no_harm(
+        format in prop::sample::select(vec![Format::Gltf, Format::Obj, Format::Ply, Format::Stl]),
+        bytes in proptest::collection::vec(any::<u8>(), 0..200),
+        magic in any::<bool>(),
+    ) {
+        let head: &[u8] = match (magic, format) {
+            (false, _) => b"",
+            (_, Format::Gltf) => b"glTF\x02\0\0\0\xa0\0\0\0",
+            (_, Format::Obj) => b"v 0 0 0\nf 1 ",
+            (_, Format::Ply) => b"ply\nformat ascii 1.0\n",
+            (_, Format::Stl) => b"solid\nfacet ",
+        };
+        read_damaged(&[head, &bytes].concat(), format);
+    }
+}
+
+#[test]
+fn formats_are_known_by_first_bytes_and_names() {
+    let detect = |name: &str, head: &[u8]| Format::detect(Path::new(name), head);
+    assert_eq!(detect("a.obj", b"glTF\x02"), Some(Format::Gltf));
+    assert_eq!(detect("a", b"ply\nformat"), Some(Format::Ply));
+    assert_eq!(detect("a.OBJ", b"# x"), Some(Format::Obj));
+    assert_eq!(detect("a.stl", b"\0\0"), Some(Format::Stl));
+    assert_eq!(detect("a", b" {\"asset\""), Some(Format::Gltf));
+    assert_eq!(detect("a", b"solid x"), Some(Format::Stl));
+    assert_eq!(detect("a.txt", b"hello"), None);
+}
+
+/// A folder of its own for one test, removed at its end.
+struct Scratch(std::path::PathBuf);
+
+impl Scratch {
+    fn new(name: &str, files: &[(&str, &[u8])]) -> Self {
+        let path = std::env::temp_dir().join(format!("glanz-read-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(path.join("inner")).unwrap();
+        for (name, bytes) in files {
+            std::fs::write(path.join(name), bytes).unwrap();
+        }
+        Self(path)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn files_are_read_with_what_they_refer_to() {
+    let wood = texture::tests::png(2, 2, &[200; 16]);
+    let files: [(&str, &[u8]); 3] = [
+        ("a.obj", obj::tests::SAMPLE.as_bytes()),
+        ("m.mtl", obj::tests::MTL.as_bytes()),
+        ("wood.png", &wood),
+    ];
+    let scratch = Scratch::new("refer", &files);
+    let model = read_model(&scratch.0.join("a.obj"), &ReadOptions::default()).unwrap();
+    check(&model);
+    assert_eq!(model.textures.len(), 1);
+}
+
+#[test]
+fn references_out_of_the_folder_are_refused_in_every_format() {
+    let obj = b"mtllib ../m.mtl\nv 0 0 0\n";
+    let gltf = br#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"..%2Fm.mtl"}]}"#;
+    let mtl = b"newmtl a\nmap_Kd /etc/hostname\n";
+    let uses = b"mtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    let files: [(&str, &[u8]); 5] = [
+        ("m.mtl", b"newmtl a\n"),
+        ("inner/a.obj", obj),
+        ("inner/a.gltf", gltf),
+        ("inner/b.mtl", mtl),
+        ("inner/b.obj", uses),
+    ];
+    let scratch = Scratch::new("outside", &files);
+    for (file, place) in [("a.obj", "line 1"), ("a.gltf", "buffers[0]"), ("b.obj", "line 2")] {
+        let error = read_model(&scratch.0.join("inner").join(file), &ReadOptions::default()).unwrap_err();
+        assert!(matches!(error, ReadError::Outside { .. }), "{file}: {error}");
+        assert_eq!(error.place().to_string(), place);
+    }
+    let free = ReadOptions { allow_outside: true, ..ReadOptions::default() };
+    let error = read_model(&scratch.0.join("inner/a.obj"), &free).map(|model| model.objects.len());
+    assert_eq!(error.ok(), Some(0));
+    let wider = ReadOptions { root: Some(scratch.0.clone()), ..ReadOptions::default() };
+    assert!(read_model(&scratch.0.join("inner/a.obj"), &wider).is_ok());
+    let elsewhere = ReadOptions { root: Some(scratch.0.join("inner")), ..ReadOptions::default() };
+    assert!(matches!(read_model(&scratch.0.join("m.mtl"), &elsewhere), Err(ReadError::Outside { .. })));
+}
+
+#[test]
+fn missing_unknown_and_oversized_files_give_one_error() {
+    let scratch = Scratch::new("missing", &[("a.txt", b"hello"), ("a.obj", b"v 0 0 0\n")]);
+    let read = |name: &str, options| read_model(&scratch.0.join(name), options).unwrap_err();
+    let options = ReadOptions::default();
+    assert!(matches!(read("none.obj", &options), ReadError::Missing { .. }));
+    assert!(matches!(read("a.txt", &options), ReadError::Unsupported { .. }));
+    assert!(matches!(read("inner", &options), ReadError::Io { .. }));
+    let small = ReadOptions { max_bytes: 7, ..ReadOptions::default() };
+    assert!(matches!(read("a.obj", &small), ReadError::TooLarge { limit: 7, found: 8, .. }));
+}

@@ -142,4 +142,4 @@ fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -139,7 +139,8 @@ fn vertex<'a>(mut words: impl Iterator<Item = &'a [u8]>, data: &mut Data) -> Opt
     if count >= 3 {
         // Vertices before the first coloured one are white.
         data.colors.resize(data.positions.len(), Vec3::ONE);
-        data.colors.push(Vec3::new(srgb_decode(more[0]), srgb_decode(more[1]), srgb_decode(more[2])));
+        let [r, g, b, _] = more.map(|code| srgb_decode(code.clamp(0.0, 1.0)));
+        data.colors.push(Vec3::new(r, g, b));
     } else if !data.colors.is_empty() {
         data.colors.push(Vec3::ONE);
     }
@@ -229,4 +230,4 @@ fn read_libraries(
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -129,10 +129,14 @@ impl<R: BufRead> Text<'_, R> {
         let word = &left[start..];
         let word = &word[..word.iter().position(u8::is_ascii_whitespace).unwrap_or(word.len())];
         let used = self.used + start + word.len();
-        let value = number(word).filter(|value| !scalar.is_integer() || *value == value.trunc());
+        let value = number(word).filter(|value| scalar.holds(*value));
         self.used = used;
         value.ok_or_else(|| {
-            let what = if scalar.is_integer() { "a whole number" } else { "a finite number" };
+            let what = if scalar.is_integer() {
+                "a whole number of the type that the header tells"
+            } else {
+                "a finite number"
+            };
             let found = if word.is_empty() { "the end of the line".to_owned() } else { excerpt(word) };
             ReadError::malformed(self.file, self.lines.place(), what, found)
         })

@@ -58,6 +58,20 @@ impl Scalar {
         !matches!(self, Self::F32 | Self::F64)
     }
 
+    /// Whether a number is one of this type; floats take every number.
+    pub(super) fn holds(self, value: f64) -> bool {
+        let (least, most) = match self {
+            Self::I8 => (f64::from(i8::MIN), f64::from(i8::MAX)),
+            Self::U8 => (0.0, f64::from(u8::MAX)),
+            Self::I16 => (f64::from(i16::MIN), f64::from(i16::MAX)),
+            Self::U16 => (0.0, f64::from(u16::MAX)),
+            Self::I32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
+            Self::U32 => (0.0, f64::from(u32::MAX)),
+            Self::F32 | Self::F64 => return true,
+        };
+        (least..=most).contains(&value) && value == value.trunc()
+    }
+
     /// The value that stands for full intensity.
     pub(super) fn one(self) -> f64 {
         match self {

@@ -120,7 +120,7 @@ impl Vertex {
             Role::Uv(_) => self.uv.y = 1.0 - float,
             Role::Color(3) => self.color[3] = (value / scalar.one()) as f32,
             Role::Color(channel) if scalar.is_integer() => {
-                self.color[channel] = glanz_color::srgb_decode((value / scalar.one()) as f32);
+                self.color[channel] = glanz_color::srgb_decode((value / scalar.one()).max(0.0) as f32);
             }
             Role::Color(channel) => self.color[channel] = float,
             Role::Corners => {}
@@ -245,4 +245,4 @@ fn check_corners(mesh: &Mesh, file: &str) -> Result<(), ReadError> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -1,0 +1,10 @@
+//! The reader of STL files.
+
+#![no_main]
+
+mod check;
+
+use glanz_scene::read::Format;
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| check::read(bytes, Format::Stl));
