@@ -316,6 +316,16 @@ mod tests {
     }
 
     #[test]
+    fn a_border_point_moves_by_its_border_neighbours_alone_and_a_corner_stays() {
+        let kite = make(Builtin::Kite);
+        let [a, c, _, _, _, d] = [0, 1, 2, 3, 4, 5].map(|i| kite.positions[kite.corners[i] as usize]);
+        let fine = subdivided(&kite, 1);
+        let has = |point: Vec3| fine.positions.iter().any(|p| p.distance(point) < 1e-6);
+        assert!(has(a * 0.75 + (c + d) * 0.125) && !has(a));
+        assert!(has(c) && has(d));
+    }
+
+    #[test]
     fn colors_are_interpolated() {
         let kite = make(Builtin::Kite);
         let fine = subdivided(&kite, 1);
