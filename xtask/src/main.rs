@@ -11,6 +11,7 @@ mod picture;
 mod reference;
 mod steps;
 mod test;
+mod tour;
 mod wasm;
 
 use std::ffi::OsString;

@@ -2,7 +2,7 @@
 
 use crate::house::{House, run, works};
 use crate::steps::{Outcome, Steps};
-use crate::{Result, gallery, golden, reference, wasm};
+use crate::{Result, gallery, golden, reference, tour, wasm};
 
 /// How much is checked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -20,7 +20,7 @@ pub fn run_all(house: &House, options: &Options) -> Result<()> {
 
 fn checks(house: &House, options: &Options) -> Steps {
     let mut steps = Steps::new(options.keep_going);
-    steps.run("format", || run(&mut house.cargo("fmt --all -- --check")));
+    steps.run("format", || format(house));
     steps.run("lint", || run(&mut house.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
     steps.run("unit and integration tests", || tests(house));
     if options.quick {
@@ -29,6 +29,7 @@ fn checks(house: &House, options: &Options) -> Steps {
     }
     steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
     steps.run("examples", || gallery::try_examples(house));
+    steps.run("what the README shows", || tour::run(house));
     steps.run("reference of the scene file", || reference::check(house));
     steps.run("documentation tests", || run(&mut house.cargo("test --workspace --doc --quiet")));
     steps.run("documentation", || {
@@ -37,6 +38,15 @@ fn checks(house: &House, options: &Options) -> Steps {
     steps.run("libraries without threads", || wasm::serial(house));
     steps.run("libraries for wasm32", || wasm::check(house));
     steps
+}
+
+/// The format of all Rust code, also of the packages that stand beside the workspace.
+fn format(house: &House) -> Result<()> {
+    run(&mut house.cargo("fmt --all -- --check"))?;
+    for package in ["fuzz", "xtask/peers/euc"] {
+        run(&mut house.cargo(&format!("fmt --manifest-path {package}/Cargo.toml -- --check")))?;
+    }
+    Ok(())
 }
 
 /// The tests, with nextest; it is installed where it is missing.
