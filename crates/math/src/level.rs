@@ -13,7 +13,7 @@ impl core::fmt::Display for LevelError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "GLANZ_SIMD is '{}', but must be one of scalar, sse2, sse4.2, avx2, avx512, neon, simd128 that this processor has",
+            "GLANZ_SIMD is '{}', but must be one of scalar, sse4.2, avx2, avx512, neon, simd128 that this processor has",
             self.asked
         )
     }
@@ -32,8 +32,6 @@ pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
     let found = match name {
         "scalar" => Some(scalar()),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        "sse2" => best.as_sse2().map(Level::Sse2),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         "sse4.2" => best.as_sse4_2().map(Level::Sse4_2),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         "avx2" => best.as_avx2().map(Level::Avx2),
@@ -51,4 +49,48 @@ pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
 /// Plain Rust without any SIMD instruction.
 fn scalar() -> Level {
     Level::Fallback(fearless_simd::Fallback::new())
+}
+
+/// Runs `$body` compiled for `$level`, with `$simd` as the level's token, like
+/// [`fearless_simd::dispatch!`] but for the levels that Glanz distinguishes only: SSE2, which every
+/// x86-64 has, counts as scalar. Each level is a copy of all code below it, so fewer are better.
+#[macro_export]
+macro_rules! at_level {
+    ($level:expr, $simd:ident => $body:expr) => {{
+        use $crate::simd::{Level, Simd as _};
+        match $level {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx512($simd) => $simd.vectorize(
+                #[inline(always)]
+                || $body,
+            ),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx2($simd) => $simd.vectorize(
+                #[inline(always)]
+                || $body,
+            ),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse4_2($simd) => $simd.vectorize(
+                #[inline(always)]
+                || $body,
+            ),
+            #[cfg(target_arch = "aarch64")]
+            Level::Neon($simd) => $simd.vectorize(
+                #[inline(always)]
+                || $body,
+            ),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Level::WasmSimd128($simd) => $simd.vectorize(
+                #[inline(always)]
+                || $body,
+            ),
+            _ => {
+                let $simd = $crate::simd::Fallback::new();
+                $simd.vectorize(
+                    #[inline(always)]
+                    || $body,
+                )
+            }
+        }
+    }};
 }

@@ -24,3 +24,6 @@ pub use vec3::{Frame, Vec3};
 
 /// π as the field writes it, for code that is generic over [`Real`] through [`Real::lit`].
 pub const PI: f64 = core::f64::consts::PI;
+
+/// The SIMD library whose levels and vectors [`Lanes`] uses.
+pub use fearless_simd as simd;

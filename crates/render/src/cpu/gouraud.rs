@@ -6,7 +6,7 @@ use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::Eye;
 use super::frame::FrameView;
-use super::reflect::{Point, Reflected, reflect};
+use super::reflect::{Point, Reflected, reflect_lanes};
 use crate::prepare::Cluster;
 
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
@@ -37,7 +37,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, lit:
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let reflected = reflect(&frame.lights, material, &Point { position, normal, wo });
+            let reflected = reflect_lanes(simd, &frame.lights, material, &Point { position, normal, wo });
             store(&reflected, side, &mut lit[row..row + 16]);
         }
         if object.attributes.color {

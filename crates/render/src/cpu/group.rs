@@ -8,7 +8,7 @@ use super::frame::{FrameView, ObjectView};
 use super::gouraud::unit;
 use super::inlined;
 use super::records::{GROUP, Record, Records};
-use super::reflect::{Point, reflect};
+use super::reflect::{Point, reflect_lanes};
 use super::runs::Run;
 use super::{show, texturing};
 use crate::Show;
@@ -68,7 +68,7 @@ pub(crate) fn shade<S: Simd>(
         let (own, others) = rest.split_at(count);
         let object = &frame.objects[number as usize];
         let group = Group { simd, frame, records, object, runs: own, px, py };
-        let one = group.shade();
+        let one = group.shade_outlined();
         if count == runs.len() {
             shaded = one;
             shaded.object = [number + 1; 16];
@@ -162,6 +162,15 @@ impl<S: Simd> Group<'_, S> {
         )
     }
 
+    /// [`Group::shade`] as a function of its own, which exists once per SIMD level.
+    #[inline(never)]
+    fn shade_outlined(&self) -> Shaded<S> {
+        self.simd.vectorize(
+            #[inline(always)]
+            || self.shade(),
+        )
+    }
+
     #[inline(always)]
     fn shade(&self) -> Shaded<S> {
         let rows = self.gather(0);
@@ -205,7 +214,7 @@ impl<S: Simd> Group<'_, S> {
         if self.object.shading == Shading::Phong {
             let point = self.point(place, value);
             normal = point.normal;
-            let light = reflect(&self.frame.lights, material, &point);
+            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point);
             rgb = [0, 1, 2].map(
                 #[inline(always)]
                 |c| light.textured[c] + light.plain[c],
@@ -232,7 +241,7 @@ impl<S: Simd> Group<'_, S> {
         let [mut textured, mut plain] = values;
         if self.object.shading == Shading::Phong {
             point.normal = extra.bend(material, point.normal);
-            let light = reflect(&self.frame.lights, material, &point);
+            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point);
             textured = light.textured;
             plain = light.plain;
         }

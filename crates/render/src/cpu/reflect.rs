@@ -4,7 +4,8 @@
 //! numbers of the tint table.
 
 use glanz_bsdf::Pair;
-use glanz_math::{Real, Vec3};
+use fearless_simd::Simd;
+use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::{EyeCone, EyeFalloff, EyeLight};
 use super::inlined;
@@ -75,6 +76,21 @@ pub(crate) fn reflect<R: Real>(
         }
     }
     sum
+}
+
+/// [`reflect`] for sixteen pixels, as a function of its own: it is by far the largest piece of code
+/// below a dispatch, and exists once per SIMD level rather than once per caller.
+#[inline(never)]
+pub(crate) fn reflect_lanes<S: Simd>(
+    simd: S,
+    lights: &[EyeLight],
+    material: &PreparedMaterial,
+    point: &Point<Lanes<S>>,
+) -> Reflected<Lanes<S>> {
+    simd.vectorize(
+        #[inline(always)]
+        || reflect(lights, material, point),
+    )
 }
 
 #[inline(always)]

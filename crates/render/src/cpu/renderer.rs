@@ -1,6 +1,7 @@
 //! Both passes over a frame, in parallel where the feature `rayon` is on.
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
+use glanz_math::at_level;
 
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::frame::FrameView;
@@ -127,7 +128,7 @@ fn process(
     lit: &mut [Lit],
     output: &mut ChunkOutput,
 ) {
-    dispatch!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
+    at_level!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
 }
 
 /// One dispatch per tile.
@@ -139,7 +140,7 @@ fn draw_tile(
     scratch: &mut TileScratch,
     band: &mut Band,
 ) {
-    dispatch!(level, simd => tile::draw(simd, frame, projected, place, scratch, band));
+    at_level!(level, simd => tile::draw(simd, frame, projected, place, scratch, band));
 }
 
 fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
