@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::Problem;
@@ -11,7 +12,8 @@ use super::near::{list, nearest};
 /// it could be parsed at all.
 pub(crate) fn explain(error: &toml::de::Error, root: Option<&Paths>) -> Problem {
     let message = error.message().trim();
-    let span = error.span();
+    // An error without a place is one of the whole text.
+    let span = error.span().or(Some(0..0));
     let table = span.as_ref().and_then(|span| root?.around(span));
     let quoted = |text: &str| {
         let mut parts = text.split('`');
@@ -87,9 +89,9 @@ pub(crate) struct Paths {
 
 impl Paths {
     /// The paths of the tables below `root`.
-    pub fn of(root: &DeTable<'_>) -> Self {
+    pub fn of(root: &Spanned<DeTable<'_>>) -> Self {
         let mut paths = Self { tables: Vec::new() };
-        paths.add_table(root, "");
+        paths.add_table(root.get_ref(), "");
         paths
     }
 

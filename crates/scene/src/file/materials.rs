@@ -206,7 +206,9 @@ impl JsonSchema for LobeTable {
             let mut properties = Map::new();
             properties.insert("shape".into(), serde_json::json!({ "const": info.name }));
             properties.insert("tint".into(), color.clone().to_value());
-            properties.insert("textured".into(), serde_json::json!({ "type": "boolean" }));
+            let textured = "Whether textures and vertex colours multiply the tint; for ambient and diffuse shapes by default.";
+            properties
+                .insert("textured".into(), serde_json::json!({ "type": "boolean", "description": textured }));
             for param in info.params {
                 let schema = serde_json::json!({
                     "type": "number", "description": param.doc, "default": param.default,

@@ -11,6 +11,7 @@ mod build;
 mod error;
 mod explain;
 mod hash;
+mod instances;
 mod lights;
 mod materials;
 mod near;
@@ -23,6 +24,10 @@ mod types;
 mod values;
 
 #[cfg(test)]
+mod proptests;
+#[cfg(test)]
+mod schema_tests;
+#[cfg(test)]
 mod tests;
 
 use std::path::Path;
@@ -30,6 +35,7 @@ use std::path::Path;
 pub use error::FileError;
 pub use schema::schema;
 use serde::Deserialize;
+use toml::Spanned;
 use toml::de::DeTable;
 pub use types::{ShowName, ToneMapName};
 
@@ -114,21 +120,26 @@ fn parse(path: &Path, text: &str, base: &Path, options: &LoadOptions) -> Result<
     result.map_err(|problem| source.error(problem))
 }
 
+/// The document with its overrides, not yet understood.
+fn read_document<'i>(text: &'i str, sets: &'i [sets::Override]) -> Result<Spanned<DeTable<'i>>, Problem> {
+    let mut root = DeTable::parse(text).map_err(|error| explain(&error, None))?;
+    for set in sets {
+        set.apply(root.get_mut())?;
+    }
+    Ok(root)
+}
+
 fn understand(
     text: &str,
     sets: &[sets::Override],
     base: &Path,
     allow_outside: bool,
 ) -> Result<Loaded, Problem> {
-    let mut root = DeTable::parse(text).map_err(|error| explain(&error, None))?;
-    for set in sets {
-        set.apply(root.get_mut())?;
-    }
+    let root = read_document(text, sets)?;
     let mut hash = Hash::new();
     hash.table(root.get_ref());
-    let paths = Paths::of(root.get_ref());
     let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
-        .map_err(|error| explain(&error, Some(&paths)))?;
+        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
     let mut builder = Builder::new(base, allow_outside, hash);
     builder.build(&table)?;
     Ok(Loaded {

@@ -106,8 +106,11 @@ impl Override {
             DeValue::Array(array) => self.in_array(array, keys, depth),
             other => {
                 let path = keys[..depth].join(".");
-                let message =
-                    format!("'{path}' is a {}, in which there is no '{}'", other.type_str(), keys[depth]);
+                let message = format!(
+                    "there is no '{}' in '{path}', which is of type {}",
+                    keys[depth],
+                    other.type_str()
+                );
                 Err(Problem::at(&self.span, message))
             }
         }

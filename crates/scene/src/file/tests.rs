@@ -7,8 +7,8 @@ use glanz_color::Rgb;
 
 use super::*;
 use crate::{
-    Attenuation, Background, Camera, ClassicMaterial, Image, LightColors, LightKind, Projection, Shading,
-    Space,
+    AlphaMode, Attenuation, Background, Camera, ClassicMaterial, Image, Interpolation, LightColors,
+    LightKind, Mesh, Projection, Shading, Space,
 };
 
 /// The folder of the example scenes.
@@ -17,7 +17,7 @@ fn examples() -> PathBuf {
 }
 
 /// All example scenes, by name.
-fn example_files() -> Vec<PathBuf> {
+pub(super) fn example_files() -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = std::fs::read_dir(examples())
         .expect("the examples are there")
         .map(|entry| entry.expect("readable").path())
@@ -114,4 +114,533 @@ fn an_unknown_key_is_refused_with_its_table_and_the_nearest_key() {
     let error = parse(&text).expect_err("unknown key");
     assert_eq!((error.line, error.column), (48, 1));
     assert!(error.to_string().starts_with("scene:48:1: unknown key"), "{error}");
+}
+
+#[test]
+fn the_examples_load_and_show_something() {
+    let files = example_files();
+    assert!(files.len() >= 10, "{files:?}");
+    for path in files {
+        let loaded = load(&path, &LoadOptions::default()).unwrap_or_else(|error| panic!("{error}"));
+        assert!(!loaded.scene.objects.is_empty(), "{}", path.display());
+        // Notes are for what a file says that is not done; only the materials of a model are such.
+        assert!(loaded.notes.iter().all(|note| note.contains("metallic-roughness")), "{:?}", loaded.notes);
+        for mesh in &loaded.scene.meshes {
+            assert_eq!(mesh.validate(), Ok(()), "{}", path.display());
+        }
+        for object in &loaded.scene.objects {
+            assert!(
+                object.mesh < loaded.scene.meshes.len() && object.material < loaded.scene.materials.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn an_empty_scene_is_an_empty_scene_with_the_defaults() {
+    let loaded = parse("").expect("empty is valid");
+    assert_eq!(loaded.scene, Scene::default());
+    assert_eq!((loaded.show, loaded.tone_map, loaded.ev), (ShowName::Shaded, ToneMapName::None, 0.0));
+}
+
+/// Texts, the message that they give, and what it points at.
+#[test]
+fn errors_say_what_was_expected_and_point_at_the_value() {
+    let light = |keys: &str| format!("[[lights]]\n{keys}\n");
+    let object = |keys: &str| format!("[[objects]]\nmesh = 'quad'\n{keys}\n");
+    let cases = [
+        ("[image]\nwidht = 3".into(), "unknown key 'widht' in [image]; did you mean 'width'?", "widht"),
+        ("[imag]\n".into(), "unknown key 'imag'; did you mean 'image'?", "imag"),
+        ("[image]\nwidth = 0".into(), "expected between 1 and 16384 pixels, found 0", "0"),
+        ("[image]\nwidth = 1.5".into(), "expected a whole number, found floating point 1.5", "1.5"),
+        ("[image]\nsamples = 3".into(), "expected 1, 2, 4, 8 or 16 samples, found 3", "3"),
+        ("image = [1, 2]".into(), "expected a table, found a list", "[1, 2]"),
+        ("[[image]]\nwidth = 3".into(), "expected a table, found a list", "[[image]]"),
+        (
+            "[image]\nbackground = 'clear'".into(),
+            "expected a colour or \"transparent\", found \"clear\"",
+            "'clear'",
+        ),
+        ("[render]\nshading = 'gourad'".into(), "unknown name 'gourad'; did you mean 'gouraud'?", "'gourad'"),
+        ("[ambient]\n".into(), "'color' is missing in [ambient]", "[ambient]"),
+        (
+            "[ambient]\ncolor = [1, 1]".into(),
+            "expected three amounts of red, green and blue, found 2",
+            "[1, 1]",
+        ),
+        (
+            "[ambient]\ncolor = [1, -2.5, 1]".into(),
+            "expected a number that is at least 0, found -2.5",
+            "-2.5",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1e30]".into(),
+            "expected a finite number of at most 1e12, found 1e30",
+            "1e30",
+        ),
+        (
+            "[camera]\neye = [0, 0, 1]\ntarget = [0, 0, 1]".into(),
+            "'eye' and 'target' are the same point; they must differ",
+            "[0, 0, 1]",
+        ),
+        ("[camera]\neye = [0, 0, 1]\nheight = 2".into(), "'height' needs projection = \"orthographic\"", "2"),
+        (
+            "[camera]\neye = [0, 0, 1]\nfov_deg = 180".into(),
+            "expected degrees greater than 0 and less than 180, found 180",
+            "180",
+        ),
+        ("camera = 'Eye'".into(), "unknown camera 'Eye'", "'Eye'"),
+        (light("kind = 'lamp'"), "unknown name 'lamp'", "'lamp'"),
+        (light("direction = [0, 0, 1]"), "'kind' is missing in [lights.0]", "[[lights]]"),
+        (
+            light("kind = 'spot'\nposition = [0, 0, 1]"),
+            "a spot light needs 'direction', which is missing",
+            "[[lights]]",
+        ),
+        (
+            light("kind = 'point'\nposition = [0, 0, 1]\ncutoff_deg = 3"),
+            "a point light has no 'cutoff_deg'",
+            "3",
+        ),
+        (
+            light("kind = 'spot'\nposition = [0, 0, 1]\ndirection = [0, 0, 0]"),
+            "expected a direction, found three zeros",
+            "[0, 0, 0]",
+        ),
+        (
+            light("kind = 'point'\nposition = [0, 0, 1]\nattenuation = { linear = 0 }"),
+            "constant, linear and quadratic are all 0, which divides by 0",
+            "{ linear = 0 }",
+        ),
+        (
+            light("kind = 'point'\nposition = [0, 0, 1]\nattenuation = 'fysical'"),
+            "unknown name 'fysical'; did you mean 'physical'?",
+            "'fysical'",
+        ),
+        ("[materials.a]\nmodel = 'blinn'".into(), "unknown model 'blinn'", "'blinn'"),
+        ("[materials.a]\nshininess = -1".into(), "expected an exponent between 0 and 100000, found -1", "-1"),
+        ("[materials.a]\nlobes = []\ndiffuse = [1, 1, 1]".into(), "'diffuse' beside 'lobes'", "[1, 1, 1]"),
+        (
+            "[materials.a]\nlobes = [{ shape = 'lambart' }]".into(),
+            "unknown shape 'lambart'; did you mean 'lambert'?",
+            "'lambart'",
+        ),
+        (
+            "[materials.a]\nlobes = [{ shape = 'phong', shinyness = 3 }]".into(),
+            "unknown key 'shinyness' in a lobe of shape 'phong'; did you mean 'shininess'?",
+            "shinyness",
+        ),
+        (
+            "[materials.a]\nlobes = [{ shape = 'phong', shininess = 2e5 }]".into(),
+            "parameter 'shininess' of model 'phong' is 200000, but must be between 0 and 100000",
+            "2e5",
+        ),
+        ("[materials.a]\nlobes = [[1]]".into(), "expected a table, found a list", "[1]"),
+        ("materials.a = [1]".into(), "expected a table, found a list", "[1]"),
+        (
+            "[materials.red]\n[[objects]]\nmesh = 'cube'\nmaterial = 'rad'".into(),
+            "unknown material 'rad'; did you mean 'red'?",
+            "'rad'",
+        ),
+        ("[[objects]]\nmesh = 'spere'".into(), "unknown mesh 'spere'; did you mean 'sphere'?", "'spere'"),
+        (
+            "[[objects]]\nmesh = { spere = {} }".into(),
+            "unknown name 'spere'; did you mean 'sphere'?",
+            "{ spere = {} }",
+        ),
+        (
+            "[[objects]]\nmesh = 'a.glb'".into(),
+            "unknown mesh 'a.glb'; for a file, write { file = \"..\" }",
+            "'a.glb'",
+        ),
+        (
+            "[[objects]]\nmesh = { sphere = { slizes = 3 } }".into(),
+            "unknown key 'slizes' in [objects.0.mesh.sphere]; did you mean 'slices'?",
+            "slizes",
+        ),
+        (
+            "[[objects]]\nmesh = { sphere = { slices = 1 } }".into(),
+            "sphere: slices must be at least 3, but is 1",
+            "{ sphere = { slices = 1 } }",
+        ),
+        (
+            "[[objects]]\nmesh = { sphere = {}, cube = {} }".into(),
+            "expected one mesh, found 'sphere' as well",
+            "{ sphere = {}, cube = {} }",
+        ),
+        ("[[objects]]\nmesh = { file = 'none.glb' }".into(), "there is no file 'none.glb'", "'none.glb'"),
+        (
+            "[[objects]]\nmesh = { file = '../README.glb' }".into(),
+            "'../README.glb' leaves the folder of the scene file",
+            "'../README.glb'",
+        ),
+        (
+            object("scale = [1, 0, 1]"),
+            "expected factors whose size is between 1e-9 and 1e9, found [1, 0, 1]; 0 would leave nothing",
+            "[1, 0, 1]",
+        ),
+        (
+            object("scale = 2\nmatrix = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"),
+            "'matrix' beside 'translate', 'rotate_deg' or 'scale'",
+            "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]",
+        ),
+        (
+            object("matrix = [[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 0]]"),
+            "the matrix is singular, or scales by more than 1e9",
+            "[[1, 0, 0, 0], [0, 1, 0, 0], [1, 1, 0, 0]]",
+        ),
+        (
+            object("rotate_deg = { axis = [0, 0, 1] }"),
+            "'angle' is missing in [objects.0.rotate_deg]",
+            "{ axis = [0, 0, 1] }",
+        ),
+        (object("normals = 'facet'\ncrease_deg = 30"), "'crease_deg' needs normals = \"smooth\"", "30"),
+        (object("subdivide = 11"), "expected between 0 and 10 subdivisions, found 11", "11"),
+        (object("colors = ['#ff0000']"), "expected 4 colours, one for each vertex, found 1", "['#ff0000']"),
+        (object("lights = true"), "a built-in mesh has no lights", "true"),
+        ("[image\n".into(), "unclosed table, expected `]`", ""),
+        ("a = 1\na = 2".into(), "duplicate key", "a"),
+    ];
+    for (text, message, place) in &cases {
+        let (found, at) = error(text);
+        assert_eq!((found.as_str(), at.as_str()), (*message, *place), "{text}");
+    }
+}
+
+#[test]
+fn a_light_sends_its_color_unless_a_part_has_its_own() {
+    let text = "[[lights]]\nkind = 'directional'\ndirection = [0, 0, -1]\nattached_to = 'camera'\n\
+                color = [0.5, 0.5, 0.5]\nspecular = '#ffffff'\nintensity = 2";
+    let light = &scene(text).lights[0];
+    let half = Rgb::gray(1.0);
+    assert_eq!(light.colors, LightColors { ambient: half, diffuse: half, specular: Rgb::gray(2.0) });
+    assert_eq!(light.space, Space::Camera);
+    let ambient = &scene("[[lights]]\nkind = 'ambient'\n").lights[0];
+    assert_eq!(ambient.colors, LightColors { ambient: Rgb::WHITE, ..LightColors::all(Rgb::BLACK) });
+}
+
+#[test]
+fn attenuation_has_names_and_missing_factors_are_zero() {
+    let attenuation = |value: &str| {
+        let text = format!("[[lights]]\nkind = 'point'\nposition = [0, 0, 0]\n{value}");
+        match scene(&text).lights[0].kind {
+            LightKind::Point { attenuation, .. } => attenuation,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(attenuation(""), Attenuation { constant: 1.0, linear: 0.0, quadratic: 0.0 });
+    assert_eq!(attenuation("attenuation = 'physical'"), Attenuation::PHYSICAL);
+    let linear = Attenuation { constant: 0.0, linear: 2.0, quadratic: 0.0 };
+    assert_eq!(attenuation("attenuation = { linear = 2 }"), linear);
+}
+
+#[test]
+fn cameras_are_perspective_or_orthographic() {
+    let camera = scene("[camera]\neye = [1, 2, 3]").camera.expect("given");
+    assert_eq!((camera.target, camera.up), (DVec3::ZERO, DVec3::Y));
+    assert_eq!(camera.projection, Projection::Perspective { fov_y: 40f64.to_radians() });
+    let text = "[camera]\neye = [1, 2, 3]\nprojection = 'orthographic'\nheight = 2.0";
+    assert_eq!(scene(text).camera.expect("given").projection, Projection::Orthographic { height: 2.0 });
+}
+
+#[test]
+fn rotations_are_done_in_their_order_and_a_matrix_says_it_all() {
+    let object = |keys: &str| scene(&format!("[[objects]]\nmesh = 'quad'\n{keys}")).objects[0].transform;
+    let turned = object(
+        "rotate_deg = [{ axis = [0, 0, 2], angle = 90 }, { axis = [1, 0, 0], angle = 90 }]\nscale = [2, 1, -1]",
+    );
+    // x is doubled, then turned to y, then to z.
+    assert!((turned.transform_vector3(DVec3::X) - DVec3::new(0.0, 0.0, 2.0)).length() < 1e-12);
+    assert!((turned.transform_vector3(DVec3::Z) - DVec3::new(0.0, 1.0, 0.0)).length() < 1e-12);
+    let matrix = object("matrix = [[1, 2, 3, 4], [0, 1, 0, 5], [0, 0, 1, 6]]");
+    assert_eq!(matrix.transform_point3(DVec3::new(1.0, 1.0, 1.0)), DVec3::new(10.0, 6.0, 7.0));
+}
+
+#[test]
+fn materials_are_classic_or_lobes_with_their_defaults() {
+    let text = "[materials.a]\n[materials.b]\nlobes = [{ shape = 'phong', shininess = 7 }, { shape = 'ambient' }]\n\
+                two_sided = false\nalpha = 0.5\n[materials.c]\nalpha_mode = 'mask'\nemission = [1, 2, 3]";
+    let materials = scene(text).materials;
+    assert_eq!((materials[0].lobes.len(), materials[0].two_sided), (0, true));
+    let lobes = &materials[1].lobes;
+    assert_eq!((lobes[0].shape.params(), lobes[0].tint, lobes[0].textured), (vec![7.0], Rgb::WHITE, false));
+    assert!(lobes[1].textured && !materials[1].two_sided);
+    assert_eq!((materials[1].alpha, materials[1].alpha_mode), (0.5, AlphaMode::Blend));
+    assert_eq!(materials[2].alpha_mode, AlphaMode::Mask { cutoff: 0.5 });
+    assert_eq!(materials[2].lobes[0].tint, Rgb([1.0, 2.0, 3.0]));
+}
+
+#[test]
+fn a_matte_model_has_no_highlight_and_says_so() {
+    let loaded = parse("[materials.a]\nmodel = 'lambert'\nspecular = [1, 1, 1]").expect("valid");
+    assert!(loaded.scene.materials[0].lobes.is_empty());
+    assert_eq!(loaded.notes, ["material 'a': 'lambert' has no highlight; 'specular' is not used"]);
+}
+
+#[test]
+fn equal_objects_share_a_mesh_and_others_do_not() {
+    let object = |keys: &str| format!("[[objects]]\nmesh = 'sphere'\n{keys}\n");
+    let text =
+        [object(""), object("scale = 2"), object("normals = 'facet'"), object("subdivide = 1")].concat();
+    let scene = scene(&text);
+    assert_eq!(scene.objects.iter().map(|o| o.mesh).collect::<Vec<_>>(), [0, 0, 1, 2]);
+    assert_eq!(scene.meshes[2].triangle_count(), 4 * scene.meshes[0].triangle_count());
+    assert_eq!((scene.materials.len(), scene.objects[3].material), (1, 0));
+}
+
+#[test]
+fn colors_are_the_meshs_own_unless_a_built_in_mesh_has_a_material() {
+    let kite = |keys: &str| {
+        let text = format!("[materials.a]\n[[objects]]\nmesh = 'kite'\n{keys}");
+        scene(&text).meshes.remove(0).colors
+    };
+    assert!(!kite("").is_empty());
+    assert!(kite("material = 'a'").is_empty());
+    assert_eq!(kite("material = 'a'\ncolors = 'mesh'"), kite(""));
+    let text = "[[objects]]\nmesh = 'quad'\ncolors = [[1, 0, 0], [0, 1, 0], [0, 0, 1], '#ffffff']";
+    let colors = &scene(text).meshes[0].colors;
+    assert_eq!((colors[1].to_array(), colors[3].to_array()), ([0.0, 1.0, 0.0, 1.0], [1.0; 4]));
+}
+
+#[test]
+fn per_object_settings_differ_from_the_scenes() {
+    let text = "[render]\nshading = 'flat'\ninterpolation = 'scanline'\nshow = 'uv'\ntone_map = 'khronos-neutral'\n\
+                ev = -1.5\n[[objects]]\nname = 'a'\nmesh = 'quad'\nshading = 'gouraud'\ninterpolation = 'screen-linear'";
+    let loaded = parse(text).expect("valid");
+    assert_eq!((loaded.show, loaded.tone_map, loaded.ev), (ShowName::Uv, ToneMapName::KhronosNeutral, -1.5));
+    let (render, object) = (loaded.scene.render, &loaded.scene.objects[0]);
+    assert_eq!((render.shading, render.interpolation), (Shading::Flat, Interpolation::Scanline));
+    assert_eq!(object.shading, Some(Shading::Gouraud));
+    assert_eq!((object.interpolation, object.name.as_str()), (Some(Interpolation::ScreenLinear), "a"));
+}
+
+/// Loads with overrides.
+fn set(text: &str, sets: &[(&str, &str)]) -> Result<Loaded, FileError> {
+    let sets = sets.iter().map(|(path, value)| ((*path).to_owned(), (*value).to_owned())).collect();
+    parse_str(text, &examples(), &LoadOptions { allow_outside: false, sets })
+}
+
+#[test]
+fn overrides_set_values_that_are_there_or_have_a_default() {
+    let sets = [
+        ("materials.red.shininess", "64"),
+        ("materials.matte.lobes.0.tint", "[1, 0, 0]"),
+        ("lights.1.color", "'#ff0000'"),
+        ("lights.0.intensity", "3"),
+        ("render.shading", "gouraud"),
+        ("image.width", "16"),
+        ("objects.0.mesh.sphere.slices", "5"),
+        ("camera.eye", "[0, 0, 9]"),
+        ("ambient", "{ color = [1, 1, 1] }"),
+    ];
+    let scene = set(&full(), &sets).unwrap_or_else(|error| panic!("{error}")).scene;
+    assert_eq!(scene.materials[1].lobes[2].shape.params(), [64.0]);
+    assert_eq!(scene.materials[0].lobes[0].tint, Rgb([1.0, 0.0, 0.0]));
+    assert_eq!(scene.lights[2].colors.diffuse, Rgb([1.0, 0.0, 0.0]));
+    assert_eq!(scene.lights[1].colors.diffuse, Rgb::gray(1.5));
+    assert_eq!((scene.render.shading, scene.image.width), (Shading::Gouraud, 16));
+    assert_eq!(scene.meshes[0].triangle_count(), 5 * 31 * 2);
+    assert_eq!(scene.camera.expect("given").eye, DVec3::new(0.0, 0.0, 9.0));
+    assert_eq!(scene.lights[0].colors.ambient, Rgb::WHITE);
+}
+
+#[test]
+fn overrides_find_lights_and_objects_by_name_and_make_tables() {
+    let text = "[[lights]]\nname = 'lamp'\nkind = 'point'\nposition = [0, 0, 0]\n[[objects]]\nname = 'o'\nmesh = 'quad'";
+    let sets = [
+        ("lights.lamp.attenuation.linear", "2"),
+        ("objects.o.shading", "flat"),
+        ("ambient.color", "[1, 1, 1]"),
+    ];
+    let scene = set(text, &sets).expect("valid").scene;
+    let attenuation = Attenuation { constant: 0.0, linear: 2.0, quadratic: 0.0 };
+    assert_eq!(scene.lights[1].kind, LightKind::Point { position: DVec3::ZERO, attenuation });
+    assert_eq!((scene.objects[0].shading, scene.lights[0].colors.ambient), (Some(Shading::Flat), Rgb::WHITE));
+}
+
+#[test]
+fn overrides_that_set_nothing_are_refused_where_they_stand() {
+    let cases = [
+        (
+            "materials.rad.shininess",
+            "3",
+            "unknown path 'materials.rad.shininess': there is no 'rad'; did you mean 'red'?",
+            "materials.rad.shininess",
+        ),
+        (
+            "materials.red.shinines",
+            "3",
+            "unknown key 'shinines' in [materials.red]; did you mean 'shininess'?",
+            "materials.red.shinines",
+        ),
+        ("lights.3.color", "[1, 1, 1]", "unknown path 'lights.3.color': there is no '3'", "lights.3.color"),
+        ("lights.0.color.r", "1", "unknown path 'lights.0.color.r': there is no 'r'", "lights.0.color.r"),
+        ("image.width.x", "1", "there is no 'x' in 'image.width', which is of type integer", "image.width.x"),
+        (
+            "image..width",
+            "1",
+            "expected a path such as materials.ball.shininess, found 'image..width'",
+            "image..width",
+        ),
+        ("image.width", "many", "expected a whole number, found string \"many\"", "many"),
+        ("image.width", "1\nx = 2", "expected a whole number, found string \"1\\nx = 2\"", "1\nx = 2"),
+        ("materials.red.shininess", "-1", "expected an exponent between 0 and 100000, found -1", "-1"),
+        (
+            "render.shadings",
+            "flat",
+            "unknown key 'shadings' in [render]; did you mean 'shading'?",
+            "render.shadings",
+        ),
+        ("lights.0.color", "[1, 1, -7]", "expected a number that is at least 0, found -7", "-7"),
+    ];
+    for (path, value, message, place) in cases {
+        let error = set(&full(), &[("image.height", "99"), (path, value)]).expect_err(path);
+        let span = error.span.clone().expect("a place");
+        assert_eq!((error.message.as_str(), &error.text[span]), (message, place));
+        assert_eq!((error.path.as_path(), error.line), (Path::new("override"), 1), "{path}={value}");
+    }
+}
+
+#[test]
+fn the_hash_is_of_the_content_with_its_overrides_and_files() {
+    let hash = |text: &str, sets: &[(&str, &str)]| set(text, sets).expect("valid").hash;
+    let plain = hash(&full(), &[]);
+    assert_eq!(plain, hash(&format!("# a note\n{}", full().replace(" = ", "=")), &[]));
+    assert_ne!(plain, hash(&full(), &[("materials.red.shininess", "33")]));
+    assert_eq!(
+        hash(&full().replace("32.0", "33"), &[]),
+        hash(&full(), &[("materials.red.shininess", "33.0")])
+    );
+}
+
+/// A folder of its own for one test, removed at its end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str, files: &[(&str, &str)]) -> Self {
+        let path = std::env::temp_dir().join(format!("glanz-scene-file-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(path.join("scenes")).expect("the folder can be made");
+        for (file, text) in files {
+            std::fs::write(path.join(file), text).expect("the file can be written");
+        }
+        Self(path)
+    }
+
+    fn load(&self, allow_outside: bool) -> Result<Loaded, FileError> {
+        load(&self.0.join("scenes/scene.toml"), &LoadOptions { allow_outside, sets: Vec::new() })
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// A triangle.
+const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+#[test]
+fn files_outside_of_the_folder_are_read_only_where_that_is_allowed() {
+    let scene = "[[objects]]\nmesh = { file = \"../t.obj\" }";
+    let scratch = Scratch::new("outside", &[("t.obj", OBJ), ("scenes/scene.toml", scene)]);
+    let error = scratch.load(false).expect_err("outside");
+    assert_eq!(error.message, "'../t.obj' leaves the folder of the scene file");
+    assert_eq!((error.line, error.column), (2, 17));
+    assert_eq!(scratch.load(true).expect("allowed").scene.meshes[0].triangle_count(), 1);
+}
+
+#[test]
+fn a_file_is_read_once_and_its_meshes_are_shared() {
+    let scene = "[materials.m]\n[[objects]]\nname = 'a'\nmesh = { file = 't.obj' }\n\
+                 [[objects]]\nmesh = { file = 't.obj' }\nmaterial = 'm'\ntranslate = [1, 0, 0]\n\
+                 [[objects]]\nmesh = { file = 't.obj' }\nsubdivide = 1\nnormals = 'facet'";
+    let scratch = Scratch::new("once", &[("scenes/t.obj", OBJ), ("scenes/scene.toml", scene)]);
+    let before = scratch.load(false).expect("valid");
+    let scene = &before.scene;
+    assert_eq!(scene.objects.iter().map(|o| o.mesh).collect::<Vec<_>>(), [0, 0, 1]);
+    assert_eq!(scene.meshes.iter().map(Mesh::triangle_count).collect::<Vec<_>>(), [1, 4]);
+    assert_eq!(scene.materials[scene.objects[1].material].name, "m");
+    assert_eq!(scene.objects[0].material, scene.objects[2].material);
+    assert_ne!(scene.objects[0].material, scene.objects[1].material);
+    assert_eq!((scene.objects[0].name.as_str(), scene.objects[1].transform.w_axis.x), ("a", 1.0));
+    std::fs::write(scratch.0.join("scenes/t.obj"), OBJ.replace("0 1 0", "0 2 0")).expect("writable");
+    assert_ne!(scratch.load(false).expect("valid").hash, before.hash, "the file's bytes count");
+}
+
+#[test]
+fn meshes_that_only_others_were_made_of_are_left_out() {
+    let scene = "[[objects]]\nmesh = { file = 't.obj' }\nsubdivide = 1\n[[objects]]\nmesh = 'quad'";
+    let scratch = Scratch::new("unused", &[("scenes/t.obj", OBJ), ("scenes/scene.toml", scene)]);
+    let scene = scratch.load(false).expect("valid").scene;
+    assert_eq!(scene.meshes.iter().map(Mesh::triangle_count).collect::<Vec<_>>(), [4, 2]);
+    assert_eq!((scene.objects[0].mesh, scene.objects[1].mesh), (0, 1));
+}
+
+#[test]
+fn cameras_and_lights_of_a_gltf_file_move_with_its_object() {
+    let gltf = r#"{ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0, 1] }],
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": { "KHR_lights_punctual": { "lights": [{ "type": "point" }] } },
+        "cameras": [{ "name": "Eye", "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.1 } }],
+        "nodes": [{ "name": "Eye", "camera": 0, "translation": [0, 0, 5] },
+                  { "extensions": { "KHR_lights_punctual": { "light": 0 } }, "translation": [0, 3, 0] }] }"#;
+    let object = "[[objects]]\nmesh = { file = 'c.gltf' }\ntranslate = [1, 0, 0]\nscale = 2\n";
+    let scene = format!("camera = 'Eye'\n{object}lights = true\n");
+    let scratch = Scratch::new("camera", &[("scenes/c.gltf", gltf), ("scenes/scene.toml", &scene)]);
+    let scene = scratch.load(false).unwrap_or_else(|error| panic!("{error}")).scene;
+    assert_eq!(scene.camera.expect("found").eye, DVec3::new(1.0, 0.0, 10.0));
+    match scene.lights[0].kind {
+        LightKind::Point { position, .. } => assert_eq!(position, DVec3::new(1.0, 6.0, 0.0)),
+        other => panic!("{other:?}"),
+    }
+    std::fs::write(scratch.0.join("scenes/scene.toml"), format!("camera = 'eye'\n{object}"))
+        .expect("writable");
+    let error = scratch.load(false).expect_err("another name");
+    assert_eq!(error.message, "unknown camera 'eye'; did you mean 'Eye'?");
+}
+
+#[test]
+fn files_that_cannot_be_a_scene_are_refused_as_a_whole() {
+    let scratch = Scratch::new("whole", &[]);
+    let error = scratch.load(false).expect_err("there is none");
+    assert!(error.message.starts_with("the scene file cannot be read:") && error.span.is_none(), "{error}");
+    std::fs::write(scratch.0.join("scenes/scene.toml"), [b'a', 0xff]).expect("writable");
+    assert_eq!(
+        scratch.load(false).expect_err("bytes").message,
+        "expected UTF-8 text, found byte 1 that is not"
+    );
+}
+
+#[test]
+fn more_triangles_than_can_be_drawn_are_not_made() {
+    let too_many = "expected at most 50000000 triangles in a scene, found ";
+    let sphere = |slices: u32, stacks: u32| {
+        format!("[[objects]]\nmesh = {{ sphere = {{ slices = {slices}, stacks = {stacks} }} }}\n")
+    };
+    let texts = [
+        sphere(4_000_000_000, 4_000_000_000),
+        format!("{}subdivide = 10\n", sphere(16, 16)),
+        // One mesh of 99 800 triangles, 502 times.
+        sphere(100, 500).repeat(502),
+    ];
+    for text in texts {
+        let (message, _) = error(&text);
+        assert!(message.starts_with(too_many), "{message}");
+    }
+    assert_eq!(scene(&sphere(100, 500).repeat(501)).meshes.len(), 1);
+}
+
+#[test]
+fn deep_and_wide_texts_end_with_an_error_or_a_scene() {
+    for (open, close) in [("[", "]"), ("{a=", "}")] {
+        let deep = format!("x = {}{}", open.repeat(100_000), close.repeat(100_000));
+        error(&deep);
+    }
+    error(&format!("{}x = 1", "a.".repeat(100_000)));
+    let many = "[[objects]]\nmesh = 'quad'\n".repeat(20_000);
+    assert_eq!(scene(&many).objects.len(), 20_000);
+    let different: String =
+        (1..5000).map(|i| format!("[[objects]]\nmesh = {{ cube = {{ size = {i} }} }}\n")).collect();
+    assert_eq!(scene(&different).meshes.len(), 4999);
 }

@@ -57,12 +57,7 @@ macro_rules! number {
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let value = deserializer.deserialize_any(NumberVisitor($expected))?;
-                let test: fn(f64) -> bool = $test;
-                match test(value) {
-                    true => Ok(Self(value)),
-                    false => Err(D::Error::custom(format!("expected {}, found {value}", $expected))),
-                }
+                deserializer.deserialize_any(NumberVisitor { expected: $expected, test: $test }).map(Self)
             }
         }
 
@@ -121,22 +116,38 @@ number!(
     { "type": "number", "minimum": -100.0, "maximum": 100.0 }
 );
 
-/// Takes integers and floats, says what was expected in place of others.
-struct NumberVisitor(&'static str);
+/// Takes integers and floats, says what was expected in place of others. It tests them itself, since
+/// what is said after a visitor has left no longer points at an entry of a list.
+struct NumberVisitor {
+    expected: &'static str,
+    test: fn(f64) -> bool,
+}
 
 impl Visitor<'_> for NumberVisitor {
     type Value = f64;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.0)
+        f.write_str(self.expected)
     }
-    fn visit_f64<E>(self, value: f64) -> Result<f64, E> {
-        Ok(value)
+    fn visit_f64<E: Error>(self, value: f64) -> Result<f64, E> {
+        match (self.test)(value) {
+            true => Ok(value),
+            false => Err(E::custom(format!("expected {}, found {}", self.expected, shown(value)))),
+        }
     }
-    fn visit_i64<E>(self, value: i64) -> Result<f64, E> {
-        Ok(value as f64)
+    fn visit_i64<E: Error>(self, value: i64) -> Result<f64, E> {
+        self.visit_f64(value as f64)
     }
-    fn visit_u64<E>(self, value: u64) -> Result<f64, E> {
-        Ok(value as f64)
+    fn visit_u64<E: Error>(self, value: u64) -> Result<f64, E> {
+        self.visit_f64(value as f64)
+    }
+}
+
+/// The number as people write it.
+fn shown(value: f64) -> String {
+    if value != 0.0 && value.is_finite() && !(1e-6..1e12).contains(&value.abs()) {
+        format!("{value:e}")
+    } else {
+        value.to_string()
     }
 }
 

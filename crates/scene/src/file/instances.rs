@@ -1,0 +1,317 @@
+//! From the objects of a scene file to meshes and objects of a scene.
+//!
+//! Objects that are made of the same share their meshes; a file is read once.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use glam::{DMat4, Vec4};
+
+use super::build::Builder;
+use super::error::Problem;
+use super::near::{did_you_mean, list};
+use super::objects::{ColorsName, ColorsValue, MeshValue, ObjectTable};
+use super::values::At;
+use crate::builtin::{Builtin, MAX_TRIANGLES};
+use crate::read::{Model, read_model};
+use crate::{Camera, Material, Mesh, Normals, Object, Projection};
+
+/// What a mesh is made from. Its `Debug` text names it: equal texts, equal meshes.
+#[derive(Debug)]
+struct Recipe {
+    source: Source,
+    normals: Option<Normals>,
+    levels: u32,
+    colors: Colors,
+}
+
+#[derive(Debug)]
+enum Source {
+    Builtin(Builtin),
+    File(PathBuf),
+}
+
+#[derive(Debug)]
+enum Colors {
+    Mesh,
+    None,
+    List(Vec<Vec4>),
+}
+
+impl Recipe {
+    /// Whether a mesh is used as it is.
+    fn is_plain(&self) -> bool {
+        self.normals.is_none() && self.levels == 0 && matches!(self.colors, Colors::Mesh)
+    }
+}
+
+/// A mesh of something, placed relative to the whole.
+#[derive(Clone)]
+pub(super) struct Part {
+    name: String,
+    mesh: usize,
+    /// A file's own material.
+    material: Option<usize>,
+    transform: DMat4,
+    triangles: u64,
+}
+
+/// What a file holds, of which meshes, textures and materials are already in the scene.
+pub(super) struct FileModel {
+    parts: Vec<Part>,
+    /// The lights alone.
+    lights: Model,
+    cameras: Vec<(String, Camera)>,
+}
+
+impl Builder {
+    pub(super) fn object(&mut self, object: &At<ObjectTable>) -> Result<(), Problem> {
+        let transform = object.place().transform()?;
+        let material = self.material_index(object)?;
+        let recipe = self.recipe(object)?;
+        let key = format!("{recipe:?}");
+        let parts = match self.parts.get(&key) {
+            Some(parts) => parts.clone(),
+            None => {
+                let parts = match &recipe.source {
+                    Source::Builtin(builtin) => self.builtin(object, builtin, &recipe)?,
+                    Source::File(path) => self.file(object, path, &recipe)?,
+                };
+                self.parts.insert(key, parts.clone());
+                parts
+            }
+        };
+        if let Source::File(path) = &recipe.source {
+            self.companions(object, path, &transform);
+        }
+        self.add_triangles(parts.iter().map(|part| part.triangles), &object.mesh.span)?;
+        for part in &parts {
+            let name = match (object.name.as_str(), parts.len()) {
+                ("", _) => part.name.clone(),
+                (name, 1) => name.to_owned(),
+                (name, _) => format!("{name}/{}", part.name),
+            };
+            let material = material.or(part.material).unwrap_or_else(|| self.default_material());
+            self.scene.objects.push(Object {
+                name,
+                mesh: part.mesh,
+                material,
+                transform: transform * part.transform,
+                shading: object.shading.map(|shading| shading.shading()),
+                interpolation: object.interpolation.map(|interpolation| interpolation.interpolation()),
+            });
+        }
+        Ok(())
+    }
+
+    fn recipe(&self, object: &ObjectTable) -> Result<Recipe, Problem> {
+        let source = match &object.mesh.value {
+            MeshValue::Builtin(builtin) => {
+                if let Some(lights) = &object.lights {
+                    return Err(Problem::at(&lights.span, "a built-in mesh has no lights"));
+                }
+                Source::Builtin(*builtin)
+            }
+            MeshValue::File(file) => Source::File(self.resolve(file, &file.span)?),
+        };
+        let builtin = matches!(source, Source::Builtin(_));
+        let colors = match object.colors.as_ref().map(|colors| &colors.value) {
+            None if builtin && object.material.is_some() => Colors::None,
+            None | Some(ColorsValue::Name(ColorsName::Mesh)) => Colors::Mesh,
+            Some(ColorsValue::Name(ColorsName::None)) => Colors::None,
+            Some(ColorsValue::List(list)) => {
+                Colors::List(list.iter().map(|color| glam::Vec3::from_array(color.0.0).extend(1.0)).collect())
+            }
+        };
+        let levels = object.subdivide.as_ref().map_or(0, |levels| levels.0);
+        Ok(Recipe { source, normals: object.normals()?, levels, colors })
+    }
+
+    /// The material that the object names.
+    fn material_index(&self, object: &ObjectTable) -> Result<Option<usize>, Problem> {
+        let Some(name) = &object.material else { return Ok(None) };
+        match self.material_names.get(name.as_str()) {
+            Some(index) => Ok(Some(*index)),
+            None => {
+                let known = || self.material_names.keys().map(String::as_str);
+                let message = format!("unknown material '{}'{}", name.value, did_you_mean(name, known()));
+                Err(Problem::at(&name.span, message).help(format!("the materials are: {}", list(known()))))
+            }
+        }
+    }
+
+    fn default_material(&mut self) -> usize {
+        *self.default_material.get_or_insert_with(|| {
+            self.scene.materials.push(Material::default_gray());
+            self.scene.materials.len() - 1
+        })
+    }
+
+    fn builtin(
+        &mut self,
+        object: &ObjectTable,
+        builtin: &Builtin,
+        recipe: &Recipe,
+    ) -> Result<Vec<Part>, Problem> {
+        let span = &object.mesh.span;
+        self.check_budget(subdivided_count(builtin.triangle_count(), recipe.levels), span)?;
+        let mesh = builtin.mesh().map_err(|error| Problem::at(span, error.to_string()))?;
+        let mesh = finish(mesh, object, recipe)?;
+        let (name, triangles) = (mesh.name.clone(), mesh.triangle_count() as u64);
+        let part =
+            Part { name, mesh: self.add_mesh(mesh), material: None, transform: DMat4::IDENTITY, triangles };
+        Ok(vec![part])
+    }
+
+    fn add_mesh(&mut self, mesh: Mesh) -> usize {
+        self.scene.meshes.push(mesh);
+        self.scene.meshes.len() - 1
+    }
+
+    fn file(&mut self, object: &ObjectTable, path: &Path, recipe: &Recipe) -> Result<Vec<Part>, Problem> {
+        if !self.files.contains_key(path) {
+            let model = self.read_file(path, &object.mesh.span)?;
+            self.files.insert(path.to_owned(), model);
+        }
+        let mut parts = self.files[path].parts.clone();
+        if recipe.is_plain() {
+            return Ok(parts);
+        }
+        let triangles: u64 = parts.iter().map(|part| part.triangles).sum();
+        self.check_budget(subdivided_count(triangles, recipe.levels), &object.mesh.span)?;
+        // Parts may share meshes; so do those that are made of them.
+        let mut made = std::collections::HashMap::new();
+        for part in &mut parts {
+            let mesh = match made.get(&part.mesh) {
+                Some(mesh) => *mesh,
+                None => {
+                    let mesh = finish(self.scene.meshes[part.mesh].clone(), object, recipe)?;
+                    let index = self.add_mesh(mesh);
+                    made.insert(part.mesh, index);
+                    index
+                }
+            };
+            part.mesh = mesh;
+            part.triangles = self.scene.meshes[mesh].triangle_count() as u64;
+        }
+        Ok(parts)
+    }
+
+    fn read_file(&mut self, path: &Path, span: &Range<usize>) -> Result<FileModel, Problem> {
+        self.hash_file(path);
+        let mut model =
+            read_model(path, &self.options).map_err(|error| Problem::at(span, error.to_string()))?;
+        let file = file_name(path);
+        self.notes.extend(model.notes.iter().map(|note| format!("{file}: {note}")));
+        let cameras = std::mem::take(&mut model.cameras);
+        let lights = Model { lights: std::mem::take(&mut model.lights), ..Model::default() };
+        let range = model.append_to(&mut self.scene, DMat4::IDENTITY, None, false);
+        // They come back one by one, with the transform of each object of the scene file.
+        let meshes = &self.scene.meshes;
+        let parts = self.scene.objects.drain(range).map(|object| Part {
+            triangles: meshes[object.mesh].triangle_count() as u64,
+            name: object.name,
+            mesh: object.mesh,
+            material: Some(object.material),
+            transform: object.transform,
+        });
+        Ok(FileModel { parts: parts.collect(), lights, cameras })
+    }
+
+    /// Brings along what a file has beside its meshes.
+    fn companions(&mut self, object: &ObjectTable, path: &Path, transform: &DMat4) {
+        let file = &self.files[path];
+        for (name, camera) in &file.cameras {
+            self.cameras.push((name.clone(), moved(camera, transform)));
+        }
+        let count = file.lights.lights.len();
+        if object.lights.as_ref().is_some_and(|lights| lights.value) {
+            file.lights.clone().append_to(&mut self.scene, *transform, None, true);
+        } else if count > 0 {
+            let file = file_name(path);
+            let note = format!("{file}: its lights ({count}) are left out; 'lights = true' takes them along");
+            if !self.notes.contains(&note) {
+                self.notes.push(note);
+            }
+        }
+    }
+
+    fn add_triangles(
+        &mut self,
+        parts: impl Iterator<Item = u64>,
+        span: &Range<usize>,
+    ) -> Result<(), Problem> {
+        self.triangles = parts.fold(self.triangles, u64::saturating_add);
+        self.check_budget(0, span)
+    }
+
+    /// Refuses more triangles than can be drawn, before they are made.
+    fn check_budget(&self, more: u64, span: &Range<usize>) -> Result<(), Problem> {
+        match self.triangles.saturating_add(more) {
+            0..=MAX_TRIANGLES => Ok(()),
+            found => {
+                let message = format!(
+                    "expected at most {MAX_TRIANGLES} triangles in a scene, found {found} up to here"
+                );
+                Err(Problem::at(span, message))
+            }
+        }
+    }
+
+    /// Takes out the meshes of files of which only others were made.
+    pub(super) fn drop_unused_meshes(&mut self) {
+        let mut index = vec![None; self.scene.meshes.len()];
+        self.scene.objects.iter().for_each(|object| index[object.mesh] = Some(0));
+        let mut used = index.iter().map(Option::is_some).collect::<Vec<_>>().into_iter();
+        self.scene.meshes.retain(|_| used.next().unwrap_or(false));
+        index.iter_mut().flatten().enumerate().for_each(|(new, slot)| *slot = new);
+        for object in &mut self.scene.objects {
+            object.mesh = index[object.mesh].expect("it is in use");
+        }
+    }
+}
+
+/// The mesh with the colours, subdivisions and normals that the object asks for.
+fn finish(mut mesh: Mesh, object: &ObjectTable, recipe: &Recipe) -> Result<Mesh, Problem> {
+    match (&recipe.colors, &object.colors) {
+        (Colors::List(colors), Some(at)) => {
+            let (found, expected) = (colors.len(), mesh.positions.len());
+            if found != expected {
+                let message = format!("expected {expected} colours, one for each vertex, found {found}");
+                return Err(Problem::at(&at.span, message));
+            }
+            mesh.colors.clone_from(colors);
+        }
+        (Colors::None, _) => mesh.colors = Vec::new(),
+        _ => {}
+    }
+    if let Some(levels) = object.subdivide.as_ref().filter(|levels| levels.0 > 0) {
+        mesh = mesh.subdivided(levels.0).map_err(|error| Problem::at(&levels.span, error.to_string()))?;
+    }
+    Ok(match recipe.normals {
+        Some(normals) => mesh.with_normals(normals),
+        None => mesh,
+    })
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// The number of triangles after so many subdivisions.
+fn subdivided_count(triangles: u64, levels: u32) -> u64 {
+    triangles.saturating_mul(4_u64.saturating_pow(levels))
+}
+
+/// The camera moved with an object.
+fn moved(camera: &Camera, transform: &DMat4) -> Camera {
+    let up = transform.transform_vector3(camera.up);
+    let projection = match camera.projection {
+        Projection::Orthographic { height } => {
+            Projection::Orthographic { height: height * up.length() / camera.up.length() }
+        }
+        perspective @ Projection::Perspective { .. } => perspective,
+    };
+    let [eye, target] = [camera.eye, camera.target].map(|point| transform.transform_point3(point));
+    Camera { eye, target, up, projection }
+}
