@@ -133,12 +133,12 @@ fn read_stream(
     let mut context = Context { file, options, resolver, notes: Notes::default() };
     let model = match format {
         Format::Gltf => {
-            let mut bytes = Vec::with_capacity(len as usize);
-            reader.read_to_end(&mut bytes).map_err(|source| ReadError::Io {
-                file: file.to_owned(),
-                place: Place::File,
-                source,
-            })?;
+            let mut bytes = Vec::new();
+            let read = match bytes.try_reserve_exact(len as usize) {
+                Ok(()) => reader.read_to_end(&mut bytes),
+                Err(error) => Err(std::io::Error::new(std::io::ErrorKind::OutOfMemory, error)),
+            };
+            read.map_err(|source| ReadError::Io { file: file.to_owned(), place: Place::File, source })?;
             gltf::read(&bytes, &mut context)?
         }
         Format::Obj => obj::read(reader, &mut context)?,

@@ -73,6 +73,31 @@ fn all_samples_are_valid() {
     }
 }
 
+#[test]
+#[ignore = "writes the seeds of the fuzz targets to fuzz/seeds"]
+fn write_fuzz_seeds() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
+    let write = |target: &str, number: usize, bytes: &[u8]| {
+        std::fs::create_dir_all(folder.join(target)).unwrap();
+        std::fs::write(folder.join(target).join(format!("{number}")), bytes).unwrap();
+    };
+    for (number, (format, bytes)) in samples().into_iter().enumerate() {
+        match format {
+            Format::Gltf => write("gltf", number, &bytes),
+            Format::Ply => write("ply", number, &bytes),
+            Format::Stl => write("stl", number, &bytes),
+            // The fuzz target takes all files of a model in one.
+            Format::Obj => {
+                let [mtl, png] = ["m.mtl", "wood.png"].map(|name| companions()[name].clone());
+                write("obj", number, &[&bytes[..], &mtl, &png].join(&0));
+            }
+        }
+    }
+    for (number, bytes) in texture::tests::samples().into_iter().enumerate() {
+        write("texture", number, &bytes);
+    }
+}
+
 /// Reads damaged bytes, and checks what comes out whichever it is.
 fn read_damaged(bytes: &[u8], format: Format) {
     match read_model_bytes(bytes, format, "file", &companions(), &ReadOptions::default()) {

@@ -42,7 +42,19 @@ pub(super) fn decode(
     let decoder = reader.into_decoder().map_err(picture)?;
     let (width, height) = decoder.dimensions();
     check_size((width, height), bytes.len(), file, &place, options)?;
-    let size = u64::from(width) * u64::from(height) * 4;
+    spend(u64::from(width) * u64::from(height) * 4, file, &place, options, bytes_left)?;
+    let rgba = DynamicImage::from_decoder(decoder).map_err(picture)?.into_rgba8();
+    Ok(Texture { width, height, rgba: rgba.into_raw(), srgb: true, ..Texture::default() })
+}
+
+/// Takes the size of a texture off `bytes_left`.
+pub(super) fn spend(
+    size: u64,
+    file: &str,
+    place: &Place,
+    options: &ReadOptions,
+    bytes_left: &mut u64,
+) -> Result<(), ReadError> {
     *bytes_left = bytes_left.checked_sub(size).ok_or_else(|| ReadError::TooLarge {
         file: file.to_owned(),
         place: place.clone(),
@@ -50,8 +62,7 @@ pub(super) fn decode(
         unit: "bytes of decoded textures",
         found: options.max_texture_bytes - *bytes_left + size,
     })?;
-    let rgba = DynamicImage::from_decoder(decoder).map_err(picture)?.into_rgba8();
-    Ok(Texture { width, height, rgba: rgba.into_raw(), srgb: true, ..Texture::default() })
+    Ok(())
 }
 
 /// The format after the first bytes.
@@ -118,7 +129,8 @@ pub(super) mod tests {
         bytes.into_inner()
     }
 
-    fn samples() -> [Vec<u8>; 2] {
+    /// The same picture in both formats.
+    pub fn samples() -> [Vec<u8>; 2] {
         let rgba: Vec<u8> = (0..16 * 8 * 4).map(|i| (i * 37 % 251) as u8).collect();
         [encode(16, 8, &rgba, ImageFormat::Png), encode(16, 8, &rgba, ImageFormat::Jpeg)]
     }

@@ -16,6 +16,9 @@ const DIELECTRIC: f64 = 0.04;
 /// The greatest exponent that the shapes take.
 const MAX_SHININESS: f64 = 1e5;
 
+/// The most characters of a texture's name, which every use of its picture carries.
+const MAX_NAME: usize = 256;
+
 impl Source<'_> {
     /// The set of texture coordinates that a material uses: that of its first texture. There is one
     /// set in a mesh.
@@ -43,7 +46,8 @@ pub(super) fn read(
     context: &mut Context<'_>,
 ) -> Result<(), ReadError> {
     let left = context.options.max_texture_bytes;
-    let mut reader = Reader { source, textures: Vec::new(), known: HashMap::new(), left };
+    let (known, decoded) = (HashMap::new(), HashMap::new());
+    let mut reader = Reader { source, textures: Vec::new(), known, decoded, left };
     let standard = json::Material::default();
     for index in used {
         let (json, path) = match index {
@@ -61,6 +65,8 @@ struct Reader<'a> {
     textures: Vec<Texture>,
     /// By number in the file and whether it is a colour.
     known: HashMap<(usize, bool), usize>,
+    /// The first texture here of each image of the file.
+    decoded: HashMap<usize, usize>,
     /// Bytes that textures may still take.
     left: u64,
 }
@@ -200,7 +206,7 @@ impl Reader<'_> {
         let place = || Place::Path(format!("textures[{index}]"));
         let image =
             texture.source.ok_or_else(|| source.malformed(place(), "a source in PNG or JPEG", "none"))?;
-        let picture = self.image(image, place(), context)?;
+        let picture = self.picture(image, place(), context)?;
         let sampler = match texture.sampler {
             Some(sampler) => *source.root.samplers.get(sampler).ok_or_else(|| {
                 let expected = format!("one of {} samplers", source.root.samplers.len());
@@ -215,8 +221,20 @@ impl Reader<'_> {
             _ => TextureFilter::Trilinear,
         };
         self.textures.push(Texture { srgb, wrap, filter, ..picture });
-        self.known.insert((index, srgb), self.textures.len() - 1);
-        Ok(self.textures.len() - 1)
+        let number = self.textures.len() - 1;
+        self.known.insert((index, srgb), number);
+        self.decoded.entry(image).or_insert(number);
+        Ok(number)
+    }
+
+    /// The picture of an image of the file, which is decoded only once.
+    fn picture(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
+        let Some(known) = self.decoded.get(&index).map(|known| &self.textures[*known]) else {
+            return self.image(index, user, context);
+        };
+        let size = known.rgba.len() as u64;
+        texture::spend(size, self.source.file, &user, context.options, &mut self.left)?;
+        Ok(known.clone())
     }
 
     fn image(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
@@ -236,7 +254,7 @@ impl Reader<'_> {
             (None, None) => return Err(source.malformed(place, "a uri or a bufferView", "neither")),
         };
         let picture = texture::decode(bytes, source.file, place, context.options, &mut self.left)?;
-        Ok(Texture { name: image.name.clone(), ..picture })
+        Ok(Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture })
     }
 }
 

@@ -105,10 +105,10 @@ impl Visit<'_> {
             self.add_objects(mesh, builder, model, notes)?;
         }
         if let Some(camera) = self.node.camera {
-            self.add_camera(camera, model)?;
+            self.add_camera(camera, builder, model)?;
         }
         if let Some(light) = &self.node.extensions.light {
-            self.add_light(light.light, model, notes)?;
+            self.add_light(light.light, builder, model, notes)?;
         }
         notes.add_times("glTF: skins are ignored", u64::from(self.node.skin.is_some()));
         Ok(())
@@ -147,7 +147,12 @@ impl Visit<'_> {
         })
     }
 
-    fn add_camera(&self, index: usize, model: &mut Model) -> Result<(), ReadError> {
+    fn add_camera(
+        &self,
+        index: usize,
+        builder: &mut Builder<'_>,
+        model: &mut Model,
+    ) -> Result<(), ReadError> {
         let source = self.source;
         let camera = source.root.cameras.get(index).ok_or_else(|| {
             let expected = format!("one of {} cameras", source.root.cameras.len());
@@ -161,11 +166,18 @@ impl Visit<'_> {
         let target = eye + self.forward("camera")?;
         let up = self.transform.transform_vector3(DVec3::Y).try_normalize().unwrap_or(DVec3::Y);
         let name = if camera.name.is_empty() { &self.node.name } else { &camera.name };
+        builder.spend((size_of::<Camera>() + name.len()) as u64, || self.path("camera"))?;
         model.cameras.push((name.clone(), Camera { eye, target, up, projection }));
         Ok(())
     }
 
-    fn add_light(&self, index: usize, model: &mut Model, notes: &mut Notes) -> Result<(), ReadError> {
+    fn add_light(
+        &self,
+        index: usize,
+        builder: &mut Builder<'_>,
+        model: &mut Model,
+        notes: &mut Notes,
+    ) -> Result<(), ReadError> {
         let source = self.source;
         let lights = &source.root.extensions.lights.lights;
         let light = lights.get(index).ok_or_else(|| {
@@ -207,6 +219,7 @@ impl Visit<'_> {
         }
         notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
         let name = if light.name.is_empty() { &self.node.name } else { &light.name };
+        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
         let colors = LightColors::direct(Rgb(color));
         model.lights.push(Light { name: name.clone(), kind, colors, space: Space::World });
         Ok(())

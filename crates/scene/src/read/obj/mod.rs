@@ -10,7 +10,7 @@
 mod mtl;
 mod parts;
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::io::BufRead;
 
 use glam::{Vec2, Vec3};
@@ -72,7 +72,7 @@ struct Data {
 pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Model, ReadError> {
     let mut lines = Lines::new(reader, context.file);
     let (mut data, mut parts) = (Data::default(), Parts::default());
-    let (mut library, mut libraries) = (Library::default(), HashSet::new());
+    let (mut library, mut libraries) = (Library::default(), HashMap::new());
     while lines.advance_joined()? {
         let mut words = words(lines.line());
         let Some(keyword) = words.next() else { continue };
@@ -199,34 +199,44 @@ fn read_libraries(
     line: &[u8],
     place: Place,
     library: &mut Library,
-    known: &mut HashSet<String>,
+    known: &mut HashMap<String, bool>,
     context: &mut Context<'_>,
 ) -> Result<(), ReadError> {
     let whole = rest(line);
-    if whole.is_empty() || known.contains(&whole) {
+    if whole.is_empty() || read_library(&whole, &place, library, known, context)? {
         return Ok(());
+    }
+    for name in whole.split_ascii_whitespace() {
+        if !read_library(name, &place, library, known, context)? {
+            context.notes.add(&format!("the material file '{name}' is missing"));
+        }
+    }
+    Ok(())
+}
+
+/// Reads a material file, once; `false` if it is missing.
+fn read_library(
+    name: &str,
+    place: &Place,
+    library: &mut Library,
+    known: &mut HashMap<String, bool>,
+    context: &mut Context<'_>,
+) -> Result<bool, ReadError> {
+    if let Some(found) = known.get(name) {
+        return Ok(*found);
     }
     if known.len() >= mtl::MAX_LIBRARIES {
         let (file, limit, found) =
             (context.file.to_owned(), mtl::MAX_LIBRARIES as u64, known.len() as u64 + 1);
-        return Err(ReadError::TooLarge { file, place, limit, unit: "material files", found });
+        return Err(ReadError::TooLarge { file, place: place.clone(), limit, unit: "material files", found });
     }
-    known.insert(whole.clone());
-    let names = match context.resolver.read(&whole) {
-        Ok(bytes) => return library.read(&bytes, &whole, context),
-        Err(ResolveError::Missing) => whole.split_ascii_whitespace(),
-        Err(error) => return Err(error.at(context.file, place, &whole)),
+    let found = match context.resolver.read(name) {
+        Ok(bytes) => library.read(&bytes, name, context).map(|()| true)?,
+        Err(ResolveError::Missing) => false,
+        Err(error) => return Err(error.at(context.file, place.clone(), name)),
     };
-    for name in names {
-        match context.resolver.read(name) {
-            Ok(bytes) => library.read(&bytes, name, context)?,
-            Err(ResolveError::Missing) => {
-                context.notes.add(&format!("the material file '{name}' is missing"));
-            }
-            Err(error) => return Err(error.at(context.file, place, name)),
-        }
-    }
-    Ok(())
+    known.insert(name.to_owned(), found);
+    Ok(found)
 }
 
 #[cfg(test)]
