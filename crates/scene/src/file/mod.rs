@@ -24,6 +24,8 @@ mod types;
 mod values;
 
 #[cfg(test)]
+mod error_tests;
+#[cfg(test)]
 mod proptests;
 #[cfg(test)]
 mod schema_tests;
