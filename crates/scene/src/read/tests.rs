@@ -98,6 +98,66 @@ fn write_fuzz_seeds() {
     }
 }
 
+/// A grid of a million triangles in this format.
+fn million(format: Format) -> Vec<u8> {
+    const SIDE: u32 = 708;
+    let points = || (0..SIDE * SIDE).map(|i| [(i % SIDE) as f32, (i / SIDE) as f32, (i % 7) as f32]);
+    let first = (0..SIDE - 1).flat_map(|y| (0..SIDE - 1).map(move |x| y * SIDE + x));
+    let triangles: Vec<[u32; 3]> =
+        first.flat_map(|i| [[i, i + 1, i + SIDE], [i + 1, i + SIDE + 1, i + SIDE]]).collect();
+    let mut bytes = Vec::new();
+    match format {
+        Format::Gltf => {
+            points().flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
+            triangles.iter().flatten().for_each(|index| bytes.extend(index.to_le_bytes()));
+            return gltf::tests::grid(SIDE * SIDE, triangles.len() as u32, &bytes);
+        }
+        Format::Obj => {
+            points().for_each(|[x, y, z]| bytes.extend(format!("v {x} {y} {z}.25\n").bytes()));
+            let corners = |[a, b, c]: [u32; 3]| format!("f {} {} {}\n", a + 1, b + 1, c + 1);
+            triangles.iter().for_each(|&triangle| bytes.extend(corners(triangle).bytes()));
+        }
+        Format::Ply => {
+            let header = "ply\nformat binary_little_endian 1.0\nelement vertex COUNT\nproperty float x\n\
+                          property float y\nproperty float z\nelement face FACES\n\
+                          property list uchar int vertex_indices\nend_header\n";
+            let header = header.replace("COUNT", &(SIDE * SIDE).to_string());
+            bytes.extend(header.replace("FACES", &triangles.len().to_string()).bytes());
+            points().flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
+            for triangle in &triangles {
+                bytes.push(3);
+                triangle.iter().for_each(|index| bytes.extend(index.to_le_bytes()));
+            }
+        }
+        Format::Stl => {
+            let points: Vec<[f32; 3]> = points().collect();
+            bytes.resize(80, 0);
+            bytes.extend((triangles.len() as u32).to_le_bytes());
+            for triangle in &triangles {
+                bytes.extend([0; 12]);
+                let corners = triangle.iter().flat_map(|&index| points[index as usize]);
+                corners.for_each(|value| bytes.extend(value.to_le_bytes()));
+                bytes.extend([0; 2]);
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+#[ignore = "measures time: run with --release --ignored --nocapture"]
+fn a_million_triangles_are_read_in_under_a_second() {
+    for format in [Format::Gltf, Format::Obj, Format::Ply, Format::Stl] {
+        let bytes = million(format);
+        let start = std::time::Instant::now();
+        let model = read_bytes(&bytes, format).unwrap();
+        let seconds = start.elapsed().as_secs_f64();
+        println!("{format:?}: {} MB in {:.0} ms", bytes.len() / 1_000_000, seconds * 1e3);
+        assert_eq!(model.triangle_count(), 707 * 707 * 2);
+        assert!(seconds < 1.0);
+    }
+}
+
 /// Reads damaged bytes, and checks what comes out whichever it is.
 fn read_damaged(bytes: &[u8], format: Format) {
     match read_model_bytes(bytes, format, "file", &companions(), &ReadOptions::default()) {

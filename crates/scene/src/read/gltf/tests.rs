@@ -135,6 +135,28 @@ fn rich() -> (Value, Vec<u8>) {
     (document, binary)
 }
 
+/// A file of so many positions, and triangles of 32-bit indices after them.
+pub fn grid(vertices: u32, triangles: u32, binary: &[u8]) -> Vec<u8> {
+    let mut document = quad().0;
+    change(
+        &mut document,
+        &[
+            ("/buffers/0/byteLength", json!(binary.len())),
+            ("/bufferViews/0/byteLength", json!(12 * vertices)),
+            (
+                "/bufferViews/1",
+                json!({ "buffer": 0, "byteOffset": 12 * vertices, "byteLength": 12 * triangles }),
+            ),
+            ("/accessors/0/count", json!(vertices)),
+            (
+                "/accessors/1",
+                json!({ "bufferView": 1, "componentType": 5125, "count": 3 * triangles, "type": "SCALAR" }),
+            ),
+        ],
+    );
+    glb(&document, binary)
+}
+
 pub fn sample_glb() -> Vec<u8> {
     let (document, binary) = rich();
     glb(&document, &binary)
