@@ -1,42 +1,21 @@
 //! From linear channels to display codes.
+//!
+//! The steps, in this order: straight colour from premultiplied, exposure, tone map, clip to 0 … 1,
+//! sRGB encoding, ordered dithering if asked for, rounding. They are written once, generic over
+//! [`Real`](glanz_math::Real): the rasteriser runs [`DevelopKernel`] on 16 pixels while they are in
+//! registers, [`develop()`] runs the same text over a whole frame, so both give the same bytes.
+//!
+//! Every input gives a defined code: NaN and −∞ count as 0, +∞ as the brightest value.
 
-use crate::Frame;
+mod dither;
+mod encode;
+mod kernel;
+mod pack;
+mod picture;
+mod settings;
+mod tone_map;
 
-/// How radiance is compressed to the display's range.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum ToneMap {
-    /// Not at all: what is above 1 is clipped.
-    #[default]
-    None,
-    /// Reinhard et al. 2002.
-    Reinhard,
-    /// Academy, fitted.
-    Aces,
-    /// AgX.
-    Agx,
-    /// Khronos PBR neutral.
-    KhronosNeutral,
-}
-
-/// How a frame becomes a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Develop {
-    /// Exposure in stops: channels are multiplied by 2^ev.
-    pub ev: f32,
-    /// Tone mapping.
-    pub tone_map: ToneMap,
-    /// Ordered dithering before rounding to 8 bits.
-    pub dither: bool,
-}
-
-/// The frame as 8-bit sRGB with straight alpha, 4 bytes per pixel.
-pub fn develop(frame: &Frame, develop: &Develop) -> Vec<u8> {
-    let _ = develop;
-    vec![128; frame.width * frame.height * 4]
-}
-
-/// The frame as 16-bit sRGB with straight alpha, 4 values per pixel.
-pub fn develop16(frame: &Frame, develop: &Develop) -> Vec<u16> {
-    let _ = develop;
-    vec![32768; frame.width * frame.height * 4]
-}
+pub use kernel::DevelopKernel;
+pub use pack::{pack_opaque, pack_rgba};
+pub use picture::{develop, develop_with, develop16, develop16_with};
+pub use settings::{Develop, ToneMap};
