@@ -185,13 +185,33 @@ impl Visit<'_> {
             let place = self.path("extensions.KHR_lights_punctual.light");
             source.malformed(Place::Path(place), expected, format!("light {index}"))
         })?;
-        let position = self.transform.w_axis.truncate();
-        let (direction, attenuation) = (self.forward("light")?, Attenuation::PHYSICAL);
         let wrong = |expected: &str, found: String| {
             let place = format!("extensions.KHR_lights_punctual.lights[{index}]");
             source.malformed(Place::Path(place), expected, found)
         };
-        let kind = match light.kind.as_str() {
+        let kind = self.light_kind(light, wrong)?;
+        let strength = light.intensity.unwrap_or(1.0) / std::f64::consts::PI;
+        let color = light.color.unwrap_or([1.0; 3]).map(|channel| (channel * strength) as f32);
+        if !color.iter().all(|channel| channel.is_finite() && *channel >= 0.0) {
+            return Err(wrong("a colour and an intensity from 0 on", format!("{color:?}")));
+        }
+        notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
+        let name = if light.name.is_empty() { &self.node.name } else { &light.name };
+        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
+        let colors = LightColors::direct(Rgb(color));
+        model.lights.push(Light { name: name.clone(), kind, colors, space: Space::World });
+        Ok(())
+    }
+
+    /// The geometry of a light at the node.
+    fn light_kind(
+        &self,
+        light: &json::Light,
+        wrong: impl Fn(&str, String) -> ReadError,
+    ) -> Result<LightKind, ReadError> {
+        let position = self.transform.w_axis.truncate();
+        let (direction, attenuation) = (self.forward("light")?, Attenuation::PHYSICAL);
+        Ok(match light.kind.as_str() {
             "directional" => LightKind::Directional { direction },
             "point" => LightKind::Point { position, attenuation },
             "spot" => {
@@ -211,18 +231,7 @@ impl Visit<'_> {
                 let found = super::super::error::excerpt(other.as_bytes());
                 return Err(wrong("the type directional, point or spot", found));
             }
-        };
-        let strength = light.intensity.unwrap_or(1.0) / std::f64::consts::PI;
-        let color = light.color.unwrap_or([1.0; 3]).map(|channel| (channel * strength) as f32);
-        if !color.iter().all(|channel| channel.is_finite() && *channel >= 0.0) {
-            return Err(wrong("a colour and an intensity from 0 on", format!("{color:?}")));
-        }
-        notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
-        let name = if light.name.is_empty() { &self.node.name } else { &light.name };
-        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
-        let colors = LightColors::direct(Rgb(color));
-        model.lights.push(Light { name: name.clone(), kind, colors, space: Space::World });
-        Ok(())
+        })
     }
 }
 

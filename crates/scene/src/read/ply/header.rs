@@ -177,53 +177,78 @@ impl Header {
         if !lines.advance()? || lines.line().trim_ascii() != b"ply" {
             return Err(lines.expected("'ply'"));
         }
-        let (mut encoding, mut elements) = (None, Vec::<Element>::new());
+        let mut draft = Draft::default();
         loop {
             if !lines.advance()? {
                 return Err(ReadError::malformed(file, lines.place(), "'end_header'", "the end of the file"));
             }
             let words: Vec<&[u8]> = words(lines.line()).take(6).collect();
-            match words.as_slice() {
-                [b"end_header"] => break,
-                [] | [b"comment" | b"obj_info", ..] => {}
-                [b"format", name, _version] => {
-                    encoding = Some(match *name {
-                        b"ascii" => Encoding::Text,
-                        b"binary_little_endian" => Encoding::Little,
-                        b"binary_big_endian" => Encoding::Big,
-                        _ => return Err(lines.expected("ascii, binary_little_endian or binary_big_endian")),
-                    });
-                }
-                [b"element", name, count] => {
-                    let count = std::str::from_utf8(count).ok().and_then(|count| count.parse().ok());
-                    let count = count.ok_or_else(|| lines.expected("'element', a name and a count"))?;
-                    if elements.len() >= MAX_PARTS {
-                        return Err(lines.expected("at most 1024 elements"));
-                    }
-                    if elements.iter().any(|known| known.name.as_bytes() == *name) {
-                        return Err(lines.expected("each element once"));
-                    }
-                    elements.push(Element::new(name, count));
-                }
-                [b"property", definition @ ..] => match (property(definition), elements.last_mut()) {
-                    (_, Some(element)) if element.properties.len() >= MAX_PARTS => {
-                        return Err(lines.expected("at most 1024 properties of an element"));
-                    }
-                    (Some((list, scalar, name)), Some(element)) => {
-                        let role = element.role(name, list.is_some());
-                        let name = String::from_utf8_lossy(&name[..name.len().min(64)]).into_owned();
-                        element.properties.push(Property { name, scalar, list, role });
-                    }
-                    _ => return Err(lines.expected("'property', a type and a name, after an element")),
-                },
-                _ => return Err(lines.expected("a line of a PLY header")),
+            if words == [b"end_header"] {
+                break;
             }
+            draft.statement(&words).map_err(|expected| lines.expected(expected))?;
         }
+        let Draft { encoding, elements } = draft;
         let place = lines.place();
         let encoding = encoding.ok_or_else(|| lines.expected("a line 'format' before the end"))?;
         check(&elements).map_err(|what| ReadError::malformed(file, place, what, "none"))?;
         let line = lines.count();
         Ok((Self { encoding, elements }, lines.into_inner(), line))
+    }
+}
+
+/// The header as far as it is read.
+#[derive(Default)]
+struct Draft {
+    encoding: Option<Encoding>,
+    elements: Vec<Element>,
+}
+
+impl Draft {
+    /// Takes a line in; errors say what was expected.
+    fn statement(&mut self, words: &[&[u8]]) -> Result<(), &'static str> {
+        match words {
+            [] | [b"comment" | b"obj_info", ..] => {}
+            [b"format", name, _version] => {
+                self.encoding = Some(match *name {
+                    b"ascii" => Encoding::Text,
+                    b"binary_little_endian" => Encoding::Little,
+                    b"binary_big_endian" => Encoding::Big,
+                    _ => return Err("ascii, binary_little_endian or binary_big_endian"),
+                });
+            }
+            [b"element", name, count] => self.element(name, count)?,
+            [b"property", definition @ ..] => self.property(definition)?,
+            _ => return Err("a line of a PLY header"),
+        }
+        Ok(())
+    }
+
+    fn element(&mut self, name: &[u8], count: &[u8]) -> Result<(), &'static str> {
+        let count = std::str::from_utf8(count).ok().and_then(|count| count.parse().ok());
+        let count = count.ok_or("'element', a name and a count")?;
+        if self.elements.len() >= MAX_PARTS {
+            return Err("at most 1024 elements");
+        }
+        if self.elements.iter().any(|known| known.name.as_bytes() == name) {
+            return Err("each element once");
+        }
+        self.elements.push(Element::new(name, count));
+        Ok(())
+    }
+
+    fn property(&mut self, definition: &[&[u8]]) -> Result<(), &'static str> {
+        let (Some((list, scalar, name)), Some(element)) = (property(definition), self.elements.last_mut())
+        else {
+            return Err("'property', a type and a name, after an element");
+        };
+        if element.properties.len() >= MAX_PARTS {
+            return Err("at most 1024 properties of an element");
+        }
+        let role = element.role(name, list.is_some());
+        let name = String::from_utf8_lossy(&name[..name.len().min(64)]).into_owned();
+        element.properties.push(Property { name, scalar, list, role });
+        Ok(())
     }
 }
 
