@@ -69,11 +69,6 @@ macro_rules! at_level {
                 #[inline(always)]
                 || $body,
             ),
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            Level::Sse4_2($simd) => $simd.vectorize(
-                #[inline(always)]
-                || $body,
-            ),
             #[cfg(target_arch = "aarch64")]
             Level::Neon($simd) => $simd.vectorize(
                 #[inline(always)]
@@ -84,8 +79,8 @@ macro_rules! at_level {
                 #[inline(always)]
                 || $body,
             ),
-            _ => {
-                let $simd = $crate::simd::Fallback::new();
+            level => {
+                let $simd = $crate::narrowest(level);
                 $simd.vectorize(
                     #[inline(always)]
                     || $body,
@@ -93,4 +88,20 @@ macro_rules! at_level {
             }
         }
     }};
+}
+
+/// The level for machines, or builds, without any that [`at_level!`] names.
+#[cfg(target_arch = "x86_64")]
+#[doc(hidden)]
+#[inline(always)]
+pub fn narrowest(_: Level) -> fearless_simd::Sse2 {
+    Level::baseline().as_sse2().expect("every x86-64 has SSE2")
+}
+
+/// The level for machines, or builds, without any that [`at_level!`] names.
+#[cfg(not(target_arch = "x86_64"))]
+#[doc(hidden)]
+#[inline(always)]
+pub fn narrowest(_: Level) -> fearless_simd::Fallback {
+    fearless_simd::Fallback::new()
 }

@@ -17,7 +17,7 @@ mod real;
 mod vec3;
 
 pub use lanes::{Lanes, LanesMask};
-pub use level::{LevelError, simd_level};
+pub use level::{LevelError, narrowest, simd_level};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
 pub use vec3::{Frame, Vec3};
