@@ -12,7 +12,7 @@ pub mod output;
 mod prepare;
 mod view;
 
-pub use develop::{Develop, ToneMap, develop, develop16};
+pub use develop::{Develop, DevelopKernel, ToneMap, develop, develop_with, develop16, develop16_with};
 pub use draw::{DrawOptions, Layers, Show, draw, draw_rgba8};
 pub use frame::Frame;
 pub use prepare::{PrepareError, PrepareOptions, Prepared, prepare};

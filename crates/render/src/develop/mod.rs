@@ -16,6 +16,5 @@ mod settings;
 mod tone_map;
 
 pub use kernel::DevelopKernel;
-pub use pack::{pack_opaque, pack_rgba};
 pub use picture::{develop, develop_with, develop16, develop16_with};
 pub use settings::{Develop, ToneMap};

@@ -18,7 +18,7 @@ const ROUND_IN_WORD: i32 = {
 ///
 /// The codes must lie in −0.5 … 255.5, as those of [`DevelopKernel`](super::DevelopKernel) do.
 #[inline(always)]
-pub fn pack_rgba<S: Simd>([r, g, b, a]: [Lanes<S>; 4], out: &mut [u8; 64]) {
+pub(super) fn pack_rgba<S: Simd>([r, g, b, a]: [Lanes<S>; 4], out: &mut [u8; 64]) {
     let opaque = words([r, g, b]);
     let simd = opaque.simd;
     let words = opaque + (rounded(a) << 24) - simd.splat_i32x16(ROUND_IN_WORD);
@@ -27,7 +27,7 @@ pub fn pack_rgba<S: Simd>([r, g, b, a]: [Lanes<S>; 4], out: &mut [u8; 64]) {
 
 /// [`pack_rgba`] with alpha 255.
 #[inline(always)]
-pub fn pack_opaque<S: Simd>(codes: [Lanes<S>; 3], out: &mut [u8; 64]) {
+pub(super) fn pack_opaque<S: Simd>(codes: [Lanes<S>; 3], out: &mut [u8; 64]) {
     const ALPHA: i32 = (0xff00_0000_u32 as i32).wrapping_sub(ROUND_IN_WORD);
     let words = words(codes);
     let simd = words.simd;

@@ -1,0 +1,231 @@
+//! Files that appear whole or not at all.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use super::OutputError;
+
+/// A file being written. Errors name the path that was asked for.
+#[derive(Debug)]
+pub struct TargetFile {
+    file: BufWriter<File>,
+    path: PathBuf,
+}
+
+impl TargetFile {
+    fn named(&self, error: io::Error) -> io::Error {
+        io::Error::new(error.kind(), format!("{}: cannot write: {error}", self.path.display()))
+    }
+}
+
+impl Write for TargetFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes).map_err(|e| self.named(e))
+    }
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush().map_err(|e| self.named(e))
+    }
+}
+
+impl Seek for TargetFile {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.file.seek(to).map_err(|e| self.named(e))
+    }
+}
+
+/// Lets `write` fill a temporary file beside `path` and puts it in place of `path` at the end.
+///
+/// If `write` fails or panics, or the disk is full, the temporary file is removed and what was at
+/// `path` stays as it was; it also stays if the program is killed. A link is followed. A device or pipe
+/// is written to directly. The permissions of a file that is replaced are kept.
+pub fn write_atomically<T, E: From<OutputError>>(
+    path: impl AsRef<Path>,
+    write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
+) -> Result<T, E> {
+    let path = path.as_ref();
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let failed = |action| move |source| OutputError::File { path: path.to_owned(), action, source };
+    let old = fs::metadata(&target).ok();
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        let file = OpenOptions::new().write(true).open(&target).map_err(failed("open"))?;
+        return fill(file, path, write);
+    }
+    let (temporary, file) = create_beside(&target).map_err(failed("create a file beside it"))?;
+    let result = fill(file, path, write)?;
+    if let Some(old) = old {
+        // Keeping the permissions is a courtesy: some file systems have none.
+        let _ = fs::set_permissions(&temporary.0, old.permissions());
+    }
+    temporary.put_at(&target).map_err(failed("replace it"))?;
+    Ok(result)
+}
+
+fn fill<T, E: From<OutputError>>(
+    file: File,
+    path: &Path,
+    write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
+) -> Result<T, E> {
+    let mut file = TargetFile { file: BufWriter::with_capacity(1 << 16, file), path: path.to_owned() };
+    let result = write(&mut file)?;
+    file.flush().map_err(OutputError::Stream)?;
+    Ok(result)
+}
+
+/// A file that is removed when this is dropped.
+struct Temporary(PathBuf);
+
+impl Temporary {
+    fn put_at(self, target: &Path) -> io::Result<()> {
+        fs::rename(&self.0, target)?;
+        core::mem::forget(self);
+        Ok(())
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // Nothing is left to do if this fails: the error that led here is reported already.
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// A new file in the folder of `target`; a name that is taken is passed over, so that processes
+/// writing the same target do not meet.
+fn create_beside(target: &Path) -> io::Result<(Temporary, File)> {
+    let name = target.file_name().ok_or_else(|| io::Error::other("the path names no file"))?;
+    for attempt in 0..10_000 {
+        let mut hidden = std::ffi::OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{attempt}.tmp"));
+        let path = target.with_file_name(hidden);
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Ok(file) => return Ok((Temporary(path), file)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::Error::other("ten thousand temporary files are in the way"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder of its own for each test, removed at the end.
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("glanz-atomic-{name}-{}", std::process::id()));
+            fs::create_dir_all(&path).unwrap();
+            Self(path)
+        }
+        fn names(&self) -> Vec<String> {
+            let entries = fs::read_dir(&self.0).unwrap();
+            let mut names: Vec<_> =
+                entries.map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
+            names.sort();
+            names
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn write(path: &Path, text: &str) -> Result<(), OutputError> {
+        write_atomically(path, |out| Ok(out.write_all(text.as_bytes())?))
+    }
+
+    #[test]
+    fn a_file_is_made_and_replaced() {
+        let folder = Folder::new("replace");
+        let path = folder.0.join("a.png");
+        write(&path, "one").unwrap();
+        write(&path, "two").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "two");
+        assert_eq!(folder.names(), ["a.png"]);
+    }
+
+    #[test]
+    fn a_failure_leaves_the_old_file_and_no_temporary() {
+        let folder = Folder::new("failure");
+        let path = folder.0.join("a.png");
+        write(&path, "old").unwrap();
+        let result: Result<(), OutputError> = write_atomically(&path, |out| {
+            out.write_all(&[0; 200_000])?;
+            Err(OutputError::Encode { format: "PNG", message: "broken".to_owned() })
+        });
+        assert!(result.is_err());
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(folder.names(), ["a.png"]);
+    }
+
+    #[test]
+    fn a_panic_leaves_the_old_file_and_no_temporary() {
+        let folder = Folder::new("panic");
+        let path = folder.0.join("a.png");
+        write(&path, "old").unwrap();
+        let panicked = std::panic::catch_unwind(|| {
+            write_atomically(&path, |_| -> Result<(), OutputError> { panic!("in the middle") })
+        });
+        assert!(panicked.is_err());
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(folder.names(), ["a.png"]);
+    }
+
+    #[test]
+    fn the_old_file_is_whole_until_the_new_one_is() {
+        let folder = Folder::new("until");
+        let path = folder.0.join("a.png");
+        write(&path, "old").unwrap();
+        let seen = write_atomically(&path, |out| -> Result<String, OutputError> {
+            out.write_all(b"new")?;
+            out.flush()?;
+            Ok(fs::read_to_string(&path)?)
+        });
+        assert_eq!(seen.unwrap(), "old");
+    }
+
+    #[test]
+    fn a_leftover_of_a_killed_process_is_passed_over() {
+        let folder = Folder::new("leftover");
+        fs::write(folder.0.join(".a.png.0.tmp"), "left").unwrap();
+        write(&folder.0.join("a.png"), "new").unwrap();
+        assert_eq!(folder.names(), [".a.png.0.tmp", "a.png"]);
+    }
+
+    #[test]
+    fn an_error_names_the_path() {
+        let folder = Folder::new("names");
+        let missing = folder.0.join("no/such/folder/a.png");
+        let message = write(&missing, "x").unwrap_err().to_string();
+        assert!(message.starts_with(&missing.display().to_string()), "{message}");
+        assert!(write(&folder.0, "x").is_err(), "a folder is no file");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_disk_is_an_error_that_names_the_path() {
+        let message = write(Path::new("/dev/full"), "x").unwrap_err().to_string();
+        assert!(message.starts_with("/dev/full: cannot write"), "{message}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_followed_and_permissions_are_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = Folder::new("link");
+        let (real, link) = (folder.0.join("real.png"), folder.0.join("link.png"));
+        write(&real, "old").unwrap();
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink(&real, &link).unwrap();
+        write(&link, "new").unwrap();
+        assert_eq!(fs::read_to_string(&real).unwrap(), "new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+}
