@@ -29,6 +29,7 @@ Usage: cargo xtask <CHORE> [OPTIONS]
   test      Set up what is missing and run every check
               --quick        only format, lint, tests and gold pictures of the scalar path
               --keep-going   do not stop at the first failure
+              --only WORD    only the steps with that in their name
   golden    Compare pictures with tests/golden/, and all SIMD levels and thread counts with each other
               --renew        write the pictures anew; target/golden/diff.png shows what changed
   gallery   Draw all examples at full size into target/gallery/, and the README's picture
@@ -87,10 +88,12 @@ fn run(chore: &Chore) -> Result<()> {
 fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore, lexopt::Error> {
     let mut parser = lexopt::Parser::from_args(args);
     let mut name = None;
+    let mut only = None;
     let mut flags = Vec::new();
     while let Some(arg) = parser.next()? {
         match arg {
             Short('h') | Long("help") => return Ok(Chore::Help),
+            Long("only") => only = Some(parser.value()?.string()?),
             Long(flag) => flags.push(flag.to_owned()),
             Value(value) if name.is_none() => name = Some(value.string()?),
             other => return Err(other.unexpected()),
@@ -102,7 +105,11 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
         flags.len() < before
     };
     let chore = match name.as_deref() {
-        Some("test") => Chore::Test(test::Options { quick: take("quick"), keep_going: take("keep-going") }),
+        Some("test") => Chore::Test(test::Options {
+            quick: take("quick"),
+            keep_going: take("keep-going"),
+            only: only.take(),
+        }),
         Some("golden") => Chore::Golden { renew: take("renew") },
         Some("gallery") => Chore::Gallery { only_readme: take("readme") },
         Some("bench") => Chore::Bench(bench::Options {
@@ -114,6 +121,9 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
         None | Some("help") => Chore::Help,
         Some(other) => return Err(format!("there is no chore '{other}'").into()),
     };
+    if only.is_some() {
+        return Err("this chore has no option '--only'".into());
+    }
     match flags.first() {
         Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
         None => Ok(chore),
@@ -130,7 +140,13 @@ mod tests {
 
     #[test]
     fn options_belong_to_their_chore() {
-        assert_eq!(parsed("test --quick"), Ok(Chore::Test(test::Options { quick: true, keep_going: false })));
+        assert_eq!(
+            parsed("test --quick"),
+            Ok(Chore::Test(test::Options { quick: true, ..Default::default() }))
+        );
+        let only = Some("gold".to_owned());
+        assert_eq!(parsed("test --only gold"), Ok(Chore::Test(test::Options { only, ..Default::default() })));
+        assert!(parsed("golden --only gold").is_err());
         assert_eq!(parsed("golden --renew"), Ok(Chore::Golden { renew: true }));
         assert_eq!(parsed("test --renew"), Err("this chore has no option '--renew'".to_owned()));
     }

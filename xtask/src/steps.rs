@@ -28,18 +28,23 @@ impl From<Result<()>> for Outcome {
 #[derive(Default)]
 pub struct Steps {
     keep_going: bool,
+    only: Option<String>,
     done: Vec<(&'static str, Outcome, Duration)>,
     left_out: Vec<&'static str>,
 }
 
 impl Steps {
-    /// No step yet; `keep_going` runs the later steps even after one has failed.
-    pub fn new(keep_going: bool) -> Self {
-        Self { keep_going, ..Self::default() }
+    /// No step yet; `keep_going` runs the later steps even after one has failed, `only` names those
+    /// that are run at all by a part of their name.
+    pub fn new(keep_going: bool, only: Option<String>) -> Self {
+        Self { keep_going, only, ..Self::default() }
     }
 
     /// Runs a step, unless an earlier one failed.
     pub fn run<T: Into<Outcome>>(&mut self, name: &'static str, step: impl FnOnce() -> T) {
+        if self.only.as_ref().is_some_and(|part| !name.contains(part.as_str())) {
+            return;
+        }
         if !self.keep_going && self.failures() > 0 {
             self.left_out.push(name);
             return;
@@ -81,6 +86,9 @@ impl Steps {
     pub fn finish(self) -> Result<()> {
         println!("\n{}", self.summary());
         let failures = self.failures();
+        if self.done.is_empty() {
+            return Err(Failure::new("no step has that name"));
+        }
         if failures > 0 {
             let total = self.done.len() + self.left_out.len();
             return Err(Failure::new(format!("{failures} of {total} steps failed")));
@@ -101,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_failure_stops_the_steps_after_it() {
-        let mut steps = Steps::new(false);
+        let mut steps = Steps::new(false, None);
         steps.run("first", || Outcome::Passed);
         steps.run("second", bad);
         steps.run("third", || -> Outcome { panic!("a step after a failure ran") });
@@ -113,7 +121,7 @@ mod tests {
 
     #[test]
     fn keeping_going_runs_all_and_still_fails() {
-        let mut steps = Steps::new(true);
+        let mut steps = Steps::new(true, None);
         let mut ran = false;
         steps.run("first", bad);
         steps.run("second", || {
@@ -125,8 +133,18 @@ mod tests {
     }
 
     #[test]
+    fn only_the_steps_asked_for_run() {
+        let mut steps = Steps::new(false, Some("gold".to_owned()));
+        steps.run("lint", bad);
+        steps.run("gold pictures", || Outcome::Passed);
+        assert_eq!(steps.done.len(), 1);
+        assert!(steps.finish().is_ok());
+        assert!(Steps::new(false, Some("no such".to_owned())).finish().is_err());
+    }
+
+    #[test]
     fn what_is_skipped_is_no_failure_but_is_told() {
-        let mut steps = Steps::new(false);
+        let mut steps = Steps::new(false, None);
         steps.run("only", || Outcome::Skipped("no such target".to_owned()));
         assert!(steps.summary().contains("skipped"));
         assert!(steps.summary().contains("no such target"));

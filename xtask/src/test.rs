@@ -5,12 +5,14 @@ use crate::steps::{Outcome, Steps};
 use crate::{Result, gallery, golden, reference, tour, wasm};
 
 /// How much is checked.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// Leave out what takes long: documentation, examples, other SIMD levels, wasm32.
     pub quick: bool,
     /// Run the later steps even after one has failed.
     pub keep_going: bool,
+    /// Only the steps with this in their name.
+    pub only: Option<String>,
 }
 
 /// Runs the checks, prints a summary and fails if any did.
@@ -19,7 +21,7 @@ pub fn run_all(house: &House, options: &Options) -> Result<()> {
 }
 
 fn checks(house: &House, options: &Options) -> Steps {
-    let mut steps = Steps::new(options.keep_going);
+    let mut steps = Steps::new(options.keep_going, options.only.clone());
     steps.run("format", || format(house));
     steps.run("lint", || run(&mut house.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
     steps.run("unit and integration tests", || tests(house));
