@@ -1,53 +1,82 @@
-//! From pictures to the bytes of files.
+//! From pictures to files.
 
-use std::path::Path;
+use std::io::{Cursor, Seek, Write};
+
+use glanz_render::output::{
+    Animation, Effort, Format, Metadata, OutputError, write_apng, write_atomically, write_exr, write_gif,
+    write_png8, write_png16,
+};
 
 use super::args::Target;
 use super::canvas::Canvas;
 use super::failure::Failure;
 use super::pipeline::Picture;
+use super::print;
 
-/// A kind of picture file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FileKind {
-    Png,
-    Exr,
-    Gif,
-    Apng,
-}
-impl FileKind {
-    pub fn moves(self) -> bool {
-        matches!(self, Self::Gif | Self::Apng)
+/// How long a picture alone is shown in a format that moves.
+const STILL_MS: u32 = 1000;
+
+/// The format that the target asks for by its ending.
+pub fn format(target: &Target) -> Result<Format, Failure> {
+    match target {
+        Target::Stdout => Ok(Format::Png),
+        Target::File(path) => Format::from_path(path).map_err(|error| Failure::Usage(error.to_string())),
     }
 }
-pub fn file_kind(target: &Target) -> Result<FileKind, Failure> {
-    let _ = target;
-    Ok(FileKind::Png)
-}
+
+/// That the target is a PNG, for pictures that are made of codes only.
 pub fn expect_png(target: &Target, what: &str) -> Result<(), Failure> {
-    let _ = (target, what);
-    Ok(())
-}
-pub fn still(picture: &Picture, file: FileKind, hash: u64) -> Result<Vec<u8>, Failure> {
-    let _ = (picture, file, hash);
-    Err(Failure::new("no formats yet"))
-}
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    std::fs::write(path, bytes).map_err(|e| Failure::io("write", path, &e))
-}
-pub fn deliver(canvas: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
-    let _ = (canvas, target, hash);
-    Err(Failure::new("no formats yet"))
-}
-pub struct Film;
-impl Film {
-    pub fn new(_: FileKind, _: (usize, usize), _: u32, _: f64) -> Result<Self, Failure> {
-        Ok(Self)
+    match format(target)? {
+        Format::Png => Ok(()),
+        other => Err(Failure::Usage(format!("{what} is written as .png, not as {}", other.name()))),
     }
-    pub fn add(&mut self, _: Canvas) -> Result<(), Failure> {
-        Ok(())
+}
+
+/// What a picture tells about its scene.
+pub fn metadata(hash: u64) -> Metadata {
+    Metadata { scene_hash: Some(format!("{hash:016x}")), ..Metadata::default() }
+}
+
+/// Writes a picture as it was drawn.
+pub fn write(
+    out: impl Write + Seek,
+    picture: Picture,
+    format: Format,
+    metadata: &Metadata,
+) -> Result<(), OutputError> {
+    match (picture, format) {
+        (Picture::Codes8(canvas), Format::Gif) => write_gif(out, &still(&canvas), [Ok(canvas.rgba)]),
+        (Picture::Codes8(canvas), Format::Apng) => {
+            write_apng(out, &still(&canvas), [Ok(canvas.rgba)], metadata)
+        }
+        (Picture::Codes8(canvas), _) => {
+            write_png8(out, (canvas.width, canvas.height), &canvas.rgba, Effort::Fast, metadata)
+        }
+        (Picture::Codes16 { width, height, rgba }, _) => {
+            write_png16(out, (width, height), &rgba, Effort::Fast, metadata)
+        }
+        (Picture::Light(frame), _) => write_exr(out, frame, metadata),
     }
-    pub fn finish(self) -> Result<Vec<u8>, Failure> {
-        Ok(vec![])
+}
+
+fn still(canvas: &Canvas) -> Animation {
+    Animation { width: canvas.width, height: canvas.height, frames: 1, delay_ms: STILL_MS }
+}
+
+/// The bytes of a picture's file.
+pub fn to_memory(picture: Picture, format: Format, metadata: &Metadata) -> Result<Vec<u8>, OutputError> {
+    let mut out = Cursor::new(Vec::new());
+    write(&mut out, picture, format, metadata)?;
+    Ok(out.into_inner())
+}
+
+/// Brings a picture to where it goes. A file is old or new, but never half.
+pub fn deliver(picture: Picture, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
+    let format = format(target)?;
+    match target {
+        Target::Stdout => print::bytes(&to_memory(picture, format, metadata)?),
+        Target::File(path) => {
+            write_atomically(path, |out| write(out, picture, format, metadata)).map_err(Failure::from)
+        }
     }
 }

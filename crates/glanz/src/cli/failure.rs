@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Command, CommandFactory};
 use glanz_render::PrepareError;
+use glanz_render::output::OutputError;
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
 };
@@ -31,11 +32,6 @@ impl Failure {
     /// A failure that is told by its message alone.
     pub fn new(message: impl fmt::Display) -> Self {
         Report::new(message).into()
-    }
-
-    /// A failure to do something with a file.
-    pub fn io(doing: &str, path: &std::path::Path, error: &io::Error) -> Self {
-        Self::new(format_args!("cannot {doing} '{}': {}", path.display(), plain(error)))
     }
 
     /// Tells the failure on stderr, and the exit code.
@@ -64,21 +60,23 @@ impl From<Report> for Failure {
     }
 }
 
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        Self::new(without_number(&error.to_string()))
+    }
+}
+
 impl From<PrepareError> for Failure {
     fn from(error: PrepareError) -> Self {
         Self::new(error)
     }
 }
 
-/// The operating system's words for an error, without its number.
-pub fn plain(error: &io::Error) -> String {
-    let text = error.to_string();
-    let text = text.split(" (os error").next().unwrap_or(&text);
-    match text.chars().next() {
-        Some(first) if text.chars().nth(1).is_some_and(char::is_lowercase) => {
-            first.to_lowercase().chain(text.chars().skip(1)).collect()
-        }
-        _ => text.to_owned(),
+/// A message without the operating system's number of the error, which helps nobody.
+pub fn without_number(message: &str) -> String {
+    match message.split_once(" (os error ") {
+        Some((before, after)) => format!("{before}{}", after.split_once(')').map_or("", |(_, rest)| rest)),
+        None => message.to_owned(),
     }
 }
 
@@ -120,23 +118,28 @@ impl Report {
         self
     }
 
-    /// Writes the report to stderr: coloured on a terminal, plain ASCII elsewhere.
+    /// Writes the report to stderr: with colours and frames on a terminal, plain elsewhere.
     fn print(&self) -> io::Result<()> {
-        let stderr = io::stderr();
-        let handler = if stderr.is_terminal() {
-            let colored = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-            let theme = if colored { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-            GraphicalReportHandler::new_themed(theme)
-        } else {
-            // One message is one line wherever it may be searched or compared.
-            GraphicalReportHandler::new_themed(GraphicalTheme::none())
-                .without_cause_chain()
-                .with_width(10_000)
-        };
+        let mut stderr = io::stderr().lock();
+        if !stderr.is_terminal() {
+            return writeln!(stderr, "{}", self.plain().map_err(io::Error::other)?);
+        }
+        let colored = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        let theme = if colored { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();
-        handler.render_report(&mut text, self).map_err(io::Error::other)?;
+        GraphicalReportHandler::new_themed(theme).render_report(&mut text, self).map_err(io::Error::other)?;
+        write!(stderr, "{text}")
+    }
+
+    /// The report in ASCII, with the message in one line after `error:`, wherever it may be searched
+    /// or compared.
+    fn plain(&self) -> Result<String, fmt::Error> {
+        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(10_000);
+        let mut text = String::new();
+        handler.render_report(&mut text, self)?;
         let text = text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
-        writeln!(stderr.lock(), "error: {}", text.trim_start().trim_start_matches(['×', 'x']).trim())
+        // The frame begins with a cross, which the word replaces.
+        Ok(format!("error: {}", text.trim_start().trim_start_matches('x').trim()))
     }
 }
 

@@ -86,6 +86,10 @@ impl Template {
 ///
 /// The axis is the camera's `up`, so that the horizon stays level.
 pub fn turned(camera: &Camera, part: f64) -> Camera {
+    if part == 0.0 {
+        // The picture before the first turn is that without any, to the last bit.
+        return *camera;
+    }
     let axis = camera.up.try_normalize().unwrap_or(DVec3::Y);
     let turn = DQuat::from_axis_angle(axis, part * core::f64::consts::TAU);
     Camera { eye: camera.target + turn * (camera.eye - camera.target), ..*camera }

@@ -7,10 +7,10 @@ use glam::DMat4;
 use glanz_render::{Show, ToneMap};
 use glanz_scene::file::{FileError, LoadOptions, Loaded, load, parse_str};
 use glanz_scene::read::{ReadError, ReadOptions, read_model};
-use glanz_scene::{Camera, Scene};
+use glanz_scene::{Camera, Scene, add_default_lights};
 
 use super::args::{CameraArgs, InputArgs, choices};
-use super::failure::{Failure, Report};
+use super::failure::{Failure, Report, without_number};
 
 /// The name under which `--set` describes the material of a bare model.
 const MODEL_MATERIAL: &str = "default";
@@ -76,14 +76,14 @@ impl InputArgs {
         let own_lights = !input.scene.lights.is_empty() || !model.lights.is_empty();
         model.append_to(&mut input.scene, DMat4::IDENTITY, material, true);
         if !own_lights {
-            // PENDING add_default_lights
+            add_default_lights(&mut input.scene);
             input.default_lights = true;
         }
         Ok(input)
     }
 
     fn failure_of_model(&self, error: &ReadError) -> Failure {
-        let report = Report::new(error);
+        let report = Report::new(without_number(&error.to_string()));
         let known_ending = ["glb", "gltf", "obj", "ply", "stl"].iter().any(|ending| {
             self.input.extension().is_some_and(|own| own.eq_ignore_ascii_case(OsStr::new(ending)))
         });
@@ -114,7 +114,7 @@ fn failure_of_scene(error: FileError) -> Failure {
     let place = error.path.display().to_string();
     let report = match &error.span {
         Some(span) => Report::new(&error.message).source(&place, error.text.to_string(), span.clone()),
-        None => Report::new(format_args!("{place}: {}", error.message)),
+        None => Report::new(format_args!("{place}: {}", without_number(&error.message))),
     };
     match error.help {
         Some(help) => report.help(help).into(),

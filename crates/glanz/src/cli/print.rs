@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::{Args, ValueEnum};
 use serde_json::Value;
 
-use super::failure::{Failure, plain};
+use super::failure::{Failure, without_number};
 
 /// How data is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -21,8 +21,15 @@ pub enum Format {
 #[derive(Args, Clone, Copy, Debug)]
 pub struct FormatArgs {
     /// How data is printed on stdout
-    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT", help_heading = "Output")]
     pub format: Format,
+}
+
+impl FormatArgs {
+    /// Whether data is printed for programs.
+    pub fn is_json(self) -> bool {
+        self.format == Format::Json
+    }
 }
 
 /// Writes all of `bytes` to stdout. That nobody reads any more is [`Failure::Closed`].
@@ -30,7 +37,7 @@ pub fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::Closed,
-        _ => Failure::new(format_args!("cannot write to stdout: {}", plain(&error))),
+        _ => Failure::new(format_args!("cannot write to stdout: {}", without_number(&error.to_string()))),
     })
 }
 

@@ -36,6 +36,27 @@ fn every_command_has_help_with_an_example() {
     }
 }
 
+/// The help of all commands on one page.
+fn reference() -> String {
+    let mut page = "# Commands\n\nThe help texts of `glanz`, as it prints them. A test keeps this page current; `GLANZ_RENEW_DOCS=1 \
+                    cargo test -p glanz` writes it anew.\n"
+        .to_owned();
+    for words in COMMANDS {
+        let title = [&["glanz"], words].concat().join(" ");
+        page += &format!("\n## {title}\n\n```text\n{}\n```\n", help(words).trim_end());
+    }
+    page.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+#[test]
+fn the_page_of_commands_in_the_docs_is_current() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/COMMANDS.md");
+    if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
+        std::fs::write(path, reference()).unwrap();
+    }
+    assert!(std::fs::read_to_string(path).unwrap_or_default() == reference(), "docs/COMMANDS.md is out of date");
+}
+
 #[test]
 fn the_list_of_commands_above_is_complete() {
     let listed = |help: &str| -> Vec<String> {

@@ -14,7 +14,7 @@ use crate::cli::canvas::Canvas;
 use crate::cli::difference::{Developed, Difference};
 use crate::cli::encode;
 use crate::cli::failure::Failure;
-use crate::cli::pipeline::Plan;
+use crate::cli::pipeline::{Picture, Plan};
 use crate::cli::print::{self, Format, FormatArgs};
 use crate::cli::sheet::Sheet;
 
@@ -76,7 +76,8 @@ impl CompareArgs {
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();
-        encode::deliver(side_by_side(&pictures, &differences)?, &target, input.hash)?;
+        let sheet = Picture::Codes8(side_by_side(&pictures, &differences)?);
+        encode::deliver(sheet, &target, &encode::metadata(input.hash))?;
         if let Target::File(path) = &target {
             print::note(format_args!("wrote {}", path.display()));
         }

@@ -3,19 +3,20 @@
 use std::ops::Range;
 
 use clap::Args;
+use glanz_render::output::Format;
 use glanz_render::{Prepared, View, prepare};
 use serde_json::json;
 
 use crate::cli::args::{
     BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
 };
-use crate::cli::encode::{self, FileKind};
+use crate::cli::encode;
 use crate::cli::failure::Failure;
 use crate::cli::frames;
 use crate::cli::load::Input;
 use crate::cli::pipeline::{Kind, Picture, Plan};
 use crate::cli::preview;
-use crate::cli::print::{self, Format, FormatArgs};
+use crate::cli::print::{self, FormatArgs};
 use crate::cli::timings::{Stage, Timings};
 
 /// Shown after the help.
@@ -108,49 +109,46 @@ impl RenderArgs {
     }
 
     fn still(&self) -> Result<(), Failure> {
-        let only_preview = self.preview && self.target.output.is_none();
-        let target = match only_preview {
-            true => None,
-            false => Some(self.target.resolve(&self.input.input, ".png")?),
+        let target = match &self.target.output {
+            None if self.preview => None,
+            _ => Some(self.target.resolve(&self.input.input, ".png")?),
         };
-        let file = target.as_ref().map_or(Ok(FileKind::Png), encode::file_kind)?;
-        let kind = self.kind(file)?;
+        let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
         let mut timings = Timings::default();
-        let mut last = None;
-        for _ in 0..self.repeat {
+        for _ in 1..self.repeat {
             timings.begin_run();
-            // The last run's picture is given back first, so that memory is needed once.
-            drop(last.take());
-            last = Some(self.once(file, kind, !only_preview, &mut timings)?);
+            self.rehearse(target.as_ref(), kind, &mut timings)?;
         }
-        let made = last.expect("repeats at least once");
-        match &target {
-            Some(Target::Stdout) => print::bytes(&made.bytes)?,
-            Some(Target::File(path)) => encode::write(path, &made.bytes)?,
-            None => {}
+        timings.begin_run();
+        let (told, plan, picture) = self.draw(kind, &mut timings)?;
+        let preview =
+            self.preview.then(|| preview::half_blocks(&plan.on_screen(&picture), preview::columns()));
+        if let Some(target) = &target {
+            let metadata = encode::metadata(told.hash);
+            timings.measure(Stage::Encode, || encode::deliver(picture, target, &metadata))?;
         }
-        if self.preview {
-            print::text(&preview::half_blocks(&made.plan.on_screen(&made.picture), preview::columns()))?;
+        if let Some(preview) = preview {
+            print::text(&preview)?;
         }
-        self.tell(target.as_ref(), &made, &timings)
+        self.tell(target.as_ref(), &plan, &told.notes, &timings)
     }
 
-    /// Goes all the way from the file to the bytes of the picture.
-    fn once(
-        &self,
-        file: FileKind,
-        kind: Kind,
-        encoded: bool,
-        timings: &mut Timings,
-    ) -> Result<Made, Failure> {
+    /// All the way from the file to the bytes of the picture, which are thrown away.
+    fn rehearse(&self, target: Option<&Target>, kind: Kind, timings: &mut Timings) -> Result<(), Failure> {
+        let (told, _, picture) = self.draw(kind, timings)?;
+        if let Some(target) = target {
+            let (format, metadata) = (encode::format(target)?, encode::metadata(told.hash));
+            timings.measure(Stage::Encode, || encode::to_memory(picture, format, &metadata))?;
+        }
+        Ok(())
+    }
+
+    /// From the file to a picture.
+    fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Picture), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, prepared) = timings.measure(Stage::Prepare, || self.plan(&input))?;
         let picture = plan.picture(&prepared, kind, timings);
-        let bytes = match encoded {
-            true => timings.measure(Stage::Encode, || encode::still(&picture, file, input.hash))?,
-            false => Vec::new(),
-        };
-        Ok(Made { notes: input.notes, plan, picture, bytes })
+        Ok((Told { notes: input.notes, hash: input.hash }, plan, picture))
     }
 
     /// Reads the scene, with these values set.
@@ -165,31 +163,37 @@ impl RenderArgs {
         Ok((plan, prepared))
     }
 
-    /// What the picture must keep for a file of this kind.
-    pub fn kind(&self, file: FileKind) -> Result<Kind, Failure> {
-        match (file, self.bit_depth) {
-            (FileKind::Exr, _) => Ok(Kind::Light),
-            (FileKind::Png, BitDepth::Sixteen) => Ok(Kind::Codes16),
+    /// What the picture must keep for a file of this format.
+    pub fn kind(&self, format: Format) -> Result<Kind, Failure> {
+        match (format, self.bit_depth) {
+            (Format::Exr, _) => Ok(Kind::Light),
+            (Format::Png, BitDepth::Sixteen) => Ok(Kind::Codes16),
             (_, BitDepth::Eight) => Ok(Kind::Codes8),
             (_, BitDepth::Sixteen) => Err(Failure::Usage("only a .png can have --bit-depth 16".to_owned())),
         }
     }
 
     /// Says what was done.
-    fn tell(&self, target: Option<&Target>, made: &Made, timings: &Timings) -> Result<(), Failure> {
+    fn tell(
+        &self,
+        target: Option<&Target>,
+        plan: &Plan,
+        notes: &[String],
+        timings: &Timings,
+    ) -> Result<(), Failure> {
         if let Some(Target::File(path)) = target {
             print::note(format_args!("wrote {}", path.display()));
         }
-        print::notes(&self.input.input, &made.notes);
+        print::notes(&self.input.input, notes);
         let stdout_is_free = target != Some(&Target::Stdout);
-        if self.format.format == Format::Json && stdout_is_free {
+        if self.format.is_json() && stdout_is_free {
             let file = match target {
                 Some(Target::File(path)) => Some(path.display().to_string()),
                 _ => None,
             };
-            let View { width, height, .. } = made.plan.view;
+            let View { width, height, .. } = plan.view;
             return print::json(&json!({
-                "file": file, "width": width, "height": height, "notes": made.notes,
+                "file": file, "width": width, "height": height, "notes": notes,
                 "timings": self.timings.then(|| timings.json()),
             }));
         }
@@ -204,10 +208,8 @@ impl RenderArgs {
     }
 }
 
-/// A finished picture.
-struct Made {
+/// What a file tells beside its scene.
+struct Told {
     notes: Vec<String>,
-    plan: Plan,
-    picture: Picture,
-    bytes: Vec<u8>,
+    hash: u64,
 }

@@ -7,7 +7,7 @@ use serde_json::json;
 use crate::cli::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, Target, TargetArgs, size};
 use crate::cli::encode;
 use crate::cli::failure::Failure;
-use crate::cli::pipeline::Plan;
+use crate::cli::pipeline::{Picture, Plan};
 use crate::cli::print::{self, Format, FormatArgs};
 use crate::cli::progress::Progress;
 use crate::cli::sheet::Sheet;
@@ -88,7 +88,7 @@ impl SweepArgs {
         }
         drop(progress);
         let size = (canvas.width, canvas.height);
-        encode::deliver(canvas, &target, hash)?;
+        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(hash))?;
         self.tell(&target, size, &cells)
     }
 
