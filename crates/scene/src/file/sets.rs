@@ -83,8 +83,10 @@ impl Override {
             // A missing table is one whose keys all have their defaults. Materials, lights and objects
             // are others' names: to set a value of one that is not there would do nothing.
             let named = depth == 1 && keys[0] == "materials";
-            let counted = depth == 0 && matches!(key, "materials" | "lights" | "objects");
-            if named || counted {
+            let of_list = depth == 0 && matches!(key, "lights" | "objects");
+            // A whole material may be new: an object can be made to use it.
+            let of_material = depth == 0 && key == "materials" && keys.len() > 2;
+            if named || of_list || of_material {
                 let known: Vec<&str> = table.keys().map(|known| known.get_ref().as_ref()).collect();
                 return Err(self.unknown(key, known.into_iter()));
             }

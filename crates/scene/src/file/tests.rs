@@ -277,6 +277,13 @@ fn overrides_find_lights_and_objects_by_name_and_make_tables() {
 }
 
 #[test]
+fn an_override_can_give_an_object_a_new_material() {
+    let sets = [("materials.new", "{ diffuse = [1, 0, 0] }"), ("objects.0.material", "new")];
+    let scene = set("[[objects]]\nmesh = 'quad'", &sets).expect("valid").scene;
+    assert_eq!((scene.materials[0].name.as_str(), scene.objects[0].material), ("new", 0));
+}
+
+#[test]
 fn the_hash_is_of_the_content_with_its_overrides_and_files() {
     let hash = |text: &str, sets: &[(&str, &str)]| set(text, sets).expect("valid").hash;
     let plain = hash(&full(), &[]);

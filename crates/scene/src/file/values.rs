@@ -9,7 +9,7 @@ use std::ops::{Deref, Range};
 use glam::DVec3;
 use glanz_color::{Rgb, srgb_decode_u8};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{Error, SeqAccess, Visitor};
+use serde::de::{Error, IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 /// Positions, lengths and colours beyond this are refused: their squares must fit into `f32`.
@@ -201,9 +201,10 @@ impl JsonSchema for Color {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let three = <[Amount; 3]>::json_schema(generator);
+        let one = Amount::json_schema(generator);
         json_schema!({
-            "description": "Linear RGB, three amounts of at least 0; or \"#rrggbb\" in sRGB codes.",
-            "anyOf": [three, { "type": "string", "pattern": "^#[0-9a-fA-F]{6}$" }]
+            "description": "Linear RGB, three amounts of at least 0, or one for a grey; or \"#rrggbb\" in sRGB codes.",
+            "anyOf": [three, one, { "type": "string", "pattern": "^#[0-9a-fA-F]{6}$" }]
         })
     }
 }
@@ -213,7 +214,17 @@ struct ColorVisitor;
 impl<'de> Visitor<'de> for ColorVisitor {
     type Value = Color;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a colour: three amounts such as [1.0, 0.5, 0.0], or \"#rrggbb\"")
+        f.write_str("a colour: three amounts such as [1.0, 0.5, 0.0], one for a grey, or \"#rrggbb\"")
+    }
+    fn visit_f64<E: Error>(self, amount: f64) -> Result<Color, E> {
+        let Amount(amount) = Amount::deserialize(amount.into_deserializer())?;
+        Ok(Color(Rgb::gray(amount as f32)))
+    }
+    fn visit_i64<E: Error>(self, amount: i64) -> Result<Color, E> {
+        self.visit_f64(amount as f64)
+    }
+    fn visit_u64<E: Error>(self, amount: u64) -> Result<Color, E> {
+        self.visit_f64(amount as f64)
     }
     fn visit_str<E: Error>(self, text: &str) -> Result<Color, E> {
         let found = text.chars().take(40).collect::<String>();
