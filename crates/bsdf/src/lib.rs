@@ -9,12 +9,14 @@
 //! both of unit length and away from the surface. [`Model::f_cos`] is the BSDF **times the incident
 //! cosine**, in 1/sr.
 
+mod albedo;
 #[cfg(test)]
 mod conformance;
 mod info;
 pub mod models;
 mod pair;
 
+pub use albedo::albedo;
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;

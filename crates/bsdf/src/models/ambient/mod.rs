@@ -42,3 +42,6 @@ impl Model for Ambient {
         pair.cos_i.lit(1.0 / PI)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,12 @@
 //! Blinn's highlight: a power of the cosine between normal and half vector.
 //!
 //! **Formula** f_cos = max(n·h, 0)ⁿ / π where cosθi > 0.
-//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
-//! **Laws** not reciprocal, as Phong's; keeps energy for large n only.
-//! **Limits** an exponent of 4n resembles a Phong highlight of exponent n near its centre.
+//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
+//! **Laws** not reciprocal, as Phong's: f = f_cos / cosθi. Along the normal the albedo is
+//! 8/(n+2) · (1 − 2^(−(n+2)/2)), which is above 1 for n < 5.38; it falls towards grazing views.
+//! **Limits** n = 0 is constant, 1/π. An exponent of 4n resembles a Phong highlight of exponent n near
+//! its centre, seen along the normal; towards grazing angles it stays narrow across the plane of
+//! incidence, where Phong's stays round.
 //! **Source** J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
 //! **Cost** one power, one square root, one quotient.
 
@@ -29,7 +32,7 @@ impl Model for BlinnPhong {
         part: Part::Specular,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
-            (Law::Energy, "for small n, and for a view near the horizon, more leaves than arrives"),
+            (Law::Energy, "for n < 5.38 the albedo seen along the normal, 8/(n+2)·(1 − 2^(−(n+2)/2)), is more than 1"),
         ],
     };
 
@@ -49,3 +52,6 @@ impl Model for BlinnPhong {
         value.select(zero.lt(pair.cos_i), zero)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,10 @@
 //! Blinn's lobe scaled so that it keeps its energy at normal incidence.
 //!
 //! **Formula** f_cos = (n+2)(n+4) / (8π (2^(−n/2) + n)) · max(n·h, 0)ⁿ · cosθi.
-//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
-//! **Laws** reciprocal; the albedo is 1 at normal incidence.
-//! **Limits** see the table of albedos that the command bsdf albedo prints for other angles.
+//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
+//! **Laws** reciprocal; keeps energy: the albedo is 1 along the normal for every n and less elsewhere.
+//! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cos²θo: it darkens towards
+//! grazing angles even more than the normalised Phong lobe.
 //! **Source** the normalisation factor for the half-vector lobe, after F. Giesen, 2009.
 //! **Cost** one power, one square root, one quotient, two products.
 
@@ -50,3 +51,6 @@ impl Model for BlinnPhongNormalized {
         value.select(zero.lt(pair.cos_i), zero)
     }
 }
+
+#[cfg(test)]
+mod tests;

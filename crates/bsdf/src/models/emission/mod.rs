@@ -42,3 +42,6 @@ impl Model for Emission {
         pair.cos_i.one()
     }
 }
+
+#[cfg(test)]
+mod tests;

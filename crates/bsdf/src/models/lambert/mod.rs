@@ -3,7 +3,7 @@
 //! **Formula** f_cos = cosθi / π, zero below the horizon.
 //! **Parameters** none.
 //! **Laws** reciprocal; keeps all energy (albedo 1).
-//! **Limits** none.
+//! **Limits** none; real matte surfaces are flatter at the limb (Oren–Nayar) and shine when grazed.
 //! **Source** J. H. Lambert, *Photometria*, 1760.
 //! **Cost** one product.
 
@@ -39,3 +39,6 @@ impl Model for Lambert {
         pair.cos_i.max(pair.cos_i.zero()) * pair.cos_i.lit(1.0 / PI)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,10 +2,12 @@
 //!
 //! **Formula** f_cos = max(R·wo, 0)ⁿ / π where cosθi > 0, else 0. The model has no cosine of its own:
 //! its BSDF is f = (R·wo)ⁿ / (π cosθi), which grows without bound towards grazing light.
-//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
-//! **Laws** not reciprocal, since f carries 1/cosθi of the light only; keeps energy for n >= 1 at
-//! normal incidence, but not for small n.
-//! **Limits** n → ∞ is a mirror whose energy goes to 0, as 2/(n+1).
+//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
+//! **Laws** not reciprocal, since f carries 1/cosθi of the light only. Seen along the normal under
+//! light from all around it returns 2/(n+1), so it keeps energy for n >= 1; for n < 1 it does not.
+//! Whatever n is, light from one direction near the horizon is returned 1/cosθi too strong.
+//! **Limits** n = 0 is constant, 1/π; n = 1 has the albedo (1 + cosθo)/2; n → ∞ is a mirror that
+//! returns nothing.
 //! **Source** B. T. Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, with the
 //! factor 1/π so that a unit light (π inside Glanz) and a unit tint give the classic (R·V)ⁿ.
 //! **Cost** one power: a logarithm and an exponential.
@@ -41,7 +43,7 @@ impl Model for Phong {
         part: Part::Specular,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
-            (Law::Energy, "for n < 1 and for a light near the horizon more leaves than arrives"),
+            (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),
         ],
     };
 
@@ -61,3 +63,6 @@ impl Model for Phong {
         value.select(zero.lt(pair.cos_i), zero)
     }
 }
+
+#[cfg(test)]
+mod tests;

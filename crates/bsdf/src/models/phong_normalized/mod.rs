@@ -1,9 +1,10 @@
 //! The Phong lobe scaled so that it keeps its energy whatever the exponent.
 //!
 //! **Formula** f_cos = (n+2)/(2π) · max(R·wo, 0)ⁿ · cosθi.
-//! **Parameters** `shininess` n, 0 … 10⁵, default 32.
-//! **Laws** reciprocal; the albedo is 1 at normal incidence and less elsewhere.
-//! **Limits** towards grazing angles part of the lobe is below the horizon and lost.
+//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
+//! **Laws** reciprocal; keeps energy: the albedo is 1 along the normal for every n and less elsewhere.
+//! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind
+//! darkens towards grazing angles. Part of the lobe is below the horizon there and is lost as well.
 //! **Source** R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994.
 //! **Cost** one power and three products.
 
@@ -49,3 +50,6 @@ impl Model for PhongNormalized {
         value.select(zero.lt(pair.cos_i), zero)
     }
 }
+
+#[cfg(test)]
+mod tests;
