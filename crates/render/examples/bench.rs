@@ -66,10 +66,15 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let quick = arguments.iter().any(|a| a == "--quick");
+    // `--only "64x32 phong 1"` measures the rows whose name begins so.
+    let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
     let level = glanz_math::simd_level(std::env::var("GLANZ_SIMD").ok().as_deref()).expect("a level");
     for (slices, stacks) in [(64, 32), (1024, 512)] {
         for (shading, name) in [(Shading::Phong, "phong"), (Shading::Gouraud, "gouraud")] {
             for lights in [1, 4, 8] {
+                if !format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
+                    continue;
+                }
                 let frames = if quick { 40 } else { 200 };
                 let (median, min, high, prepare_ms) = measure(slices, stacks, lights, shading, frames, level);
                 println!(

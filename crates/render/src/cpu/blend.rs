@@ -6,7 +6,7 @@ use glanz_math::Lanes;
 
 use super::bins::TILE_WIDTH;
 use super::frame::FrameView;
-use super::group;
+use super::group::{self, Shaded};
 use super::raster::Grid;
 use super::records::Records;
 use super::runs::Run;
@@ -65,8 +65,9 @@ pub(crate) fn blend<S: Simd>(
             py[lane] = (grid.origin[1] + pixel / TILE_WIDTH) as f32 + 0.5;
             runs[lane] = Run { record: fragment.record, bits: 1 << lane };
         }
-        let (px, py) = (Lanes::load(simd, &px), Lanes::load(simd, &py));
-        let shaded = group::shade(simd, frame, records, &runs[..sixteen.len()], px, py);
+        let place = [Lanes::load(simd, &px), Lanes::load(simd, &py)];
+        let mut shaded = Shaded::nothing(simd);
+        group::shade(simd, frame, records, &runs[..sixteen.len()], place, &mut shaded);
         let mut rgb = [[0.0; 16]; 3];
         let mut alpha = [0.0; 16];
         for (array, lanes) in rgb.iter_mut().zip(shaded.rgb) {
@@ -75,6 +76,7 @@ pub(crate) fn blend<S: Simd>(
         shaded.alpha.store(&mut alpha);
         for (lane, fragment) in sixteen.iter().enumerate() {
             let color = [rgb[0][lane], rgb[1][lane], rgb[2][lane]];
+            pixels.touch(fragment.pixel as usize, frame.options.background);
             over(pixels, fragment.pixel as usize, color, alpha[lane].clamp(0.0, 1.0) * fragment.weight);
         }
     }

@@ -8,8 +8,8 @@ use super::clip::{self, Extra};
 use super::eye::Eye;
 use super::frame::{FrameView, ObjectView, Pass};
 use super::gouraud::{self, Lit};
-use super::inlined;
 use super::samples::SUBPIXEL;
+use super::{inlined, three};
 use crate::prepare::{Cluster, Geometry};
 
 /// Screen positions beyond this many pixels from the corner are clipped, so that fixed-point numbers
@@ -221,11 +221,13 @@ fn bin<S: Simd>(
             }
         }
         let corners = Corners {
-            x: x.map(
+            x: three(
+                x,
                 #[inline(always)]
                 |v| i32x16::from_slice(simd, &v),
             ),
-            y: y.map(
+            y: three(
+                y,
                 #[inline(always)]
                 |v| i32x16::from_slice(simd, &v),
             ),

@@ -6,10 +6,10 @@ use glanz_scene::{Interpolation, Shading};
 
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::unit;
-use super::inlined;
 use super::records::{GROUP, Record, Records};
-use super::reflect::{Point, reflect_lanes};
+use super::reflect::{Point, reflect, reflect_lanes};
 use super::runs::Run;
+use super::{inlined, three};
 use super::{show, texturing};
 use crate::Show;
 use crate::prepare::PreparedMaterial;
@@ -21,7 +21,6 @@ pub(crate) struct Shaded<S: Simd> {
     pub alpha: Lanes<S>,
     pub distance: Lanes<S>,
     pub normal: Vec3<Lanes<S>>,
-    pub object: [u32; 16],
 }
 
 /// Barycentric coordinates on the surface, and distance from the eye plane.
@@ -50,41 +49,44 @@ pub(crate) fn shade<S: Simd>(
     frame: &FrameView,
     records: &Records,
     runs: &[Run],
-    px: Lanes<S>,
-    py: Lanes<S>,
-) -> Shaded<S> {
-    let zero = Lanes::splat(simd, 0.0);
-    let null = Vec3::new(zero, zero, zero);
-    let mut shaded = Shaded { rgb: [zero; 3], alpha: zero, distance: zero, normal: null, object: [0; 16] };
+    [px, py]: [Lanes<S>; 2],
+    out: &mut Shaded<S>,
+) {
+    let object_of = inlined(
+        #[inline(always)]
+        |run: &Run| records.list[run.record as usize].object,
+    );
     let mut rest = runs;
     while let Some(first) = rest.first() {
-        let number = records.list[first.record as usize].object;
+        let number = object_of(first);
         // Runs of one object mostly stand together; those that do not are simply shaded again.
-        let same = inlined(
-            #[inline(always)]
-            |run: &&Run| records.list[run.record as usize].object == number,
-        );
-        let count = rest.iter().take_while(same).count();
+        let mut count = 1;
+        while count < rest.len() && object_of(&rest[count]) == number {
+            count += 1;
+        }
         let (own, others) = rest.split_at(count);
         let object = &frame.objects[number as usize];
         let group = Group { simd, frame, records, object, runs: own, px, py };
-        let one = group.shade_outlined();
         if count == runs.len() {
-            shaded = one;
-            shaded.object = [number + 1; 16];
-            return shaded;
+            group.shade_outlined(out);
+            return;
         }
+        let mut one = Shaded::nothing(simd);
+        group.shade_outlined(&mut one);
         let bits = own.iter().fold(0, |bits, run| bits | run.bits);
-        shaded.merge(&one, LanesMask::from_bits(simd, bits));
-        for lane in (0..16).filter(|lane| bits >> lane & 1 == 1) {
-            shaded.object[lane] = number + 1;
-        }
+        out.merge(&one, LanesMask::from_bits(simd, bits));
         rest = others;
     }
-    shaded
 }
 
 impl<S: Simd> Shaded<S> {
+    /// All zero.
+    #[inline(always)]
+    pub fn nothing(simd: S) -> Self {
+        let zero = Lanes::splat(simd, 0.0);
+        Self { rgb: [zero; 3], alpha: zero, distance: zero, normal: Vec3::new(zero, zero, zero) }
+    }
+
     #[inline(always)]
     fn merge(&mut self, other: &Self, mask: LanesMask<S>) {
         for c in 0..3 {
@@ -117,10 +119,10 @@ impl<S: Simd> Group<'_, S> {
         let Some((first, others)) = self.runs.split_first() else {
             return [self.px.zero(); GROUP];
         };
-        let mut lanes = row(first).map(
-            #[inline(always)]
-            |x| Lanes::splat(self.simd, x),
-        );
+        let mut lanes = [self.px; GROUP];
+        for (lane, &value) in lanes.iter_mut().zip(row(first)) {
+            *lane = Lanes::splat(self.simd, value);
+        }
         for run in others {
             let mask = LanesMask::from_bits(self.simd, run.bits);
             let row = row(run);
@@ -156,7 +158,8 @@ impl<S: Simd> Group<'_, S> {
     #[inline(always)]
     pub fn attribute(&self, group: usize, place: &Place<S>) -> [Lanes<S>; 3] {
         let rows = self.gather(1 + group);
-        [0, 1, 2].map(
+        three(
+            [0, 1, 2],
             #[inline(always)]
             |c| rows[c] + place.u * rows[3 + c] + place.v * rows[6 + c],
         )
@@ -164,15 +167,15 @@ impl<S: Simd> Group<'_, S> {
 
     /// [`Group::shade`] as a function of its own, which exists once per SIMD level.
     #[inline(never)]
-    fn shade_outlined(&self) -> Shaded<S> {
+    fn shade_outlined(&self, out: &mut Shaded<S>) {
         self.simd.vectorize(
             #[inline(always)]
-            || self.shade(),
-        )
+            || self.shade(out),
+        );
     }
 
     #[inline(always)]
-    fn shade(&self) -> Shaded<S> {
+    fn shade(&self, out: &mut Shaded<S>) {
         let rows = self.gather(0);
         let place = self.place(&rows, self.px, self.py);
         let mut values = [self.attribute(0, &place), [self.px.zero(); 3]];
@@ -185,7 +188,8 @@ impl<S: Simd> Group<'_, S> {
                 Show::Shaded | Show::Diffuse | Show::Specular | Show::Ambient
             );
         if simple {
-            return self.simple(material, &place, values[0]);
+            self.simple(material, &place, values[0], out);
+            return;
         }
         let mut extra = texturing::Extra::new(self.px);
         extra.read(self, layout, material, &place, &rows);
@@ -195,7 +199,7 @@ impl<S: Simd> Group<'_, S> {
         if let Some(polygons) = &self.object.polygons {
             texturing::scanline(self, polygons, &mut values, &mut extra);
         }
-        self.full(material, &place, values, &extra, &rows)
+        *out = self.full(material, &place, values, &extra, &rows);
     }
 
     /// Position, normal and viewer of the pixels, from the interpolated normal.
@@ -207,15 +211,22 @@ impl<S: Simd> Group<'_, S> {
 
     /// No textures, no vertex colours, no special view.
     #[inline(always)]
-    fn simple(&self, material: &PreparedMaterial, place: &Place<S>, value: [Lanes<S>; 3]) -> Shaded<S> {
+    fn simple(
+        &self,
+        material: &PreparedMaterial,
+        place: &Place<S>,
+        value: [Lanes<S>; 3],
+        out: &mut Shaded<S>,
+    ) {
         let like = self.px;
         let mut normal = Vec3::new(like.zero(), like.zero(), like.zero());
         let mut rgb = value;
         if self.object.shading == Shading::Phong {
             let point = self.point(place, value);
             normal = point.normal;
-            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point);
-            rgb = [0, 1, 2].map(
+            let light = reflect(&self.frame.lights, material, &point);
+            rgb = three(
+                [0, 1, 2],
                 #[inline(always)]
                 |c| light.textured[c] + light.plain[c],
             );
@@ -224,7 +235,7 @@ impl<S: Simd> Group<'_, S> {
             rgb[c] = rgb[c] + like.lit(f64::from(material.emission[c]));
         }
         let alpha = like.lit(f64::from(material.alpha));
-        Shaded { rgb, alpha, distance: place.distance, normal, object: [0; 16] }
+        *out = Shaded { rgb, alpha, distance: place.distance, normal };
     }
 
     /// Everything else.
@@ -245,7 +256,8 @@ impl<S: Simd> Group<'_, S> {
             textured = light.textured;
             plain = light.plain;
         }
-        let mut rgb = [0, 1, 2].map(
+        let mut rgb = three(
+            [0, 1, 2],
             #[inline(always)]
             |c| {
                 let emitted = self.px.lit(f64::from(material.emission[c])) * extra.emission[c];
@@ -254,7 +266,7 @@ impl<S: Simd> Group<'_, S> {
         );
         let mut alpha = self.px.lit(f64::from(material.alpha)) * extra.alpha;
         show::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
-        Shaded { rgb, alpha, distance: place.distance, normal: point.normal, object: [0; 16] }
+        Shaded { rgb, alpha, distance: place.distance, normal: point.normal }
     }
 
     /// Texture coordinates at another pixel position, for the footprint of textures.

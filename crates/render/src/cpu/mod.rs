@@ -42,3 +42,9 @@ pub use renderer::Renderer;
 fn inlined<F>(closure: F) -> F {
     closure
 }
+
+/// `values.map(f)`, surely inlined: the standard `map` is a call below a SIMD dispatch.
+#[inline(always)]
+fn three<T, U>([a, b, c]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
+    [f(a), f(b), f(c)]
+}

@@ -9,8 +9,8 @@ use glanz_math::{Lanes, Real};
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::clip::fixed;
 use super::geometry::{SMALL, Screen};
-use super::inlined;
 use super::samples::SUBPIXEL;
+use super::{inlined, three};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +79,8 @@ impl Edges {
     /// `None` for triangles without area.
     #[inline(always)]
     fn new(screen: &[Screen; 3], cull_back: bool) -> Option<Self> {
-        let [a, mut b, mut c] = screen.map(
+        let [a, mut b, mut c] = three(
+            *screen,
             #[inline(always)]
             |v| [fixed(v[0]), fixed(v[1])],
         );
@@ -193,14 +194,16 @@ fn cover_small<S: Simd>(
     let mut fresh = columns;
     loop {
         let (x, y) = (sx + column * SUBPIXEL, sy + top * SUBPIXEL);
-        let mut values = edges.edges.map(
+        let mut values = three(
+            edges.edges,
             #[inline(always)]
             |([ax, ay], [dx, dy], bias)| {
                 let corner = dx * (y - ay) - dy * (x - ax) + bias;
                 int(corner) - indices * int(dy * SUBPIXEL)
             },
         );
-        let steps = edges.edges.map(
+        let steps = three(
+            edges.edges,
             #[inline(always)]
             |(_, d, _)| int(d[0] * SUBPIXEL),
         );

@@ -13,6 +13,7 @@ use super::geometry::{ChunkOutput, Screen};
 use super::gouraud::{Lit, unit};
 use super::raster::Triangle;
 use super::reflect::{Point, reflect};
+use super::three;
 
 /// Floats of a group of three attributes, and of the part that comes before the groups.
 pub(crate) const GROUP: usize = 9;
@@ -69,7 +70,11 @@ impl Records {
         let number = cluster.first_triangle as usize + (triangle.name & 127) as usize;
         let first = cluster.first_vertex as usize;
         let corners = Corners {
-            vertices: geometry.triangles[number].map(|v| first + v as usize),
+            vertices: three(
+                geometry.triangles[number],
+                #[inline(always)]
+                |v| first + v as usize,
+            ),
             weights: (triangle.key & EXTRA != 0)
                 .then(|| projected.chunks[chunk].extras[(triangle.key & !EXTRA) as usize].weights),
         };
@@ -107,7 +112,13 @@ impl Records {
                     (true, true) => -1.0,
                     (true, false) => 0.0,
                 };
-                self.group(corners, |v| geometry.normals[v].map(|c| c * sign));
+                self.group(corners, |v| {
+                    three(
+                        geometry.normals[v],
+                        #[inline(always)]
+                        |c| c * sign,
+                    )
+                });
             }
             Shading::Gouraud => {
                 let lit = |v: usize| projected.lit[v][side];
@@ -154,7 +165,7 @@ impl Records {
     /// Appends a group from its values at the corners.
     #[inline(always)]
     fn group(&mut self, corners: &Corners, value: impl Fn(usize) -> [f32; 3]) {
-        let mut at = corners.vertices.map(value);
+        let mut at = three(corners.vertices, value);
         if let Some(weights) = &corners.weights {
             let whole = at;
             at = weights.map(|[u, v, w]| {

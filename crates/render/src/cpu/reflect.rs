@@ -3,12 +3,12 @@
 //! C = Σ_l a_l(x) · Σ_k s_k(wo, wi) · T\[l, k, c\]. There is no wavelength here, and no colour but the
 //! numbers of the tint table.
 
-use glanz_bsdf::Pair;
 use fearless_simd::Simd;
+use glanz_bsdf::Pair;
 use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::{EyeCone, EyeFalloff, EyeLight};
-use super::inlined;
+use super::{inlined, three};
 use crate::prepare::PreparedMaterial;
 
 /// A surface point as seen: relative to the eye, along world axes.
@@ -44,11 +44,13 @@ pub(crate) fn reflect<R: Real>(
 ) -> Reflected<R> {
     let like = point.normal.x;
     let mut sum = Reflected {
-        textured: material.ambient[0].map(
+        textured: three(
+            material.ambient[0],
             #[inline(always)]
             |c| like.lit(f64::from(c)),
         ),
-        plain: material.ambient[1].map(
+        plain: three(
+            material.ambient[1],
             #[inline(always)]
             |c| like.lit(f64::from(c)),
         ),

@@ -8,7 +8,7 @@ use super::frame::FrameView;
 use super::geometry::{self, ChunkOutput, Screen};
 use super::gouraud::Lit;
 use super::records::Projected;
-use super::target::{Band, Codes, PlaneBand};
+use super::target::{Band, Codes, PlaneBand, empty_block};
 use super::tile::{self, TilePlace, TileScratch};
 use crate::develop::DevelopKernel;
 use crate::{Develop, DrawOptions, Frame, Prepared, View};
@@ -60,9 +60,10 @@ impl Renderer {
         self.project(&frame);
         let kernel = DevelopKernel::new(develop);
         let opaque = matches!(options.background, Background::Color(_));
+        let empty = empty_block(develop, &kernel, options.background);
         let bands = out
             .chunks_mut(4 * width * TILE_HEIGHT)
-            .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque }))
+            .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))
             .collect();
         self.draw_bands(&frame, bands);
     }

@@ -59,11 +59,6 @@ impl Layers {
         self.list.push(Layer { runs: start..self.runs.len(), bits, weights: [weight; 16], at });
     }
 
-    /// One sample per pixel.
-    pub fn add_whole(&mut self, runs: &[Run]) {
-        self.add_sample(runs, 1.0, CENTER);
-    }
-
     /// Notes what one sample of each pixel sees; [`Layers::pack`] makes layers of it.
     pub fn note(&mut self, runs: &[Run]) {
         for run in runs {

@@ -6,9 +6,16 @@ use glanz_scene::Background;
 
 use super::bins::{TILE_HEIGHT, TILE_PIXELS, TILE_WIDTH};
 use super::inlined;
+use crate::Develop;
 use crate::develop::DevelopKernel;
 
+/// Sixteen neighbouring pixels are a block; a tile is whole rows of them.
+pub(crate) const BLOCK: usize = 16;
+
 /// The pixels of a tile: linear colour, coverage, and the planes that were asked for.
+///
+/// Blocks are given their background when they are first touched, so that empty parts of the picture
+/// cost next to nothing.
 #[derive(Debug)]
 pub(crate) struct TilePixels {
     pub rgb: [[f32; TILE_PIXELS]; 3],
@@ -16,6 +23,7 @@ pub(crate) struct TilePixels {
     pub distance: Vec<f32>,
     pub normal: [Vec<f32>; 3],
     pub object: Vec<u32>,
+    touched: [bool; TILE_PIXELS / BLOCK],
 }
 
 impl Default for TilePixels {
@@ -26,7 +34,46 @@ impl Default for TilePixels {
             distance: vec![f32::INFINITY; TILE_PIXELS],
             normal: core::array::from_fn(|_| vec![0.0; TILE_PIXELS]),
             object: vec![0; TILE_PIXELS],
+            touched: [false; TILE_PIXELS / BLOCK],
         }
+    }
+}
+
+impl TilePixels {
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        self.touched = [false; TILE_PIXELS / BLOCK];
+    }
+
+    /// Sees to it that the block of this pixel holds the background, or what was drawn since.
+    #[inline(always)]
+    pub fn touch(&mut self, pixel: usize, background: Background) {
+        let block = pixel / BLOCK;
+        if self.touched[block] {
+            return;
+        }
+        self.touched[block] = true;
+        let range = block * BLOCK..(block + 1) * BLOCK;
+        let (color, alpha) = backdrop(background);
+        for (plane, value) in self.rgb.iter_mut().zip(color) {
+            plane[range.clone()].fill(value);
+        }
+        self.alpha[range.clone()].fill(alpha);
+        self.distance[range.clone()].fill(f32::INFINITY);
+        for plane in &mut self.normal {
+            plane[range.clone()].fill(0.0);
+        }
+        self.object[range].fill(0);
+    }
+
+    /// Says that the block of this pixel is about to be written whole.
+    #[inline(always)]
+    pub fn fill_whole(&mut self, pixel: usize) {
+        self.touched[pixel / BLOCK] = true;
+    }
+
+    fn touch_all(&mut self, background: Background) {
+        (0..TILE_PIXELS).step_by(BLOCK).for_each(|pixel| self.touch(pixel, background));
     }
 }
 
@@ -44,6 +91,8 @@ pub(crate) struct Codes<'a> {
     pub kernel: &'a DevelopKernel,
     /// Whether alpha is 1 everywhere.
     pub opaque: bool,
+    /// A block of background; none where dithering makes each pixel another.
+    pub empty: Option<[u8; 4 * BLOCK]>,
 }
 
 /// The rows of a frame's planes that belong to a band; planes that were not asked for are empty.
@@ -80,10 +129,18 @@ pub(crate) fn backdrop(background: Background) -> ([f32; 3], f32) {
 impl Band<'_> {
     /// Writes a tile.
     #[inline(always)]
-    pub fn write<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: Slot) {
+    pub fn write<S: Simd>(&mut self, simd: S, pixels: &mut TilePixels, slot: Slot, background: Background) {
         match self {
-            Band::Codes(codes) => write_codes(simd, codes, pixels, slot),
-            Band::Planes(planes) => planes.write(pixels, slot),
+            Band::Codes(codes) => {
+                if codes.empty.is_none() {
+                    pixels.touch_all(background);
+                }
+                write_codes(simd, codes, pixels, slot);
+            }
+            Band::Planes(planes) => {
+                pixels.touch_all(background);
+                planes.write(pixels, slot);
+            }
         }
     }
 }
@@ -94,8 +151,12 @@ fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: S
     for row in 0..slot.size[1] {
         let start = 4 * (row * slot.stride + slot.left);
         let line = &mut codes.out[start..start + 4 * slot.size[0]];
-        for (block, out) in line.chunks_mut(64).enumerate() {
-            let at = row * TILE_WIDTH + block * 16;
+        for (block, out) in line.chunks_mut(4 * BLOCK).enumerate() {
+            let at = row * TILE_WIDTH + block * BLOCK;
+            if let Some(empty) = codes.empty.as_ref().filter(|_| !pixels.touched[at / BLOCK]) {
+                out.copy_from_slice(&empty[..out.len()]);
+                continue;
+            }
             let lanes = inlined(
                 #[inline(always)]
                 |plane: &[f32; TILE_PIXELS]| {
@@ -103,7 +164,7 @@ fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: S
                 },
             );
             let rgb = [lanes(&pixels.rgb[0]), lanes(&pixels.rgb[1]), lanes(&pixels.rgb[2])];
-            let (x, y) = (slot.left + block * 16, slot.top + row);
+            let (x, y) = (slot.left + block * BLOCK, slot.top + row);
             let whole = out.as_mut_array();
             let target = whole.unwrap_or(&mut sixteen);
             match codes.opaque {
@@ -115,6 +176,23 @@ fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: S
             }
         }
     }
+}
+
+/// A block of background codes, unless dithering makes each pixel another.
+pub(crate) fn empty_block(
+    develop: &Develop,
+    kernel: &DevelopKernel,
+    background: Background,
+) -> Option<[u8; 64]> {
+    if develop.dither {
+        return None;
+    }
+    let (color, alpha) = backdrop(background);
+    let mut block = [0; 4 * BLOCK];
+    let simd = glanz_math::narrowest(fearless_simd::Level::baseline());
+    let splat = |value| Lanes::splat(simd, value);
+    kernel.store_rgba(color.map(splat), splat(alpha), 0, 0, &mut block);
+    Some(block)
 }
 
 impl PlaneBand<'_> {

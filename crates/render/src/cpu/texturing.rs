@@ -7,9 +7,9 @@ use glanz_scene::{AlphaMode, TextureUse};
 use super::frame::Layout;
 use super::gouraud::unit;
 use super::group::{Group, Place};
-use super::inlined;
 use super::polygons::PolygonView;
 use super::records::GROUP;
+use super::{inlined, three};
 use crate::prepare::{Mipmap, PreparedMaterial};
 
 /// Factors and directions that textures and vertex colours give sixteen pixels.
@@ -183,17 +183,17 @@ pub(crate) fn scanline<S: Simd>(
     let (first, plain) = (values[0], values[1]);
     let flat = group.object.shading == glanz_scene::Shading::Flat;
     if !flat {
-        values[0] = [0, 1, 2].map(|c| {
+        values[0] = three([0, 1, 2], |c| {
             let whole = lanes(c, first[c]);
             let separate = layout.plain.is_some() || group.object.shading == glanz_scene::Shading::Phong;
             if separate { whole } else { (whole + lanes(3 + c, whole.zero())).select(mask, first[c]) }
         });
         if layout.plain.is_some() {
-            values[1] = [0, 1, 2].map(|c| lanes(3 + c, plain[c]));
+            values[1] = three([0, 1, 2], |c| lanes(3 + c, plain[c]));
         }
     }
     if layout.color.is_some() {
         let base = extra.base;
-        extra.base = [0, 1, 2].map(|c| lanes(8 + c, base[c]));
+        extra.base = three([0, 1, 2], |c| lanes(8 + c, base[c]));
     }
 }

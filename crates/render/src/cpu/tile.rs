@@ -9,12 +9,12 @@ use super::blend::{self, Fragment};
 use super::clip::EXTRA;
 use super::frame::{FrameView, Pass};
 use super::group::{self, Shaded};
-use super::inlined;
 use super::raster::{Grid, Triangle, cover};
 use super::records::{Projected, Records};
 use super::runs::{Layers, Run};
 use super::samples::SUBPIXEL;
-use super::target::{Band, Slot, TilePixels, backdrop};
+use super::target::{BLOCK, Band, Slot, TilePixels, backdrop};
+use super::{inlined, three};
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -63,7 +63,7 @@ pub(crate) fn draw<S: Simd>(
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
     let slot = Slot { stride: frame.eye.width, left, top, size: grid.size };
-    scratch.clear_pixels(frame);
+    scratch.pixels.clear();
     let bins = |blended: bool| {
         projected.chunks.iter().enumerate().flat_map(move |(number, chunk)| {
             let bins = if blended { &chunk.blended } else { &chunk.solid };
@@ -84,7 +84,7 @@ pub(crate) fn draw<S: Simd>(
             blend::blend(simd, frame, records, &grid, fragments, pixels);
         }
     }
-    band.write(simd, &scratch.pixels, slot);
+    band.write(simd, &mut scratch.pixels, slot, frame.options.background);
 }
 
 fn triangle(frame: &FrameView, projected: &Projected, chunk: usize, key: u32) -> Triangle {
@@ -96,7 +96,15 @@ fn triangle(frame: &FrameView, projected: &Projected, chunk: usize, key: u32) ->
     let cluster = &geometry.clusters[(key >> 7) as usize];
     let corners = geometry.triangles[cluster.first_triangle as usize + (key & 127) as usize];
     let first = cluster.first_vertex as usize;
-    Triangle { screen: corners.map(|v| projected.screen[first + v as usize]), name: key, key }
+    Triangle {
+        screen: three(
+            corners,
+            #[inline(always)]
+            |v| projected.screen[first + v as usize],
+        ),
+        name: key,
+        key,
+    }
 }
 
 fn object_of(frame: &FrameView, triangle: &Triangle) -> usize {
@@ -104,26 +112,6 @@ fn object_of(frame: &FrameView, triangle: &Triangle) -> usize {
 }
 
 impl TileScratch {
-    /// The background everywhere, and nothing in the other planes.
-    #[inline(always)]
-    fn clear_pixels(&mut self, frame: &FrameView) {
-        let (color, alpha) = backdrop(frame.options.background);
-        for (plane, value) in self.pixels.rgb.iter_mut().zip(color) {
-            plane.fill(value);
-        }
-        self.pixels.alpha.fill(alpha);
-        let layers = frame.options.layers;
-        if layers.depth {
-            self.pixels.distance.fill(f32::INFINITY);
-        }
-        if layers.normal {
-            self.pixels.normal.iter_mut().for_each(|plane| plane.fill(0.0));
-        }
-        if layers.object {
-            self.pixels.object.fill(0);
-        }
-    }
-
     fn clear(&mut self, samples: usize) {
         self.depth.clear();
         self.depth.resize(samples * TILE_PIXELS, f32::NEG_INFINITY);
@@ -243,71 +231,121 @@ impl TileScratch {
     /// Shades what the depth test left, sixteen pixels at a time.
     #[inline(always)]
     fn shade_solid<S: Simd>(&mut self, simd: S, frame: &FrameView, projected: &Projected, grid: &Grid) {
+        let mut runs = [Run { record: 0, bits: 0 }; BLOCK];
         for row in 0..grid.size[1] {
-            for column in (0..grid.size[0]).step_by(16) {
+            for column in (0..grid.size[0]).step_by(BLOCK) {
+                let at = row * TILE_WIDTH + column;
+                if frame.samples.len() == 1 {
+                    let count = self.find_runs(simd, frame, projected, at, &mut runs);
+                    if count > 0 {
+                        self.shade_single(simd, frame, grid, [row, column], &runs[..count]);
+                    }
+                    continue;
+                }
                 self.layers.clear();
-                self.find_layers(simd, frame, projected, row * TILE_WIDTH + column);
+                self.find_layers(simd, frame, projected, at);
                 if !self.layers.list.is_empty() {
-                    self.shade_block(simd, frame, grid, row, column);
+                    self.shade_layers(simd, frame, grid, row, column);
                 }
             }
         }
     }
 
-    /// Finds which triangles sixteen pixels see, and sets those up that are new.
+    /// Which triangles sixteen samples see, from place `start` of the sample planes on; sets those up
+    /// that are new. Returns how many there are.
+    #[inline(always)]
+    fn find_runs<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        projected: &Projected,
+        start: usize,
+        runs: &mut [Run; BLOCK],
+    ) -> usize {
+        let row: &[u32; BLOCK] = self.nearest[start..].first_chunk().expect("tiles are rows of blocks");
+        let owners = u32x16::from_slice(simd, row);
+        let mut left = simd.simd_ne_u32x16(owners, simd.splat_u32x16(NONE)).to_bitmask() as u32;
+        let mut count = 0;
+        while left != 0 {
+            let number = row[left.trailing_zeros() as usize];
+            let same = simd.simd_eq_u32x16(owners, simd.splat_u32x16(number)).to_bitmask() as u32;
+            let (triangle, chunk, record) = &mut self.triangles[number as usize];
+            if *record == NONE {
+                *record = self.records.add(frame, projected, *chunk, triangle);
+            }
+            runs[count] = Run { record: *record, bits: same };
+            count += 1;
+            left &= !same;
+        }
+        count
+    }
+
+    /// Collects what the samples of sixteen pixels see into layers.
     #[inline(always)]
     fn find_layers<S: Simd>(&mut self, simd: S, frame: &FrameView, projected: &Projected, at: usize) {
         let samples = frame.samples.len();
+        let mut runs = [Run { record: 0, bits: 0 }; BLOCK];
         for sample in 0..samples {
-            let start = sample * TILE_PIXELS + at;
-            let row: &[u32; 16] =
-                self.nearest[start..].first_chunk().expect("tiles are rows of whole blocks");
-            let owners = u32x16::from_slice(simd, row);
-            let none = simd.splat_u32x16(NONE);
-            let mut left = simd.simd_ne_u32x16(owners, none).to_bitmask() as u32;
-            let mut runs = [Run { record: 0, bits: 0 }; 16];
-            let mut count = 0;
-            while left != 0 {
-                let number = row[left.trailing_zeros() as usize];
-                let same = simd.simd_eq_u32x16(owners, simd.splat_u32x16(number)).to_bitmask() as u32;
-                let (triangle, chunk, record) = &mut self.triangles[number as usize];
-                if *record == NONE {
-                    *record = self.records.add(frame, projected, *chunk, triangle);
-                }
-                runs[count] = Run { record: *record, bits: same };
-                count += 1;
-                left &= !same;
-            }
+            let count = self.find_runs(simd, frame, projected, sample * TILE_PIXELS + at, &mut runs);
             if count == 0 {
                 continue;
             }
-            let runs = &runs[..count];
-            if frame.options.supersample && samples > 1 {
+            if frame.options.supersample {
                 let at = frame.samples[sample].map(|s| s as f32 / SUBPIXEL as f32);
-                self.layers.add_sample(runs, 1.0 / samples as f32, at);
-            } else if samples == 1 {
-                self.layers.add_whole(runs);
+                self.layers.add_sample(&runs[..count], 1.0 / samples as f32, at);
             } else {
-                self.layers.note(runs);
+                self.layers.note(&runs[..count]);
             }
         }
-        if samples > 1 && !frame.options.supersample {
+        if !frame.options.supersample {
             self.layers.pack(samples);
+        }
+    }
+
+    /// One sample per pixel: a pixel is what its triangle is, or background.
+    #[inline(always)]
+    fn shade_single<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        grid: &Grid,
+        [row, column]: [usize; 2],
+        runs: &[Run],
+    ) {
+        let at = row * TILE_WIDTH + column;
+        let place = pixel_lanes(simd, grid, row, column, [0.5, 0.5]);
+        let mut shaded = Shaded::nothing(simd);
+        group::shade(simd, frame, &self.records, runs, place, &mut shaded);
+        let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
+        if bits != 0xffff || frame.options.layers != Default::default() {
+            self.pixels.touch(at, frame.options.background);
+            self.keep_planes(simd, frame, &shaded, runs, bits, at);
+        } else {
+            self.pixels.fill_whole(at);
+        }
+        let mask = LanesMask::from_bits(simd, bits);
+        let one = Lanes::splat(simd, 1.0);
+        let planes = self.pixels.rgb.iter_mut().zip(shaded.rgb).chain([(&mut self.pixels.alpha, one)]);
+        for (plane, value) in planes {
+            let plane = plane[at..].first_chunk_mut().expect("tiles are rows of blocks");
+            value.select(mask, Lanes::load(simd, plane)).store(plane);
         }
     }
 
     /// Shades the layers of sixteen pixels and adds them up over the background.
     #[inline(always)]
-    fn shade_block<S: Simd>(&mut self, simd: S, frame: &FrameView, grid: &Grid, row: usize, column: usize) {
+    fn shade_layers<S: Simd>(&mut self, simd: S, frame: &FrameView, grid: &Grid, row: usize, column: usize) {
         let at = row * TILE_WIDTH + column;
+        self.pixels.touch(at, frame.options.background);
         let zero = Lanes::splat(simd, 0.0);
         let mut sum = [zero; 3];
         let mut covered = zero;
         for number in 0..self.layers.list.len() {
             let layer = &self.layers.list[number];
             let runs = &self.layers.runs[layer.runs.clone()];
-            let (px, py) = pixel_lanes(simd, grid, row, column, layer.at);
-            let shaded = group::shade(simd, frame, &self.records, runs, px, py);
+            let place = pixel_lanes(simd, grid, row, column, layer.at);
+            let mut shaded = Shaded::nothing(simd);
+            group::shade(simd, frame, &self.records, runs, place, &mut shaded);
             let weights = Lanes::load(simd, &layer.weights);
             let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
             for c in 0..3 {
@@ -316,8 +354,9 @@ impl TileScratch {
                 sum[c] = (sum[c] + shaded.rgb[c] * weights).select(own, sum[c]);
             }
             covered = covered + weights;
-            let bits = layer.bits;
-            self.keep_planes(simd, frame, &shaded, bits, at);
+            let (runs, bits) = (layer.runs.clone(), layer.bits);
+            let runs: Vec<Run> = self.layers.runs[runs].to_vec();
+            self.keep_planes(simd, frame, &shaded, &runs, bits, at);
         }
         let (background, alpha) = backdrop(frame.options.background);
         let rest = (zero.one() - covered).max(zero);
@@ -330,53 +369,44 @@ impl TileScratch {
     }
 
     /// Keeps distance, normal and object of the nearest layer where they were asked for.
-    #[inline(always)]
-    fn keep_planes<S: Simd>(&mut self, simd: S, frame: &FrameView, shaded: &Shaded<S>, bits: u32, at: usize) {
-        let layers = frame.options.layers;
-        if !(layers.depth || layers.normal || layers.object) {
+    fn keep_planes<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        shaded: &Shaded<S>,
+        runs: &[Run],
+        bits: u32,
+        at: usize,
+    ) {
+        if frame.options.layers == Default::default() {
             return;
         }
-        let old = self.pixels.distance[at..].first_chunk().expect("sixteen pixels");
-        let nearer = if layers.depth || frame.samples.len() > 1 {
-            shaded.distance.lt(Lanes::load(simd, old)).bits() & bits
-        } else {
-            bits
-        };
-        let mut lanes = [0.0; 16];
-        let mut keep = inlined(
-            #[inline(always)]
-            |plane: &mut Vec<f32>, value: Lanes<S>| {
-                value.store(&mut lanes);
-                for lane in (0..16).filter(|lane| nearer >> lane & 1 == 1) {
-                    plane[at + lane] = lanes[lane];
-                }
-            },
-        );
-        keep(&mut self.pixels.distance, shaded.distance);
+        let old = self.pixels.distance[at..].first_chunk().expect("tiles are rows of blocks");
+        let nearer = shaded.distance.lt(Lanes::load(simd, old)).bits() & bits;
+        let kept = LanesMask::from_bits(simd, nearer);
         let normal = [shaded.normal.x, shaded.normal.y, shaded.normal.z];
-        for (plane, value) in self.pixels.normal.iter_mut().zip(normal) {
-            keep(plane, value);
+        let planes = self.pixels.normal.iter_mut().zip(normal);
+        for (plane, value) in planes.chain([(&mut self.pixels.distance, shaded.distance)]) {
+            let plane = plane[at..].first_chunk_mut().expect("tiles are rows of blocks");
+            value.select(kept, Lanes::load(simd, plane)).store(plane);
         }
-        for lane in (0..16).filter(|lane| nearer >> lane & 1 == 1) {
-            self.pixels.object[at + lane] = shaded.object[lane];
+        for run in runs {
+            let number = self.records.list[run.record as usize].object + 1;
+            for lane in (0..BLOCK).filter(|lane| (run.bits & nearer) >> lane & 1 == 1) {
+                self.pixels.object[at + lane] = number;
+            }
         }
     }
 }
 
 /// Picture coordinates of sixteen pixels of a tile, at a place within each.
 #[inline(always)]
-fn pixel_lanes<S: Simd>(
-    simd: S,
-    grid: &Grid,
-    row: usize,
-    column: usize,
-    at: [f32; 2],
-) -> (Lanes<S>, Lanes<S>) {
+fn pixel_lanes<S: Simd>(simd: S, grid: &Grid, row: usize, column: usize, at: [f32; 2]) -> [Lanes<S>; 2] {
     const STEPS: [f32; 16] =
         [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
     let x = (grid.origin[0] + column) as f32 + at[0];
     let y = (grid.origin[1] + row) as f32 + at[1];
-    (Lanes::load(simd, &STEPS) + Lanes::splat(simd, x), Lanes::splat(simd, y))
+    [Lanes::load(simd, &STEPS) + Lanes::splat(simd, x), Lanes::splat(simd, y)]
 }
 
 /// Writes `number` where the mask holds.
@@ -422,7 +452,8 @@ fn opaque_enough<S: Simd>(
 ) -> u32 {
     let object = &frame.objects[records.list[record as usize].object as usize];
     let AlphaMode::Mask { cutoff } = frame.materials[object.material].alpha_mode else { return u32::MAX };
-    let (px, py) = pixel_lanes(simd, grid, row, column, [0.5, 0.5]);
-    let shaded = group::shade(simd, frame, records, &[Run { record, bits: 0xffff }], px, py);
+    let place = pixel_lanes(simd, grid, row, column, [0.5, 0.5]);
+    let mut shaded = Shaded::nothing(simd);
+    group::shade(simd, frame, records, &[Run { record, bits: 0xffff }], place, &mut shaded);
     Lanes::splat(simd, cutoff).le(shaded.alpha).bits()
 }
