@@ -12,8 +12,9 @@ use glanz_scene::{Camera, Scene, add_default_lights};
 use super::args::{CameraArgs, InputArgs, choices};
 use super::failure::{Failure, Report, without_number};
 
-/// The name under which `--set` describes the material of a bare model.
-const MODEL_MATERIAL: &str = "default";
+/// The material that `--set` describes for a bare model: the one of objects that name none.
+const MODEL_MATERIAL: &str =
+    "[materials.default]\nambient = [0.7, 0.7, 0.7]\ndiffuse = [0.7, 0.7, 0.7]\nspecular = [0.2, 0.2, 0.2]\n";
 
 /// A scene and what belongs to it.
 #[derive(Clone, Debug)]
@@ -61,9 +62,12 @@ impl InputArgs {
         Ok(input)
     }
 
-    /// A model is put into an empty scene, on which `--set` works as on any other.
+    /// A model is put into an empty scene, on which `--set` works as on any other; setting
+    /// `materials.default` gives the model that material in place of its own.
     fn load_model(&self, options: &LoadOptions) -> Result<Input, Failure> {
-        let settings = parse_str("", self.input.parent().unwrap_or(Path::new("")), options);
+        let sets_material = options.sets.iter().any(|(path, _)| path.starts_with("materials."));
+        let text = if sets_material { MODEL_MATERIAL } else { "" };
+        let settings = parse_str(text, self.input.parent().unwrap_or(Path::new("")), options);
         let mut input = Input::of_scene(settings.map_err(failure_of_scene)?);
         let read = ReadOptions { allow_outside: self.allow_outside, ..ReadOptions::default() };
         let mut model = read_model(&self.input, &read).map_err(|error| self.failure_of_model(&error))?;
@@ -72,7 +76,7 @@ impl InputArgs {
         if input.scene.camera.is_none() {
             input.scene.camera = input.cameras.first().map(|(_, camera)| *camera);
         }
-        let material = input.scene.materials.iter().position(|material| material.name == MODEL_MATERIAL);
+        let material = sets_material.then_some(0);
         let own_lights = !input.scene.lights.is_empty() || !model.lights.is_empty();
         model.append_to(&mut input.scene, DMat4::IDENTITY, material, true);
         if !own_lights {
@@ -111,7 +115,8 @@ impl Input {
 
 /// Tells an error of a scene file with the line that it is in.
 fn failure_of_scene(error: FileError) -> Failure {
-    let place = error.path.display().to_string();
+    let from_set = error.path.as_os_str() == "override";
+    let place = if from_set { "--set".to_owned() } else { error.path.display().to_string() };
     let report = match &error.span {
         Some(span) => Report::new(&error.message).source(&place, error.text.to_string(), span.clone()),
         None => Report::new(format_args!("{place}: {}", without_number(&error.message))),

@@ -35,7 +35,11 @@ impl Summary<'_> {
         line(&mut text, "shows", &format!("{instances} with {}", plural(total, "triangle")));
         line(&mut text, "bounds", &bounds_text(&scene.bounds()));
         let image = scene.image;
-        line(&mut text, "picture", &format!("{}x{}, {} samples", image.width, image.height, image.samples));
+        line(
+            &mut text,
+            "picture",
+            &format!("{}x{}, {}", image.width, image.height, plural(image.samples as usize, "sample")),
+        );
         section(&mut text, "meshes", scene.meshes.iter().map(mesh_text));
         section(&mut text, "materials", scene.materials.iter().map(material_text));
         section(

@@ -54,7 +54,10 @@ fn the_page_of_commands_in_the_docs_is_current() {
     if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
         std::fs::write(path, reference()).unwrap();
     }
-    assert!(std::fs::read_to_string(path).unwrap_or_default() == reference(), "docs/COMMANDS.md is out of date");
+    assert!(
+        std::fs::read_to_string(path).unwrap_or_default() == reference(),
+        "docs/COMMANDS.md is out of date"
+    );
 }
 
 #[test]

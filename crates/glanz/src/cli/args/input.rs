@@ -13,7 +13,8 @@ pub struct InputArgs {
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
     pub input: PathBuf,
 
-    /// Change a value of the scene, such as materials.red.shininess=64; may be repeated
+    /// Change a value of the scene, such as materials.red.shininess=64 (for a model:
+    /// materials.default.shininess=64); may be repeated
     #[arg(long, value_name = "PATH=VALUE", value_parser = values::assignment, help_heading = "Scene")]
     pub set: Vec<(String, String)>,
 

@@ -241,7 +241,11 @@ fn albedo(args: &AlbedoArgs) -> Result<(), Failure> {
     if let Some(wrong) = args.theta.iter().find(|theta| !(0.0..=90.0).contains(*theta)) {
         return Err(Failure::Usage(format!("--theta holds {wrong}, but must be between 0 and 90 degrees")));
     }
-    let rows: Vec<_> = args.theta.iter().map(|&theta| (theta, directional_albedo(&shape, theta))).collect();
+    let rows: Vec<_> = args
+        .theta
+        .iter()
+        .map(|&theta| (theta, glanz_bsdf::albedo(&shape, theta.to_radians().cos())))
+        .collect();
     if args.format.format == Format::Json {
         let values: Vec<_> =
             rows.iter().map(|(theta, albedo)| json!({ "theta_deg": theta, "albedo": albedo })).collect();
@@ -252,12 +256,6 @@ fn albedo(args: &AlbedoArgs) -> Result<(), Failure> {
         line(&mut text, format_args!("{:>5}  {albedo:.5}", number(theta)));
     }
     print::text(&text)
-}
-
-/// The part of the light that leaves, seen from `theta` degrees off the normal.
-fn directional_albedo(shape: &Shape, theta: f64) -> f64 {
-    let wo = direction([theta, 0.0]);
-    glanz_math::hemisphere(512, |wi| shape.f_cos(&Pair::new(wo, wi)))
 }
 
 fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
