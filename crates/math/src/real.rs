@@ -91,6 +91,9 @@ pub trait Real:
         let tiny = self.lit(f32::MIN_POSITIVE as f64);
         let exponent = self.max(tiny).log2() * n;
         let kept = self.lit(POW_FLOOR_LOG2).lt(exponent);
+        if !Self::any(kept) {
+            return self.zero();
+        }
         exponent.exp2().select(kept, self.zero())
     }
 }

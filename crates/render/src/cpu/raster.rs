@@ -44,10 +44,10 @@ impl DepthPlane {
     }
 
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, x: Lanes<S>, y: f32) -> Lanes<S> {
+    fn at<R: Real>(&self, x: R, y: f32) -> R {
         let splat = inlined(
             #[inline(always)]
-            |v| Lanes::splat(simd, v),
+            |v: f32| x.lit(f64::from(v)),
         );
         let base = self.q0 + (y - self.y0) * self.slope[1];
         let depth = (x - splat(self.x0)) * splat(self.slope[0]) + splat(base);
@@ -64,6 +64,14 @@ pub(crate) struct Grid {
     pub size: [usize; 2],
     /// The sample's place in the pixel, in 1/256.
     pub sample: [i32; 2],
+}
+
+impl Grid {
+    /// The sample of a pixel of the tile, in pixels of the picture.
+    #[inline(always)]
+    fn center(&self, pixel: usize, axis: usize) -> f32 {
+        (self.origin[axis] + pixel) as f32 + self.sample[axis] as f32 * (1.0 / SUBPIXEL as f32)
+    }
 }
 
 /// The three edge functions of a triangle in 1/256 pixel, positive inside.
@@ -106,6 +114,17 @@ impl Edges {
         Some(Self { edges: [edge(a, b), edge(b, c), edge(c, a)], low, high, small })
     }
 
+    /// Whether a small triangle covers the sample of this pixel of the picture.
+    #[inline(always)]
+    fn hold(&self, px: usize, py: usize, grid: &Grid) -> bool {
+        let (x, y) = (px as i32 * SUBPIXEL + grid.sample[0], py as i32 * SUBPIXEL + grid.sample[1]);
+        let mut outside = 0;
+        for ([ax, ay], [dx, dy], bias) in self.edges {
+            outside |= dx * (y - ay) - dy * (x - ax) + bias;
+        }
+        outside >= 0
+    }
+
     /// First and last pixel of the tile, in its own coordinates, whose sample may be covered.
     #[inline(always)]
     fn pixels(&self, grid: &Grid, axis: usize) -> (i32, i32) {
@@ -114,6 +133,35 @@ impl Edges {
         let last = (self.high[axis] - grid.sample[axis]) >> 8;
         ((first - origin).max(0), (last - origin).min(grid.size[axis] as i32 - 1))
     }
+}
+
+/// Calls `visit(row, column, depth)` for each covered sample of a triangle within 2×2 pixels, and
+/// returns true; returns false for greater ones. The same samples and depths as [`cover`] gives, but
+/// cheaper for the dust that fine meshes are.
+#[inline(always)]
+pub(crate) fn cover_few(
+    triangle: &Triangle,
+    cull_back: bool,
+    grid: &Grid,
+    mut visit: impl FnMut(usize, usize, f32),
+) -> bool {
+    let Some(edges) = Edges::new(&triangle.screen, cull_back) else { return true };
+    let (left, right) = edges.pixels(grid, 0);
+    let (top, bottom) = edges.pixels(grid, 1);
+    if !edges.small || right - left > 1 || bottom - top > 1 {
+        return false;
+    }
+    for row in top..=bottom {
+        for column in left..=right {
+            let [px, py] = [grid.origin[0] + column as usize, grid.origin[1] + row as usize];
+            if edges.hold(px, py, grid) {
+                let plane = DepthPlane::new(&triangle.screen);
+                let depth = plane.at(grid.center(column as usize, 0), grid.center(row as usize, 1));
+                visit(row as usize, column as usize, depth);
+            }
+        }
+    }
+    true
 }
 
 /// Calls `visit(row, column, bits, depth)` for each run of 16 pixels in which samples are covered:
@@ -136,11 +184,8 @@ pub(crate) fn cover<S: Simd>(
     let depth = inlined(
         #[inline(always)]
         |row: i32, column: i32| {
-            let center =
-                |pixel: usize, axis: usize| pixel as f32 + grid.sample[axis] as f32 * (1.0 / SUBPIXEL as f32);
-            let x =
-                Lanes::load(simd, &STEPS) + Lanes::splat(simd, center(grid.origin[0] + column as usize, 0));
-            plane.at(simd, x, center(grid.origin[1] + row as usize, 1))
+            let x = Lanes::load(simd, &STEPS) + Lanes::splat(simd, grid.center(column as usize, 0));
+            plane.at(x, grid.center(row as usize, 1))
         },
     );
     debug_assert!(bottom < TILE_HEIGHT as i32 && right < TILE_WIDTH as i32);

@@ -162,7 +162,8 @@ fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
 /// The frame's planes, cut into bands.
 fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
     fn next<'a, T>(rest: &mut &'a mut [T], length: usize) -> &'a mut [T] {
-        let (own, others) = core::mem::take(rest).split_at_mut(length.min(rest.len()));
+        let length = length.min(rest.len());
+        let (own, others) = core::mem::take(rest).split_at_mut(length);
         *rest = others;
         own
     }

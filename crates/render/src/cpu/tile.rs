@@ -9,12 +9,12 @@ use super::blend::{self, Fragment};
 use super::clip::EXTRA;
 use super::frame::{FrameView, Pass};
 use super::group::{self, Shaded};
-use super::raster::{Grid, Triangle, cover};
+use super::raster::{Grid, Triangle, cover, cover_few};
 use super::records::{Projected, Records};
 use super::runs::{Layers, Run};
 use super::samples::SUBPIXEL;
 use super::target::{BLOCK, Band, Slot, TilePixels, backdrop};
-use super::{inlined, three};
+use super::three;
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -145,6 +145,30 @@ impl TileScratch {
         for (sample, &position) in frame.samples.iter().enumerate() {
             let grid = Grid { sample: position, ..*grid };
             let Self { depth, nearest, triangles, records, .. } = self;
+            let plane = sample * TILE_PIXELS;
+            if view.pass == Pass::Opaque
+                && cover_few(
+                    &triangle,
+                    view.cull_back,
+                    &grid,
+                    #[inline(always)]
+                    |row, column, z| {
+                        let at = plane + row * TILE_WIDTH + column;
+                        let wins = depth[at] < z
+                            || depth[at] == z
+                                && triangles
+                                    .get(nearest[at] as usize)
+                                    .is_some_and(|(other, ..)| triangle.name < other.name);
+                        if wins {
+                            used = true;
+                            depth[at] = z;
+                            nearest[at] = number;
+                        }
+                    },
+                )
+            {
+                continue;
+            }
             cover(
                 simd,
                 &triangle,

@@ -28,7 +28,8 @@ pub struct PreparedMaterial {
     pub lobes: Vec<DirectLobe>,
     /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
     pub tints: Vec<[f32; 3]>,
-    /// Ambient light from everywhere, times the ambient tints, that textures multiply; and that not.
+    /// Ambient light from everywhere times the ambient tints, and light of its own: what textures
+    /// multiply, then the ambient light that they do not.
     pub ambient: [[f32; 3]; 2],
     /// Ambient light that a spot sends into its cone, per light, textured and not. Empty where no
     /// spot sends any.
@@ -63,19 +64,17 @@ pub(super) fn prepare(
     }
     let direct: Vec<&Lobe> = material.lobes.iter().filter(|lobe| is_direct(part_of(lobe))).collect();
     let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
+    let mut ambient = ambient_of(material, scene.lights.iter().filter(|light| !is_spot(light)));
+    // Light of its own that textures multiply rides along with the ambient light that they multiply.
+    ambient[0] = (Rgb(ambient[0]) + emission_of(material, true)).0;
     let tints =
         lights::directed(scene).flat_map(|light| direct.iter().map(move |lobe| tint(light, lobe))).collect();
     Ok(PreparedMaterial {
         lobes,
         tints,
-        ambient: ambient_of(material, scene.lights.iter().filter(|light| !is_spot(light))),
+        ambient,
         spot_ambient: spot_ambient(material, scene),
-        emission: material
-            .lobes
-            .iter()
-            .filter(|lobe| part_of(lobe) == Part::Emission)
-            .fold(Rgb::BLACK, |sum, lobe| sum + lobe.tint)
-            .0,
+        emission: emission_of(material, false).0,
         two_sided: material.two_sided,
         cull_back: material.cull_back,
         base_color: material.base_color,
@@ -127,6 +126,13 @@ fn ambient_of<'a>(material: &Material, lights: impl Iterator<Item = &'a Light>) 
             .fold(Rgb::BLACK, |sum, lobe| sum + lobe.tint);
         (light * tint).0
     })
+}
+
+/// Σ of the light of its own that textures multiply, or of that which they do not.
+fn emission_of(material: &Material, textured: bool) -> Rgb {
+    let own =
+        material.lobes.iter().filter(|lobe| part_of(lobe) == Part::Emission && lobe.textured == textured);
+    own.fold(Rgb::BLACK, |sum, lobe| sum + lobe.tint)
 }
 
 fn spot_ambient(material: &Material, scene: &Scene) -> Vec<[[f32; 3]; 2]> {

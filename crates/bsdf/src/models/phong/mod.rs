@@ -59,6 +59,9 @@ impl Model for Phong {
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_mirror().max(zero);
+        if self.shininess > 0.0 && !R::any(zero.lt(cosine)) {
+            return zero;
+        }
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }
