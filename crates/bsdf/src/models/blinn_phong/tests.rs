@@ -14,7 +14,9 @@ fn pair(light: f64, view: f64) -> Pair<f64> {
 #[test]
 fn has_the_values_of_the_classic_term() {
     // In one plane the half vector is (view − light)/2 degrees off the normal.
-    for (n, light, view, expected) in [(1.0, 0.0, 60.0, 0.75f64.sqrt()), (2.0, 60.0, 0.0, 0.75), (9.0, 40.0, 40.0, 1.0)] {
+    for (n, light, view, expected) in
+        [(1.0, 0.0, 60.0, 0.75f64.sqrt()), (2.0, 60.0, 0.0, 0.75), (9.0, 40.0, 40.0, 1.0)]
+    {
         let value = BlinnPhong { shininess: n }.f_cos(&pair(light, view)) * PI;
         assert!((value - expected).abs() < 1e-12, "n = {n}: {value}");
     }
@@ -36,8 +38,9 @@ fn with_4_times_the_exponent_resembles_phong() {
 #[test]
 fn opposite_directions_have_no_half_vector_and_no_highlight() {
     let lobe = BlinnPhong { shininess: 10.0 };
-    let value = lobe.f_cos(&Pair::isotropic(-0.5f64, 0.5, -1.0));
-    assert_eq!(value, 0.0);
+    assert_eq!(lobe.f_cos(&Pair::isotropic(-0.5f64, 0.5, -1.0)), 0.0);
+    // Rounding to f32 can leave a cosine sum that is not 0 over a length that is.
+    assert!(lobe.f_cos(&Pair::isotropic(-0.5f32, 0.500_000_1, -1.0)) < 1e-6);
 }
 
 #[test]
