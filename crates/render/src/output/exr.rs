@@ -45,8 +45,8 @@ pub fn write_exr(out: impl Write + Seek, frame: Frame, metadata: &Metadata) -> R
         blocks: Blocks::ScanLines,
         line_order: LineOrder::Increasing,
     };
-    let mut attributes = LayerAttributes::default();
-    attributes.software_name = Some(text(&metadata.software)?);
+    let mut attributes =
+        LayerAttributes { software_name: Some(text(&metadata.software)?), ..LayerAttributes::default() };
     for (key, value) in metadata.pairs() {
         attributes.other.insert(text(key)?, AttributeValue::Text(text(value)?));
     }
