@@ -59,7 +59,8 @@ impl Model for Phong {
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_mirror().max(zero);
-        if self.shininess > 0.0 && !R::any(zero.lt(cosine)) {
+        // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.
+        if self.shininess >= 1.0 && !R::any(zero.lt(cosine)) {
             return zero;
         }
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
