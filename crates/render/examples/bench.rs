@@ -3,16 +3,21 @@
 //! One sphere with a silhouette of 70 % of the picture's height, 1920×1080, Phong model, point
 //! lights, drawn and developed to 8-bit RGBA: milliseconds per frame.
 
+#![expect(clippy::print_stdout, reason = "its output is its purpose")]
+
 use std::time::Instant;
 
+use fearless_simd::{Level, Simd};
 use glam::{DMat4, DVec3};
+use glanz_bsdf::{MODELS, Pair, Part, Shape};
 use glanz_color::Rgb;
+use glanz_math::{Lanes, at_level};
 use glanz_render::cpu::Renderer;
 use glanz_render::{Develop, DrawOptions, PrepareOptions, View, prepare};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
-    Attenuation, Background, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Object,
-    Projection, Scene, Shading, Space,
+    Attenuation, Background, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
+    Material, Object, Projection, Scene, Shading, Space,
 };
 
 const WIDTH: u32 = 1920;
@@ -68,38 +73,36 @@ fn main() {
     let quick = arguments.iter().any(|a| a == "--quick");
     // `--only "64x32 phong 1"` measures the rows whose name begins so.
     let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
-    let level = glanz_math::simd_level(std::env::var("GLANZ_SIMD").ok().as_deref()).expect("a level");
+    let asked = std::env::var("GLANZ_SIMD").ok();
+    let level = glanz_math::simd_level(asked.as_deref()).expect("a level that this machine has");
     for (slices, stacks) in [(64, 32), (1024, 512)] {
         for (shading, name) in [(Shading::Phong, "phong"), (Shading::Gouraud, "gouraud")] {
             for lights in [1, 4, 8] {
-                if !format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
-                    continue;
+                if format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
+                    let scene = sphere_scene(slices, stacks, lights, shading);
+                    let frames = if quick { 40 } else { 200 };
+                    let times = frame_times(&scene, frames, level);
+                    let threads = rayon::current_num_threads();
+                    println!(
+                        "{{\"program\":\"glanz\",\"sphere\":\"{slices}x{stacks}\",\"lights\":{lights},\
+                         \"shading\":\"{name}\",\"threads\":{threads},\"median_ms\":{:.3},\"min_ms\":{:.3},\
+                         \"max_ms\":{:.3}}}",
+                        times[times.len() / 2],
+                        times[0],
+                        times[times.len() - 1]
+                    );
                 }
-                let frames = if quick { 40 } else { 200 };
-                let (median, min, high, prepare_ms) = measure(slices, stacks, lights, shading, frames, level);
-                println!(
-                    "{{\"bench\":\"draw\",\"slices\":{slices},\"stacks\":{stacks},\"shading\":\"{name}\",\
-                     \"lights\":{lights},\"threads\":{},\"median_ms\":{median:.3},\"min_ms\":{min:.3},\
-                     \"p90_ms\":{high:.3},\"prepare_ms\":{prepare_ms:.1}}}",
-                    rayon::current_num_threads()
-                );
             }
         }
     }
+    if only.is_empty() || only == "models" {
+        models(quick, level);
+    }
 }
 
-fn measure(
-    slices: u32,
-    stacks: u32,
-    lights: usize,
-    shading: Shading,
-    frames: usize,
-    level: fearless_simd::Level,
-) -> (f64, f64, f64, f64) {
-    let scene = sphere_scene(slices, stacks, lights, shading);
-    let start = Instant::now();
-    let prepared = prepare(&scene, &PrepareOptions::default()).expect("a sound scene");
-    let prepare_ms = start.elapsed().as_secs_f64() * 1e3;
+/// Milliseconds per frame, in rising order.
+fn frame_times(scene: &Scene, frames: usize, level: Level) -> Vec<f64> {
+    let prepared = prepare(scene, &PrepareOptions::default()).expect("a sound scene");
     let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
     let mut options = DrawOptions::new(Background::Color(Rgb([0.05, 0.05, 0.08])));
     options.level = level;
@@ -113,11 +116,80 @@ fn measure(
             times.push(start.elapsed().as_secs_f64() * 1e3);
         }
     }
-    if let Ok(path) = std::env::var("BENCH_PICTURE") {
-        let mut ppm = format!("P6 {WIDTH} {HEIGHT} 255\n").into_bytes();
-        ppm.extend(out.chunks(4).flat_map(|p| [p[0], p[1], p[2]]));
-        std::fs::write(path, ppm).expect("a picture");
-    }
     times.sort_by(f64::total_cmp);
-    (times[times.len() / 2], times[0], times[times.len() * 9 / 10], prepare_ms)
+    times
+}
+
+/// Shading throughput per model, beside the limit: the same lobe alone, on numbers in cache, with 16
+/// lanes and with one.
+fn models(quick: bool, level: Level) {
+    for info in MODELS.iter().filter(|info| matches!(info.part, Part::Diffuse | Part::Specular)) {
+        let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
+        let shape = Shape::named(info.name, &[]).expect("a name from the list");
+        let lobe = Lobe { shape: shape.clone(), tint: Rgb::gray(0.5), textured: false };
+        scene.materials = vec![Material::of_lobes(info.name, vec![lobe])];
+        // A quad that fills the picture: all of it is shading.
+        scene.meshes = vec![Builtin::Quad.mesh().expect("a quad")];
+        scene.objects[0].transform = DMat4::from_scale(DVec3::new(10.0, 10.0, 1.0));
+        let times = frame_times(&scene, if quick { 20 } else { 100 }, level);
+        let drawn = f64::from(WIDTH * HEIGHT) / times[times.len() / 2] * 1e-3;
+        let lanes = alone(quick, || at_level!(level, simd => sixteen(simd, &shape)));
+        let scalar = alone(quick, || one(&shape));
+        println!(
+            "{{\"table\":\"Shading, one point light, 1920×1080, all threads; the lobe alone on one core\",\
+             \"name\":\"{}\",\"drawn Mfragments/s\":{drawn:.0},\"lobe alone, 16 lanes, Mevals/s\":{lanes:.0},\
+             \"lobe alone, scalar, Mevals/s\":{scalar:.0},\"16 lanes / scalar\":{:.2}}}",
+            info.name,
+            lanes / scalar
+        );
+    }
+}
+
+/// How many pairs of directions a measured pass goes through.
+const PAIRS: usize = 4096;
+
+/// Cosines that vary from lane to lane, all lit.
+fn cosines(i: usize) -> [f32; 3] {
+    let t = (i % 64) as f32 / 64.0;
+    [0.3 + 0.6 * t, 0.9 - 0.5 * t, 0.2 + 0.7 * t]
+}
+
+/// Millions of evaluations per second of the fastest of several passes.
+fn alone(quick: bool, pass: impl Fn() -> f32) -> f64 {
+    let mut best = f64::INFINITY;
+    for _ in 0..if quick { 50 } else { 500 } {
+        let start = Instant::now();
+        std::hint::black_box(pass());
+        best = best.min(start.elapsed().as_secs_f64());
+    }
+    PAIRS as f64 / best * 1e-6
+}
+
+#[inline(always)]
+fn sixteen<S: Simd>(simd: S, shape: &Shape) -> f32 {
+    let rows: [[f32; 16]; 12] =
+        core::array::from_fn(|row| core::array::from_fn(|i| cosines(row / 3 * 16 + i)[row % 3]));
+    let mut sum = Lanes::splat(simd, 0.0);
+    for pass in 0..PAIRS / 64 {
+        for block in std::hint::black_box(&rows).chunks_exact(3) {
+            let load = |row: &[f32; 16]| Lanes::load(simd, row);
+            let pair = Pair::isotropic(load(&block[0]), load(&block[1]), load(&block[2]));
+            sum = sum + shape.f_cos(&pair);
+        }
+        std::hint::black_box(pass);
+    }
+    let mut out = [0.0; 16];
+    sum.store(&mut out);
+    out.iter().sum()
+}
+
+fn one(shape: &Shape) -> f32 {
+    let pairs: [[f32; 3]; 64] = core::array::from_fn(cosines);
+    let mut sum = 0.0;
+    for _ in 0..PAIRS / 64 {
+        for [o, i, io] in std::hint::black_box(&pairs) {
+            sum += shape.f_cos(&Pair::isotropic(*o, *i, *io));
+        }
+    }
+    sum
 }

@@ -243,7 +243,6 @@ fn bin<S: Simd>(
             let l = lane as usize;
             bins.push([first[0][l], first[1][l]], [last[0][l], last[1][l]], name(lane));
         }
-        let mut outside = outside;
         while outside != 0 {
             let lane = outside.trailing_zeros();
             outside &= outside - 1;

@@ -231,8 +231,8 @@ impl<S: Simd> Group<'_, S> {
                 |c| light.textured[c] + light.plain[c],
             );
         }
-        for c in 0..3 {
-            rgb[c] = rgb[c] + like.lit(f64::from(material.emission[c]));
+        for (value, emission) in rgb.iter_mut().zip(material.emission) {
+            *value = *value + like.lit(f64::from(emission));
         }
         let alpha = like.lit(f64::from(material.alpha));
         *out = Shaded { rgb, alpha, distance: place.distance, normal };

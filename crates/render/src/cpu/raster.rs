@@ -260,7 +260,7 @@ fn cover_small<S: Simd>(
                 visit(row, column, bits);
             }
             for i in 0..3 {
-                values[i] = values[i] + steps[i];
+                values[i] += steps[i];
             }
         }
         if column + 15 >= right {

@@ -154,7 +154,10 @@ fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: S
         for (block, out) in line.chunks_mut(4 * BLOCK).enumerate() {
             let at = row * TILE_WIDTH + block * BLOCK;
             if let Some(empty) = codes.empty.as_ref().filter(|_| !pixels.touched[at / BLOCK]) {
-                out.copy_from_slice(&empty[..out.len()]);
+                match <&mut [u8; 4 * BLOCK]>::try_from(&mut *out) {
+                    Ok(whole) => *whole = *empty,
+                    Err(_) => out.copy_from_slice(&empty[..out.len()]),
+                }
                 continue;
             }
             let lanes = inlined(

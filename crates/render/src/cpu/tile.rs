@@ -372,10 +372,9 @@ impl TileScratch {
             group::shade(simd, frame, &self.records, runs, place, &mut shaded);
             let weights = Lanes::load(simd, &layer.weights);
             let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
-            for c in 0..3 {
+            for (sum, value) in sum.iter_mut().zip(shaded.rgb) {
                 // Where the weight is zero the value may be anything, NaN too.
-                let own = zero.lt(weights);
-                sum[c] = (sum[c] + shaded.rgb[c] * weights).select(own, sum[c]);
+                *sum = (*sum + value * weights).select(zero.lt(weights), *sum);
             }
             covered = covered + weights;
             let (runs, bits) = (layer.runs.clone(), layer.bits);

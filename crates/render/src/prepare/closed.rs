@@ -13,7 +13,7 @@ const MOST_TRIANGLES: usize = 4_000_000;
 /// orientation. Back faces of such a mesh are never seen from outside its box.
 pub(super) fn is_closed(mesh: &Mesh, placed: &Placed) -> bool {
     let triangles = mesh.triangle_count();
-    if triangles < 4 || triangles > MOST_TRIANGLES || !signed_volume(mesh, placed) {
+    if !(4..=MOST_TRIANGLES).contains(&triangles) || !signed_volume(mesh, placed) {
         return false;
     }
     let points = weld(mesh);

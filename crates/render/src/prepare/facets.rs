@@ -48,7 +48,7 @@ impl Facet {
         let area_normal: DVec3 = fan().map(area).sum();
         let direction = area_normal.normalize_or_zero();
         let total: f64 = fan().map(|t| area(t).dot(direction)).sum();
-        if !(total > 0.0) {
+        if total <= 0.0 {
             let count = face.len().max(1) as f64;
             return Self {
                 centroid: face.iter().map(|&c| at(c)).sum::<DVec3>() / count,
