@@ -1,6 +1,6 @@
 //! What surfaces do with light.
 
-use glanz_bsdf::{ParamError, Shape};
+use glanz_bsdf::{ParamError, Part, Shape};
 use glanz_color::Rgb;
 
 /// One term of a material: a shape times a tint.
@@ -133,11 +133,13 @@ impl ClassicMaterial {
     /// The lobes of the block; those whose tint is black are left out.
     pub fn build(&self, name: impl Into<String>) -> Result<Material, ParamError> {
         let highlight = self.highlight()?;
+        let has_highlight = highlight.info().part == Part::Specular;
+        let specular = if has_highlight { self.specular } else { Rgb::BLACK };
         let plain = |shape: &str| Shape::named(shape, &[]);
         let terms = [
             (plain("ambient")?, self.ambient, true),
             (plain("lambert")?, self.diffuse, true),
-            (highlight, self.specular, false),
+            (highlight, specular, false),
             (plain("emission")?, self.emission, false),
         ];
         let lobes = terms
