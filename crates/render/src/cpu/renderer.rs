@@ -1,5 +1,7 @@
 //! Both passes over a frame, in parallel where the feature `rayon` is on.
 
+use std::sync::{Mutex, PoisonError};
+
 use fearless_simd::Level;
 use glanz_math::at_level;
 
@@ -20,6 +22,7 @@ pub struct Renderer {
     screen: Vec<Screen>,
     lit: Vec<Lit>,
     chunks: Vec<ChunkOutput>,
+    tiles: Vec<Mutex<TileScratch>>,
 }
 
 /// Chunks of clusters per thread: enough that culled ones do not leave threads idle.
@@ -94,27 +97,27 @@ impl Renderer {
             tasks.push((range, own, own_lit, output));
         }
         let level = frame.options.level;
-        for_each(
-            tasks,
-            || (),
-            |(), (range, screen, lit, output)| {
-                output.solid.reset(frame.eye.width, frame.eye.height);
-                output.blended.reset(frame.eye.width, frame.eye.height);
-                output.extras.clear();
-                process(level, frame, range, screen, lit, output);
-            },
-        );
+        for_each(tasks, |(range, screen, lit, output)| {
+            output.solid.reset(frame.eye.width, frame.eye.height);
+            output.blended.reset(frame.eye.width, frame.eye.height);
+            output.extras.clear();
+            process(level, frame, range, screen, lit, output);
+        });
     }
 
     /// The second pass.
-    fn draw_bands(&self, frame: &FrameView, bands: Vec<Band>) {
+    fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
+        self.tiles.resize_with(threads() + 1, Mutex::default);
         let projected = Projected { screen: &self.screen, lit: &self.lit, chunks: &self.chunks };
         let columns = frame.eye.width.div_ceil(TILE_WIDTH);
         let level = frame.options.level;
         let tasks: Vec<_> = bands.into_iter().enumerate().collect();
-        for_each(tasks, TileScratch::default, |scratch, (row, mut band)| {
+        for_each(tasks, |(row, mut band)| {
+            // No two threads have the same number, so none ever waits here.
+            let own = self.tiles[thread_number().min(self.tiles.len() - 1)].lock();
+            let mut scratch = own.unwrap_or_else(PoisonError::into_inner);
             for column in 0..columns {
-                draw_tile(level, frame, &projected, TilePlace { column, row }, scratch, &mut band);
+                draw_tile(level, frame, &projected, TilePlace { column, row }, &mut scratch, &mut band);
             }
         });
     }
@@ -195,23 +198,29 @@ fn threads() -> usize {
     1
 }
 
-/// Runs `work` on every task, each thread with a scratch of its own.
+/// The number of this thread in its pool; one past the last for a thread outside.
 #[cfg(feature = "rayon")]
-fn for_each<T: Send, W>(
-    tasks: Vec<T>,
-    scratch: impl Fn() -> W + Sync + Send,
-    work: impl Fn(&mut W, T) + Sync + Send,
-) {
+fn thread_number() -> usize {
+    rayon::current_thread_index().unwrap_or(usize::MAX)
+}
+
+#[cfg(not(feature = "rayon"))]
+fn thread_number() -> usize {
+    0
+}
+
+/// Runs `work` on every task.
+#[cfg(feature = "rayon")]
+fn for_each<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync + Send) {
     use rayon::prelude::*;
     if tasks.len() < 2 {
-        return tasks.into_iter().for_each(|task| work(&mut scratch(), task));
+        return tasks.into_iter().for_each(work);
     }
-    tasks.into_par_iter().with_max_len(1).for_each_init(scratch, work);
+    tasks.into_par_iter().with_max_len(1).for_each(work);
 }
 
 /// Runs `work` on every task, one after the other.
 #[cfg(not(feature = "rayon"))]
-fn for_each<T, W>(tasks: Vec<T>, scratch: impl Fn() -> W, work: impl Fn(&mut W, T)) {
-    let mut own = scratch();
-    tasks.into_iter().for_each(|task| work(&mut own, task));
+fn for_each<T>(tasks: Vec<T>, work: impl Fn(T)) {
+    tasks.into_iter().for_each(work);
 }
