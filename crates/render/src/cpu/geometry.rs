@@ -1,6 +1,6 @@
 //! The first pass: clusters are culled, vertices projected, triangles culled and put into bins.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16, mask32x16};
 use glanz_math::{Lanes, Real};
 
 use super::bins::Bins;
@@ -284,6 +284,8 @@ fn visible<S: Simd>(
     };
     let mut kept = (facing | large).to_bitmask() as u32;
     let size = [frame.eye.width as i32, frame.eye.height as i32];
+    let mut single = !large;
+    let mut sample = [area; 2];
     for axis in 0..2 {
         let (least_sample, most_sample) = sample_range(frame.samples, axis);
         let from = (low[axis] + int(SUBPIXEL - 1 - most_sample)) >> 8;
@@ -293,8 +295,34 @@ fn visible<S: Simd>(
         kept &= simd.simd_le_i32x16(from, to).to_bitmask() as u32;
         from.store_slice(&mut first[axis]);
         to.store_slice(&mut last[axis]);
+        single = single & simd.simd_eq_i32x16(from, to);
+        sample[axis] = (from << 8) + int(most_sample);
+    }
+    if frame.samples.len() == 1 {
+        kept &= !(single & is_missed(simd, corners, area, sample)).to_bitmask() as u32;
     }
     kept
+}
+
+/// Which triangles miss the one sample that their box holds. Of fine meshes this is about every second.
+#[inline(always)]
+fn is_missed<S: Simd>(
+    simd: S,
+    Corners { x, y }: &Corners<S>,
+    area: i32x16<S>,
+    sample: [i32x16<S>; 2],
+) -> mask32x16<S> {
+    // The sign of the area in every bit: adding and flipping it turns edge functions positive inside.
+    let sign = area >> 31;
+    let edge = inlined(
+        #[inline(always)]
+        |a: usize, b: usize| {
+            let value = (x[b] - x[a]) * (sample[1] - y[a]) - (y[b] - y[a]) * (sample[0] - x[a]);
+            (value ^ sign) - sign
+        },
+    );
+    let outside = edge(0, 1) | edge(1, 2) | edge(2, 0);
+    simd.simd_lt_i32x16(outside, simd.splat_i32x16(0))
 }
 
 /// The least and greatest coordinate of the samples of a pixel.
