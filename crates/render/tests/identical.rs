@@ -1,0 +1,270 @@
+//! The same scene gives the same bits: for every number of threads, every SIMD level, every order of
+//! the triangles, and whether a frame is kept between drawing and development or not.
+
+mod common;
+
+use common::{ALL_LAYERS, add, ambient_only, camera, empty, light, rectangle, render_as, shiny, sphere};
+use glam::{DMat4, DVec3, Vec4};
+use glanz_color::Rgb;
+use glanz_math::simd_level;
+use glanz_render::{
+    Develop, DrawOptions, Frame, PrepareOptions, Prepared, Show, ToneMap, View, develop, draw, draw_rgba8,
+    prepare,
+};
+use glanz_scene::{
+    AlphaMode, Attenuation, Background, Builtin, Interpolation, LightKind, Mesh, Scene, Shading, Texture,
+    TextureFilter, TextureUse,
+};
+
+const WIDTH: u32 = 150;
+const HEIGHT: u32 = 101;
+/// All names that a level can have; a machine has some of them.
+const LEVELS: [&str; 6] = ["scalar", "sse4.2", "avx2", "avx512", "neon", "simd128"];
+
+/// A scene with what makes drawing take different ways: several objects, all lights, vertices behind
+/// the eye, textures, masks and blending.
+fn scene(shading: Shading, interpolation: Interpolation) -> Scene {
+    let mut scene = empty(camera(3.0, 50.0));
+    render_as(&mut scene, shading, interpolation);
+    add_lights(&mut scene);
+    add(
+        &mut scene,
+        sphere(24, 12),
+        shiny("phong", 12.0),
+        DMat4::from_translation(DVec3::new(-0.6, 0.1, 0.0)),
+    );
+    let place = DMat4::from_translation(DVec3::new(0.8, 0.0, -0.5));
+    add(&mut scene, sphere(40, 31), shiny("blinn-phong-normalized", 30.0), place);
+    scene.textures.push(texture());
+    let mut ground = shiny("blinn-phong", 4.0);
+    ground.base_color = Some(TextureUse::plain(0));
+    let place = DMat4::from_translation(DVec3::new(0.0, -0.8, 0.0)) * DMat4::from_scale(DVec3::splat(8.0));
+    add(&mut scene, common::builtin(Builtin::Plane), ground, place);
+    let mut holes = ambient_only(Rgb([0.9, 0.8, 0.2]));
+    holes.base_color = Some(TextureUse::plain(0));
+    holes.alpha_mode = AlphaMode::Mask { cutoff: 0.5 };
+    add(&mut scene, rectangle([-1.0, 0.2, 0.2, 0.9], 1.1), holes, DMat4::IDENTITY);
+    let mut glass = shiny("phong", 3.0);
+    glass.alpha = 0.4;
+    glass.alpha_mode = AlphaMode::Blend;
+    add(&mut scene, colored(sphere(12, 9)), glass, DMat4::from_translation(DVec3::new(0.3, -0.2, 0.7)));
+    scene
+}
+
+fn add_lights(scene: &mut Scene) {
+    let directional = LightKind::Directional { direction: DVec3::new(0.3, -1.0, -0.6) };
+    let position = DVec3::new(1.5, 2.0, 2.0);
+    let attenuation = Attenuation { constant: 0.2, linear: 0.1, quadratic: 0.1 };
+    let spot = LightKind::Spot {
+        position: -position,
+        direction: position,
+        cutoff: 0.5,
+        exponent: 3.0,
+        smooth_edge: None,
+        attenuation: Attenuation::NONE,
+    };
+    let kinds = [LightKind::Ambient, directional, LightKind::Point { position, attenuation }, spot];
+    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.5, 0.6, 0.7]))));
+}
+
+fn texture() -> Texture {
+    let texel = |i: u32| {
+        let (x, y) = (i % 16, i / 16);
+        [(x * 16) as u8, (y * 16) as u8, (x * y) as u8, if (x ^ y) & 3 == 0 { 0 } else { 255 }]
+    };
+    Texture {
+        width: 16,
+        height: 16,
+        rgba: (0..256).flat_map(texel).collect(),
+        srgb: true,
+        filter: TextureFilter::Trilinear,
+        ..Texture::default()
+    }
+}
+
+fn colored(mut mesh: Mesh) -> Mesh {
+    mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.5).extend(0.5 + 0.5 * p.x.abs())).collect();
+    assert!(mesh.colors.iter().all(|c| c.cmple(Vec4::ONE).all()));
+    mesh
+}
+
+fn view(scene: &Scene) -> View {
+    View::new(&scene.camera.unwrap(), WIDTH, HEIGHT).unwrap()
+}
+
+fn prepared(scene: &Scene) -> Prepared {
+    prepare(scene, &PrepareOptions::default()).unwrap()
+}
+
+/// Every way of drawing that is to be compared.
+fn variants() -> Vec<(String, Scene, DrawOptions)> {
+    let color = Background::Color(Rgb([0.05, 0.1, 0.2]));
+    let base = DrawOptions { layers: ALL_LAYERS, ..DrawOptions::new(color) };
+    let mut variants = Vec::new();
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        variants.push((format!("{shading:?}"), scene(shading, Interpolation::Perspective), base));
+    }
+    for interpolation in [Interpolation::ScreenLinear, Interpolation::Scanline] {
+        variants.push((format!("{interpolation:?}"), scene(Shading::Gouraud, interpolation), base));
+    }
+    let scene = scene(Shading::Phong, Interpolation::Perspective);
+    let transparent = Background::Transparent;
+    let others = [
+        DrawOptions { samples: 4, ..base },
+        DrawOptions { samples: 8, background: transparent, ..base },
+        DrawOptions { samples: 2, supersample: true, ..base },
+        DrawOptions { show: Show::Wireframe, ..base },
+        DrawOptions { show: Show::Normals, samples: 4, background: transparent, ..base },
+        DrawOptions { show: Show::Lit, ..base },
+        DrawOptions { show: Show::Uv, ..base },
+        DrawOptions { show: Show::Specular, ..base },
+    ];
+    for options in others {
+        let what = format!("{:?}, {} samples", options.show, options.samples);
+        variants.push((what, scene.clone(), options));
+    }
+    variants
+}
+
+/// FNV-1a over the bits of all planes, so that −0 and NaN count as they are.
+fn hash(frame: &Frame) -> u64 {
+    let planes = frame.rgb.iter().chain([&frame.alpha, &frame.depth]).chain(&frame.normal);
+    let bits = planes.flatten().map(|v| v.to_bits()).chain(frame.object.iter().copied());
+    bits.fold(0xcbf2_9ce4_8422_2325, |hash, bits| (hash ^ u64::from(bits)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// The first plane and pixel where two frames differ.
+fn first_difference(a: &Frame, b: &Frame) -> String {
+    let planes = |f: &Frame| -> Vec<Vec<f32>> {
+        f.rgb.iter().chain([&f.alpha, &f.depth]).chain(&f.normal).cloned().collect()
+    };
+    for (plane, (x, y)) in planes(a).iter().zip(planes(b)).enumerate() {
+        if let Some(i) = (0..x.len()).find(|&i| x[i].to_bits() != y[i].to_bits()) {
+            return format!("plane {plane}, pixel {}, {}: {} and {}", i % a.width, i / a.width, x[i], y[i]);
+        }
+    }
+    "object numbers".into()
+}
+
+fn in_pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    for (what, scene, options) in variants() {
+        let (prepared, view) = (prepared(&scene), view(&scene));
+        let [one, two, seven] = [1, 2, 7].map(|n| in_pool(n, || draw(&prepared, &view, &options)));
+        for other in [two, seven] {
+            assert_eq!(hash(&one), hash(&other), "{what}: {}", first_difference(&one, &other));
+        }
+    }
+}
+
+#[test]
+fn the_simd_level_changes_no_bit() {
+    let levels: Vec<_> =
+        LEVELS.iter().filter_map(|name| Some((name, simd_level(Some(name)).ok()?))).collect();
+    assert!(levels.iter().any(|(name, _)| **name == "scalar"));
+    for (what, scene, options) in variants() {
+        let (prepared, view) = (prepared(&scene), view(&scene));
+        let best = draw(&prepared, &view, &options);
+        common::assert_sane(&best, &what);
+        for (name, level) in &levels {
+            let other = draw(&prepared, &view, &DrawOptions { level: *level, ..options });
+            assert_eq!(hash(&best), hash(&other), "{what}, {name}: {}", first_difference(&best, &other));
+        }
+    }
+}
+
+#[test]
+fn pictures_developed_while_drawing_are_the_bytes_of_developed_frames() {
+    let settings = [
+        Develop::default(),
+        Develop { ev: 0.7, tone_map: ToneMap::Aces, dither: false },
+        Develop { ev: -0.3, tone_map: ToneMap::Agx, dither: true },
+    ];
+    for (what, scene, options) in variants() {
+        let (prepared, view) = (prepared(&scene), view(&scene));
+        let frame = draw(&prepared, &view, &options);
+        for settings in &settings {
+            let mut straight = vec![0; (4 * WIDTH * HEIGHT) as usize];
+            draw_rgba8(&prepared, &view, &options, settings, &mut straight);
+            let later = develop(&frame, settings);
+            let at = straight.iter().zip(&later).position(|(a, b)| a != b);
+            assert_eq!(at, None, "{what}, {settings:?}: byte {at:?} differs");
+            assert_eq!(straight.len(), later.len());
+        }
+    }
+}
+
+/// The scene with the faces of each mesh in the opposite order; each face begins with the same corner.
+fn reversed(mut scene: Scene) -> Scene {
+    for mesh in &mut scene.meshes {
+        let faces: Vec<Vec<u32>> = mesh.faces().map(<[u32]>::to_vec).collect();
+        mesh.corners.clear();
+        mesh.face_starts = vec![0];
+        for face in faces.into_iter().rev() {
+            mesh.corners.extend(face);
+            mesh.face_starts.push(mesh.corners.len() as u32);
+        }
+    }
+    scene
+}
+
+#[test]
+fn the_order_of_the_triangles_changes_no_bit() {
+    let single = |options: &DrawOptions| options.samples == 1;
+    for (what, scene, options) in variants().into_iter().filter(|(_, _, options)| single(options)) {
+        let view = view(&scene);
+        let straight = draw(&prepared(&scene), &view, &options);
+        let backwards = draw(&prepared(&reversed(scene)), &view, &options);
+        let difference = first_difference(&straight, &backwards);
+        assert_eq!(hash(&straight), hash(&backwards), "{what}: {difference}");
+    }
+}
+
+/// The samples of a pixel are added in the order of the triangles, each sum rounded to 24 bits.
+const ROUNDING_OF_SUMS: f32 = 1e-6;
+
+#[test]
+fn the_order_of_the_triangles_changes_sums_of_samples_by_rounding_only() {
+    for samples in [2, 4, 8, 16] {
+        let mut scene = scene(Shading::Phong, Interpolation::Perspective);
+        // Without the glass: where a silhouette's front and back are equally deep, which of them
+        // is blended first depends on their numbers.
+        scene.objects.pop();
+        let (view, options) = (view(&scene), common::sampled(samples));
+        let straight = draw(&prepared(&scene), &view, &options);
+        let backwards = draw(&prepared(&reversed(scene)), &view, &options);
+        for (a, b) in straight.rgb.iter().flatten().zip(backwards.rgb.iter().flatten()) {
+            assert!((a - b).abs() <= ROUNDING_OF_SUMS, "{samples} samples: {a} and {b}");
+        }
+        assert_eq!(straight.alpha, backwards.alpha);
+    }
+}
+
+#[test]
+fn the_order_of_the_objects_changes_no_colour() {
+    for (what, mut scene, options) in variants() {
+        let view = view(&scene);
+        let straight = draw(&prepared(&scene), &view, &options);
+        scene.objects.reverse();
+        let backwards = draw(&prepared(&scene), &view, &options);
+        assert!(straight.rgb == backwards.rgb, "{what}: {}", first_difference(&straight, &backwards));
+        assert_eq!(straight.alpha, backwards.alpha, "{what}");
+    }
+}
+
+#[test]
+fn different_scenes_have_different_hashes() {
+    let frames = variants().into_iter().map(|(_, scene, options)| {
+        let view = view(&scene);
+        hash(&draw(&prepared(&scene), &view, &options))
+    });
+    let mut hashes: Vec<u64> = frames.collect();
+    let count = hashes.len();
+    hashes.sort_unstable();
+    hashes.dedup();
+    assert_eq!(hashes.len(), count);
+}
