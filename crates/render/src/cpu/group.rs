@@ -137,10 +137,17 @@ impl<S: Simd> Group<'_, S> {
     /// or because a pixel is shaded at its centre, are brought to its border.
     #[inline(always)]
     fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
-        let [x0, y0, ux, uy, vx, vy, q0, dq1, dq2] = *rows;
+        let [x0, y0, ux, uy, vx, vy, ..] = *rows;
         let (dx, dy) = (px - x0, py - y0);
         let u = (dx * ux + dy * uy).clamp(0.0, 1.0);
-        let v = (dx * vx + dy * vy).clamp(0.0, 1.0);
+        let v = (dx * vx + dy * vy).clamp(0.0, 1.0).min(u.one() - u);
+        self.on_surface(rows, u, v)
+    }
+
+    /// The place on the surface that shows at barycentric coordinates of the screen.
+    #[inline(always)]
+    fn on_surface(&self, rows: &[Lanes<S>; GROUP], u: Lanes<S>, v: Lanes<S>) -> Place<S> {
+        let [.., q0, dq1, dq2] = *rows;
         let depth = q0 + u * dq1 + v * dq2;
         if !self.frame.eye.perspective {
             return Place { u, v, distance: -depth };
@@ -269,14 +276,17 @@ impl<S: Simd> Group<'_, S> {
         Shaded { rgb, alpha, distance: place.distance, normal: point.normal }
     }
 
-    /// Texture coordinates at another pixel position, for the footprint of textures.
+    /// Texture coordinates at another pixel position, for the footprint of textures; also beyond the
+    /// triangle, so that the footprint does not shrink at its border.
     #[inline(always)]
     pub fn uv_at(&self, rows: &[Lanes<S>; GROUP], group: usize, dx: f32, dy: f32) -> [Lanes<S>; 2] {
         let splat = inlined(
             #[inline(always)]
             |x| Lanes::splat(self.simd, x),
         );
-        let place = self.place(rows, self.px + splat(dx), self.py + splat(dy));
+        let [x0, y0, ux, uy, vx, vy, ..] = *rows;
+        let (dx, dy) = (self.px + splat(dx) - x0, self.py + splat(dy) - y0);
+        let place = self.on_surface(rows, dx * ux + dy * uy, dx * vx + dy * vy);
         let [u, v, _] = self.attribute(group, &place);
         [u, v]
     }
