@@ -389,3 +389,17 @@ fn textures_are_right_under_perspective() {
     }
     assert!(seen > 20, "{seen} rows");
 }
+
+#[test]
+fn a_texture_that_its_transform_repeats_is_shrunk_as_often() {
+    // 16 texels repeated 16 times on 16 pixels: each pixel shows the mean.
+    let mut material = textured(ambient_only(Rgb::gray(1.0)));
+    let transform = [[16.0, 0.0, 0.0], [0.0, 16.0, 0.0]];
+    material.base_color = Some(TextureUse { transform, ..TextureUse::plain(0) });
+    let [a, b] = [checker(0, 0), checker(1, 0)];
+    let mean: [f32; 3] = core::array::from_fn(|c| 0.5 * (decoded(a[c]) + decoded(b[c])));
+    let frame = picture(&filled(20, texture(16, checker), material), 20, 20, &transparent());
+    for i in 0..400 {
+        assert_near(frame.pixel(i % 20, i / 20), mean, 0.008, &format!("pixel {}, {}", i % 20, i / 20));
+    }
+}

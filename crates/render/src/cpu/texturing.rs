@@ -144,10 +144,13 @@ fn footprint<S: Simd>(uv: [Lanes<S>; 2], across: [Lanes<S>; 2], down: [Lanes<S>;
 /// One texture at sixteen places; the four channels.
 fn lookup(texture: &Mipmap, map: &TextureUse, uv: &[[f32; 16]; 2], footprint: &[f32; 16]) -> [[f32; 16]; 4] {
     let mut columns = [[0.0; 16]; 4];
+    // The transform stretches the footprint as it stretches the coordinates, at most by its longer column.
+    let [[ux, vx, _], [uy, vy, _]] = map.transform;
+    let stretch = Real::max(ux * ux + uy * uy, vx * vx + vy * vy).sqrt();
     for lane in 0..16 {
         let (u, v) = (uv[0][lane], uv[1][lane]);
         let at = map.transform.map(|[a, b, c]| a * u + b * v + c);
-        for (column, value) in columns.iter_mut().zip(texture.sample(at, footprint[lane])) {
+        for (column, value) in columns.iter_mut().zip(texture.sample(at, footprint[lane] * stretch)) {
             column[lane] = value;
         }
     }
