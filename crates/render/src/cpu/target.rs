@@ -148,9 +148,14 @@ impl Band<'_> {
 #[inline(always)]
 fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: Slot) {
     let mut sixteen = [0u8; 64];
+    let untouched = codes.empty.as_ref().filter(|_| !pixels.touched.contains(&true));
     for row in 0..slot.size[1] {
         let start = 4 * (row * slot.stride + slot.left);
         let line = &mut codes.out[start..start + 4 * slot.size[0]];
+        if let (Some(empty), (whole, [])) = (untouched, line.as_chunks_mut::<{ 4 * BLOCK }>()) {
+            whole.fill(*empty);
+            continue;
+        }
         for (block, out) in line.chunks_mut(4 * BLOCK).enumerate() {
             let at = row * TILE_WIDTH + block * BLOCK;
             if let Some(empty) = codes.empty.as_ref().filter(|_| !pixels.touched[at / BLOCK]) {

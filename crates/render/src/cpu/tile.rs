@@ -182,7 +182,7 @@ impl TileScratch {
                         (&mut nearest[at..at + 16]).try_into().expect("sixteen pixels");
                     let before = Lanes::load(simd, old);
                     let mut bits =
-                        bits & (before.lt(z).bits() | ties(&triangle, triangles, owner, before, z));
+                        bits & (before.lt(z).bits() | ties(simd, &triangle, triangles, owner, before, z));
                     if bits != 0 && view.pass == Pass::Masked {
                         bits &= opaque_enough(simd, frame, records, record, &grid, row, column);
                     }
@@ -348,12 +348,11 @@ impl TileScratch {
             self.pixels.fill_whole(at);
         }
         let mask = LanesMask::from_bits(simd, bits);
-        let one = Lanes::splat(simd, 1.0);
-        let planes = self.pixels.rgb.iter_mut().zip(shaded.rgb).chain([(&mut self.pixels.alpha, one)]);
-        for (plane, value) in planes {
-            let plane = plane[at..].first_chunk_mut().expect("tiles are rows of blocks");
-            value.select(mask, Lanes::load(simd, plane)).store(plane);
-        }
+        let [r, g, b] = &mut self.pixels.rgb;
+        put(simd, r, at, shaded.rgb[0], mask);
+        put(simd, g, at, shaded.rgb[1], mask);
+        put(simd, b, at, shaded.rgb[2], mask);
+        put(simd, &mut self.pixels.alpha, at, Lanes::splat(simd, 1.0), mask);
     }
 
     /// Shades the layers of sixteen pixels and adds them up over the background.
@@ -432,6 +431,13 @@ fn pixel_lanes<S: Simd>(simd: S, grid: &Grid, row: usize, column: usize, at: [f3
     [Lanes::load(simd, &STEPS) + Lanes::splat(simd, x), Lanes::splat(simd, y)]
 }
 
+/// Writes a block of a plane where the mask holds.
+#[inline(always)]
+fn put<S: Simd>(simd: S, plane: &mut [f32; TILE_PIXELS], at: usize, value: Lanes<S>, mask: LanesMask<S>) {
+    let plane = plane[at..].first_chunk_mut().expect("tiles are rows of blocks");
+    value.select(mask, Lanes::load(simd, plane)).store(plane);
+}
+
 /// Writes `number` where the mask holds.
 #[inline(always)]
 fn write<S: Simd>(simd: S, owner: &mut [u32; 16], number: u32, mask: LanesMask<S>) {
@@ -444,13 +450,14 @@ fn write<S: Simd>(simd: S, owner: &mut [u32; 16], number: u32, mask: LanesMask<S
 /// Lanes where two triangles are equally deep and the new one has the smaller name.
 #[inline(always)]
 fn ties<S: Simd>(
+    simd: S,
     triangle: &Triangle,
     triangles: &[(Triangle, usize, u32)],
     owner: &[u32; 16],
     before: Lanes<S>,
     z: Lanes<S>,
 ) -> u32 {
-    let mut equal = (before.le(z) & z.le(before)).bits();
+    let mut equal = simd.simd_eq_f32x16(before.0, z.0).to_bitmask() as u32;
     let mut won = 0;
     while equal != 0 {
         let lane = equal.trailing_zeros();
