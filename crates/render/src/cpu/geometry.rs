@@ -295,7 +295,7 @@ fn visible<S: Simd>(
         kept &= simd.simd_le_i32x16(from, to).to_bitmask() as u32;
         from.store_slice(&mut first[axis]);
         to.store_slice(&mut last[axis]);
-        single = single & simd.simd_eq_i32x16(from, to);
+        single &= simd.simd_eq_i32x16(from, to);
         sample[axis] = (from << 8) + int(most_sample);
     }
     if frame.samples.len() == 1 {
