@@ -27,7 +27,7 @@ The chores of the Glanz workspace.
 Usage: cargo xtask <CHORE> [OPTIONS]
 
   test      Set up what is missing and run every check
-              --quick        only format, lint, tests and gold pictures of the scalar path
+              --quick        only format, lint, tests and gold pictures on the narrowest path
               --keep-going   do not stop at the first failure
               --only WORD    only the steps with that in their name
   golden    Compare pictures with tests/golden/, and all SIMD levels and thread counts with each other

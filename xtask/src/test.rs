@@ -26,7 +26,7 @@ fn checks(house: &House, options: &Options) -> Steps {
     steps.run("lint", || run(&mut house.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
     steps.run("unit and integration tests", || tests(house));
     if options.quick {
-        steps.run("gold pictures, scalar path", || golden::compare(house, golden::Paths::Scalar));
+        steps.run("gold pictures, narrowest path", || golden::compare(house, golden::Paths::Narrowest));
         return steps;
     }
     steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));

@@ -13,7 +13,7 @@ impl core::fmt::Display for LevelError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "GLANZ_SIMD is '{}', but must be one of scalar, sse4.2, avx2, avx512, neon, simd128 that this processor has",
+            "GLANZ_SIMD is '{}', but must be one of sse2, avx2, avx512, neon, simd128 that this processor has, or scalar where it has none",
             self.asked
         )
     }
@@ -21,18 +21,23 @@ impl core::fmt::Display for LevelError {
 
 impl core::error::Error for LevelError {}
 
+/// The name of the level with the narrowest vectors that this build has.
+pub const NARROWEST_LEVEL: &str = if cfg!(target_arch = "x86_64") { "sse2" } else { "scalar" };
+
 /// The best level of this machine, or the one that `asked` (the variable `GLANZ_SIMD`) forces.
 ///
-/// Pictures are the same bits on every level; the variable exists to test that, and to measure.
+/// Pictures are the same bits on every level; the variable exists to test that, and to measure. The
+/// narrowest level is `sse2` on x86-64, `scalar` on targets whose vectors Glanz does not know.
 pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
     let best = Level::new();
     let Some(name) = asked.filter(|name| !name.is_empty()) else {
         return Ok(best);
     };
     let found = match name {
-        "scalar" => Some(scalar()),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        "sse4.2" => best.as_sse4_2().map(Level::Sse4_2),
+        #[cfg(target_arch = "x86_64")]
+        "sse2" => best.as_sse2().map(Level::Sse2),
+        #[cfg(not(target_arch = "x86_64"))]
+        "scalar" => Some(Level::Fallback(fearless_simd::Fallback::new())),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         "avx2" => best.as_avx2().map(Level::Avx2),
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -46,14 +51,10 @@ pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
     found.ok_or_else(|| LevelError { asked: name.to_owned() })
 }
 
-/// Plain Rust without any SIMD instruction.
-fn scalar() -> Level {
-    Level::Fallback(fearless_simd::Fallback::new())
-}
-
 /// Runs `$body` compiled for `$level`, with `$simd` as the level's token, like
-/// [`fearless_simd::dispatch!`] but for the levels that Glanz distinguishes only: SSE2, which every
-/// x86-64 has, counts as scalar. Each level is a copy of all code below it, so fewer are better.
+/// [`fearless_simd::dispatch!`] but for fewer levels: each is a copy of all code below it. On x86-64 these
+/// are SSE2, which every such processor has, AVX2 and AVX-512. A copy without any vectors would take
+/// the compiler longer than the other three together, and nobody would run it.
 #[macro_export]
 macro_rules! at_level {
     ($level:expr, $simd:ident => $body:expr) => {{

@@ -1,7 +1,7 @@
 //! Numbers for Glanz.
 //!
 //! Every formula of the project is written once, generic over [`Real`], and runs as `f64` (the
-//! reference), as `f32` (the scalar path) and as 16 lanes of `f32` ([`Lanes`]). The three agree by
+//! reference), as `f32` and as 16 lanes of `f32` ([`Lanes`]). The three agree by
 //! construction: `f32` and `Lanes` use the same operations in the same order, so they agree to the
 //! last bit; `f64` tells how much precision the others lose.
 //!
@@ -17,7 +17,7 @@ mod real;
 mod vec3;
 
 pub use lanes::{Lanes, LanesMask};
-pub use level::{LevelError, narrowest, simd_level};
+pub use level::{LevelError, NARROWEST_LEVEL, narrowest, simd_level};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
 pub use vec3::{Frame, Vec3};

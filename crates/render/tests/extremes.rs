@@ -60,8 +60,8 @@ fn sixty_four_lights_add_up() {
     }
     let frame = picture(&all, 40, 40, &options);
     for (pixel, sum) in sum.iter().enumerate() {
-        for c in 0..3 {
-            let expected = sum[c] + f64::from(dark.rgb[c][pixel]);
+        for (c, sum) in sum.iter().enumerate() {
+            let expected = sum + f64::from(dark.rgb[c][pixel]);
             let found = f64::from(frame.rgb[c][pixel]);
             // 64 sums of values below 4, each rounded to 24 bits.
             assert!((found - expected).abs() < 3e-5, "pixel {pixel}: {found} for {expected}");

@@ -155,12 +155,11 @@ fn the_scanline_scheme_is_bilinear_on_an_upright_rectangle_in_parallel_projectio
             }
             compared += 1;
             let (s, t) = ((x - left) / (right - left), (top - y) / (top - bottom));
-            for c in 0..3 {
-                // Corners: top left, bottom left, bottom right, top right.
-                let at_left = CORNERS[0][c] + (CORNERS[1][c] - CORNERS[0][c]) * t;
-                let at_right = CORNERS[3][c] + (CORNERS[2][c] - CORNERS[3][c]) * t;
-                let expected = at_left + (at_right - at_left) * s;
-                let found = frame.rgb[c][i];
+            let [top_left, bottom_left, bottom_right, top_right] = CORNERS.map(Vec3::from_array);
+            let at_left = top_left.lerp(bottom_left, t);
+            let expected = at_left.lerp(top_right.lerp(bottom_right, t), s).to_array();
+            for (plane, expected) in frame.rgb.iter().zip(expected) {
+                let found = plane[i];
                 assert!((found - expected).abs() < 1e-5, "{shading:?}: {found} for {expected} at {x}, {y}");
             }
         }

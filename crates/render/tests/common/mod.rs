@@ -1,4 +1,5 @@
 //! Small scenes for the tests of the rasteriser.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(dead_code, reason = "each test program uses a part of this")]
 
 use glam::{DMat4, DVec3, Vec2, Vec3};

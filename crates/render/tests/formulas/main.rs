@@ -1,6 +1,8 @@
 //! Pixels of drawn pictures equal the documents' formulas, computed here in `f64` from the scene: for
 //! every kind of light, model and shading.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 #[path = "../common/mod.rs"]
 mod common;
 mod reference;
