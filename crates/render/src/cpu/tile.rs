@@ -15,6 +15,7 @@ use super::runs::{Layers, Run};
 use super::samples::SUBPIXEL;
 use super::target::{BLOCK, Band, Slot, TilePixels, backdrop};
 use super::three;
+use crate::Layers as PlaneChoice;
 
 /// No triangle.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -341,11 +342,13 @@ impl TileScratch {
         let mut shaded = Shaded::nothing(simd);
         group::shade(simd, frame, &self.records, runs, place, &mut shaded);
         let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
-        if bits != 0xffff || frame.options.layers != Default::default() {
+        if frame.options.layers != PlaneChoice::default() {
             self.pixels.touch(at, frame.options.background);
-            self.keep_planes(simd, frame, &shaded, runs, bits, at);
-        } else {
+            self.keep_planes(simd, &shaded, runs, bits, at);
+        } else if bits == 0xffff {
             self.pixels.fill_whole(at);
+        } else {
+            self.pixels.touch(at, frame.options.background);
         }
         let mask = LanesMask::from_bits(simd, bits);
         let [r, g, b] = &mut self.pixels.rgb;
@@ -376,9 +379,10 @@ impl TileScratch {
                 *sum = (*sum + value * weights).select(zero.lt(weights), *sum);
             }
             covered = covered + weights;
-            let (runs, bits) = (layer.runs.clone(), layer.bits);
-            let runs: Vec<Run> = self.layers.runs[runs].to_vec();
-            self.keep_planes(simd, frame, &shaded, &runs, bits, at);
+            if frame.options.layers != PlaneChoice::default() {
+                let (runs, bits) = (self.layers.runs[layer.runs.clone()].to_vec(), layer.bits);
+                self.keep_planes(simd, &shaded, &runs, bits, at);
+            }
         }
         let (background, alpha) = backdrop(frame.options.background);
         let rest = (zero.one() - covered).max(zero);
@@ -390,19 +394,8 @@ impl TileScratch {
         (covered + rest * Lanes::splat(simd, alpha)).store(plane);
     }
 
-    /// Keeps distance, normal and object of the nearest layer where they were asked for.
-    fn keep_planes<S: Simd>(
-        &mut self,
-        simd: S,
-        frame: &FrameView,
-        shaded: &Shaded<S>,
-        runs: &[Run],
-        bits: u32,
-        at: usize,
-    ) {
-        if frame.options.layers == Default::default() {
-            return;
-        }
+    /// Keeps distance, normal and object of the nearest layer.
+    fn keep_planes<S: Simd>(&mut self, simd: S, shaded: &Shaded<S>, runs: &[Run], bits: u32, at: usize) {
         let old = self.pixels.distance[at..].first_chunk().expect("tiles are rows of blocks");
         let nearer = shaded.distance.lt(Lanes::load(simd, old)).bits() & bits;
         let kept = LanesMask::from_bits(simd, nearer);
