@@ -252,3 +252,18 @@ fn corners_far_outside_the_picture_change_nothing() {
         assert_hits(&frame, &format!("reach {reach}"), |_, _| Some(1));
     }
 }
+
+#[test]
+fn clipped_and_unclipped_triangles_meet_without_gap() {
+    // Some corners of these triangles lie behind the eye, those of their neighbours do not.
+    let mut random = Random(23);
+    for cells in 20..80 {
+        let height = random.between(0.5, 12.0);
+        let eye = DVec3::new(random.between(-3.0, 3.0), height, random.between(-3.0, 3.0));
+        let target = eye + DVec3::new(random.between(-0.3, 0.3), -1.2, -1.0);
+        let camera = Camera { eye, target, ..camera(1.0, 60.0) };
+        let scene = scene_of(ground(&mut random, cells), camera);
+        let frame = picture(&scene, 700, 700, &transparent());
+        assert_hits(&frame, &format!("{cells} cells, eye at {height}"), |_, _| Some(1));
+    }
+}

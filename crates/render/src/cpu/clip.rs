@@ -26,11 +26,21 @@ pub(crate) struct Extra {
 struct Corner {
     at: DVec3,
     weights: DVec3,
+    /// Where the vertex pass put it; none for what lies outside and for cuts.
+    screen: Option<Screen>,
 }
 
 /// Cuts the triangle to what is in front of the eye and within the guard band, and bins the parts.
-pub(crate) fn clip(frame: &FrameView, name: u32, bins: &mut Bins, extras: &mut Vec<Extra>) {
-    let mut polygon = corners(frame, name);
+/// `screen` is where the vertex pass put the cluster's vertices: a corner that needs no clipping must
+/// stay at exactly that place, or the edge to a neighbour that is not clipped has gaps.
+pub(crate) fn clip(
+    frame: &FrameView,
+    name: u32,
+    screen: &[Screen],
+    bins: &mut Bins,
+    extras: &mut Vec<Extra>,
+) {
+    let mut polygon = corners(frame, name, screen);
     for plane in planes(frame) {
         polygon = cut(&polygon, plane);
         if polygon.len() < 3 {
@@ -52,7 +62,7 @@ pub(crate) fn clip(frame: &FrameView, name: u32, bins: &mut Bins, extras: &mut V
     }
 }
 
-fn corners(frame: &FrameView, name: u32) -> Vec<Corner> {
+fn corners(frame: &FrameView, name: u32, screen: &[Screen]) -> Vec<Corner> {
     let geometry = &frame.prepared.geometry;
     let cluster = &geometry.clusters[(name >> 7) as usize];
     let object = &frame.prepared.objects[cluster.object as usize];
@@ -66,7 +76,8 @@ fn corners(frame: &FrameView, name: u32) -> Vec<Corner> {
             let vertex = cluster.first_vertex as usize + v as usize;
             let p = offset + DVec3::from_array(geometry.position.each_ref().map(|a| f64::from(a[vertex])));
             let at = DVec3::new(right.dot(p), up.dot(p), -back.dot(p));
-            Corner { at, weights: weights.next().expect("a triangle has three corners") }
+            let screen = Some(screen[v as usize]).filter(|screen| !screen[2].is_nan());
+            Corner { at, weights: weights.next().expect("a triangle has three corners"), screen }
         })
         .collect()
 }
@@ -74,8 +85,8 @@ fn corners(frame: &FrameView, name: u32) -> Vec<Corner> {
 /// Planes (normal, offset) whose positive side is kept: in front of the eye, inside the guard band.
 fn planes(frame: &FrameView) -> [(DVec3, f64); 5] {
     let eye = &frame.eye;
-    // A little inside the guard band of the fast path, so that rounding cannot bring a corner back out.
-    let guard = f64::from(GUARD) * 0.99;
+    // A little outside the guard band of the vertex pass, so that only corners that it marked are cut.
+    let guard = f64::from(GUARD) * 1.01;
     let scale = f64::from(eye.scale);
     let (cx, cy) = (f64::from(eye.center[0]), f64::from(eye.center[1]));
     let near = (DVec3::Z, -f64::from(eye.near));
@@ -103,14 +114,19 @@ fn cut(polygon: &[Corner], (normal, offset): (DVec3, f64)) -> Vec<Corner> {
             kept.push(*from);
         }
         if (a >= 0.0) != (b >= 0.0) {
-            let t = a / (a - b);
-            kept.push(Corner { at: from.at.lerp(to.at, t), weights: from.weights.lerp(to.weights, t) });
+            // Always from the inner end, so that both triangles at an edge cut it at the same place.
+            let (from, to, t) = if a >= 0.0 { (from, to, a / (a - b)) } else { (to, from, b / (b - a)) };
+            let (at, weights) = (from.at.lerp(to.at, t), from.weights.lerp(to.weights, t));
+            kept.push(Corner { at, weights, screen: None });
         }
     }
     kept
 }
 
 fn project(frame: &FrameView, corner: &Corner) -> Screen {
+    if let Some(screen) = corner.screen {
+        return screen;
+    }
     let eye = &frame.eye;
     let distance = corner.at.z;
     let (factor, depth) = match eye.perspective {

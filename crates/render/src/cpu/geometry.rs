@@ -70,7 +70,7 @@ pub(crate) fn process<S: Simd>(
         if object.shading == glanz_scene::Shading::Gouraud {
             gouraud::shade(simd, frame, cluster, &mut lit[start..start + count]);
         }
-        bin(simd, frame, number, object, &local, clipped, output);
+        bin(simd, frame, number, object, &local, own, clipped, output);
     }
 }
 
@@ -192,6 +192,7 @@ struct Corners<S: Simd> {
     y: [i32x16<S>; 3],
 }
 
+#[expect(clippy::too_many_arguments, reason = "a cluster on its way from one array to the next")]
 #[inline(always)]
 fn bin<S: Simd>(
     simd: S,
@@ -199,6 +200,7 @@ fn bin<S: Simd>(
     number: usize,
     object: &ObjectView,
     local: &Local,
+    screen: &[Screen],
     clipped: bool,
     output: &mut ChunkOutput,
 ) {
@@ -246,7 +248,7 @@ fn bin<S: Simd>(
         while outside != 0 {
             let lane = outside.trailing_zeros();
             outside &= outside - 1;
-            clip::clip(frame, name(lane), bins, &mut output.extras);
+            clip::clip(frame, name(lane), screen, bins, &mut output.extras);
         }
     }
 }

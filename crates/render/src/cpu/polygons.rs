@@ -105,7 +105,7 @@ fn corner(
     material: &PreparedMaterial,
 ) -> Corner {
     let [x, y, z] = polygons.normals[i];
-    let normal = unit(Vec3::new(x, y, z)) * side;
+    let normal = Vec3::new(x, y, z) * side;
     let [r, g, b, alpha] = polygons.colors[i];
     let (first, plain) = match shading {
         Shading::Gouraud => {
@@ -114,7 +114,8 @@ fn corner(
             } else {
                 Vec3::new(eye.back[0], eye.back[1], eye.back[2])
             };
-            let reflected = reflect(lights, material, &Point { position, normal, wo });
+            let point = Point { position, normal: unit(normal), wo };
+            let reflected = reflect(lights, material, &point);
             ((Rgb(reflected.textured) * Rgb([r, g, b])).0, reflected.plain)
         }
         _ => ([normal.x, normal.y, normal.z], [0.0; 3]),

@@ -62,7 +62,14 @@ pub(super) fn prepare(
         let what = format!("material '{}': the tint {:?} must be finite numbers", material.name, lobe.tint.0);
         return Err(PrepareError::Scene { what });
     }
-    let direct: Vec<&Lobe> = material.lobes.iter().filter(|lobe| is_direct(part_of(lobe))).collect();
+    // A model without a highlight takes the highlights away rather than making matte lobes of them.
+    let target = model.map(glanz_bsdf::models::info_named).transpose()?;
+    let matte = target.is_some_and(|info| info.part != Part::Specular);
+    let direct: Vec<&Lobe> = material
+        .lobes
+        .iter()
+        .filter(|lobe| is_direct(part_of(lobe)) && !(matte && part_of(lobe) == Part::Specular))
+        .collect();
     let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
     let mut ambient = ambient_of(material, scene.lights.iter().filter(|light| !is_spot(light)));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
