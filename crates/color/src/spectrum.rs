@@ -1,0 +1,144 @@
+//! A function of wavelength on the one grid that all of Glanz uses.
+
+use core::ops::{Add, AddAssign, Index, Mul, Sub};
+
+/// The first wavelength of the grid, in nm. Ultraviolet is part of light here.
+pub const FIRST_NM: f64 = 300.0;
+/// The last wavelength of the grid, in nm.
+pub const LAST_NM: f64 = 780.0;
+/// The step of the grid, in nm.
+pub const STEP_NM: f64 = 5.0;
+/// The number of wavelengths of the grid.
+pub const SAMPLES: usize = 97;
+
+/// The wavelength of a sample of the grid, in nm.
+pub const fn lambda_nm(index: usize) -> f64 {
+    FIRST_NM + STEP_NM * index as f64
+}
+
+/// A function of wavelength: 97 values at 300, 305 … 780 nm.
+///
+/// For light a value is spectral power per nm; for surfaces a pure number. Integrals are sums over the
+/// samples times 5 nm, so a sample stands for the band of 5 nm around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spectrum(pub [f64; SAMPLES]);
+
+impl Spectrum {
+    /// Nothing at any wavelength.
+    pub const ZERO: Self = Self([0.0; SAMPLES]);
+    /// 1 at every wavelength: the white surface, the equal-energy light.
+    pub const ONE: Self = Self([1.0; SAMPLES]);
+
+    /// The same value at every wavelength.
+    pub const fn constant(value: f64) -> Self {
+        Self([value; SAMPLES])
+    }
+
+    /// The function of the wavelength in nm, taken at the grid's wavelengths.
+    pub fn from_fn(mut f: impl FnMut(f64) -> f64) -> Self {
+        Self(core::array::from_fn(|i| f(lambda_nm(i))))
+    }
+
+    /// The value at a wavelength in nm, linear between samples; 0 outside of the grid.
+    pub fn at(&self, nm: f64) -> f64 {
+        let position = (nm - FIRST_NM) / STEP_NM;
+        if !(0.0..=(SAMPLES - 1) as f64).contains(&position) {
+            return 0.0;
+        }
+        let left = (position as usize).min(SAMPLES - 2);
+        let t = position - left as f64;
+        self.0[left] + (self.0[left + 1] - self.0[left]) * t
+    }
+
+    /// ∫ over the grid, in the unit of the values times nm.
+    pub fn integral(&self) -> f64 {
+        self.0.iter().sum::<f64>() * STEP_NM
+    }
+
+    /// ∫ of the product of both.
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.0.iter().zip(&other.0).map(|(a, b)| a * b).sum::<f64>() * STEP_NM
+    }
+
+    /// Every value through a function.
+    pub fn map(&self, f: impl FnMut(f64) -> f64) -> Self {
+        Self(self.0.map(f))
+    }
+
+    /// The greatest value.
+    pub fn max(&self) -> f64 {
+        self.0.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether every value is a finite number.
+    pub fn is_finite(&self) -> bool {
+        self.0.iter().all(|v| v.is_finite())
+    }
+
+    /// Wavelength in nm and value, in order.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.0.iter().enumerate().map(|(i, value)| (lambda_nm(i), *value))
+    }
+}
+
+impl Index<usize> for Spectrum {
+    type Output = f64;
+    fn index(&self, index: usize) -> &f64 {
+        &self.0[index]
+    }
+}
+
+impl Add for Spectrum {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl AddAssign for Spectrum {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Sub for Spectrum {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl Mul for Spectrum {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] * other.0[i]))
+    }
+}
+
+impl Mul<f64> for Spectrum {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        self.map(|value| value * factor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_runs_from_300_to_780_nm() {
+        assert_eq!(lambda_nm(0), FIRST_NM);
+        assert_eq!(lambda_nm(SAMPLES - 1), LAST_NM);
+        assert_eq!(Spectrum::ONE.integral(), 485.0);
+    }
+
+    #[test]
+    fn values_between_samples_are_linear_and_outside_there_are_none() {
+        let ramp = Spectrum::from_fn(|nm| 2.0 * nm);
+        assert_eq!(ramp.at(301.0), 602.0);
+        assert_eq!(ramp.at(780.0), 1560.0);
+        assert_eq!(ramp.at(299.9), 0.0);
+        assert_eq!(ramp.at(f64::NAN), 0.0);
+    }
+}
