@@ -15,6 +15,7 @@ mod conformance;
 mod info;
 pub mod models;
 mod pair;
+pub mod terms;
 
 pub use albedo::albedo;
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part};

@@ -1,0 +1,113 @@
+//! What share of unpolarised light a smooth boundary reflects.
+//!
+//! Source: A. Fresnel 1823; the forms for computing in M. Born and E. Wolf, Principles of Optics, §1.5
+//! and §14.2. Schlick: "An Inexpensive BRDF Model for Physically-based Rendering", 1994.
+
+use glanz_math::Real;
+
+/// Reflectance of a boundary between two transparent media.
+///
+/// `cos_theta` is the cosine of the angle of incidence (0 … 1), `eta` the index of refraction on the
+/// other side over that on this side. 1 where light is reflected totally, and at grazing incidence.
+#[inline(always)]
+pub fn fresnel_dielectric<R: Real>(cos_theta: R, eta: R) -> R {
+    let one = cos_theta.one();
+    let sin2_t = (one - cos_theta.sqr()) / eta.sqr();
+    let cos_t = (one - sin2_t).max(one.zero()).sqrt();
+    let s = (cos_theta - eta * cos_t) / (cos_theta + eta * cos_t);
+    let p = (eta * cos_theta - cos_t) / (eta * cos_theta + cos_t);
+    let reflected = (s.sqr() + p.sqr()) * one.lit(0.5);
+    reflected.select(sin2_t.lt(one), one)
+}
+
+/// Reflectance of a boundary to an absorbing medium with the complex index η + i k.
+///
+/// `cos_theta` is the cosine of the angle of incidence, 0 … 1.
+#[inline(always)]
+pub fn fresnel_conductor<R: Real>(cos_theta: R, eta: R, k: R) -> R {
+    let one = cos_theta.one();
+    let (two, half) = (one.lit(2.0), one.lit(0.5));
+    let cos2 = cos_theta.sqr();
+    let sin2 = one - cos2;
+    let t0 = eta.sqr() - k.sqr() - sin2;
+    // a² + b² with a + i b = √(η² − sin²θ) is √(t0² + 4 η² k²).
+    let a2_b2 = (t0.sqr() + two.sqr() * eta.sqr() * k.sqr()).sqrt();
+    let a = ((a2_b2 + t0) * half).max(one.zero()).sqrt();
+    let (t1, t2) = (a2_b2 + cos2, two * a * cos_theta);
+    let s = (t1 - t2) / (t1 + t2);
+    let (t3, t4) = (cos2 * a2_b2 + sin2.sqr(), t2 * sin2);
+    let p = s * (t3 - t4) / (t3 + t4);
+    (s + p) * half
+}
+
+/// Schlick's approximation: `f0` at normal incidence, 1 at grazing incidence.
+#[inline(always)]
+pub fn fresnel_schlick<R: Real>(cos_theta: R, f0: R) -> R {
+    let m = (cos_theta.one() - cos_theta).clamp(0.0, 1.0);
+    f0 + (m.one() - f0) * (m.sqr().sqr() * m)
+}
+
+#[cfg(test)]
+mod tests {
+    use glanz_math::PI;
+
+    use super::*;
+
+    /// Half a unit of the last digit that the reference values are given to.
+    const DIGITS: f64 = 5.1e-7;
+
+    fn cosine(degrees: f64) -> f64 {
+        libm::cos(degrees * PI / 180.0)
+    }
+
+    #[test]
+    fn glass_reflects_what_the_tables_say() {
+        let known = [
+            (0.0, 0.040_000),
+            (30.0, 0.041_523),
+            (45.0, 0.050_240),
+            (60.0, 0.089_187),
+            (75.0, 0.253_061),
+            (85.0, 0.612_800),
+        ];
+        for (degrees, expected) in known {
+            let got = fresnel_dielectric(cosine(degrees), 1.5);
+            assert!((got - expected).abs() < DIGITS, "{degrees}°: {got}");
+        }
+    }
+
+    #[test]
+    fn metal_reflects_what_the_tables_say() {
+        for (degrees, expected) in [(0.0, 0.606_557), (45.0, 0.602_581), (60.0, 0.597_310)] {
+            let got = fresnel_conductor(cosine(degrees), 1.5, 3.0);
+            assert!((got - expected).abs() < DIGITS, "{degrees}°: {got}");
+        }
+    }
+
+    #[test]
+    fn a_metal_that_does_not_absorb_is_glass() {
+        for degrees in [0.0, 20.0, 56.3099, 80.0, 89.9] {
+            let glass = fresnel_dielectric(cosine(degrees), 1.5);
+            let metal = fresnel_conductor(cosine(degrees), 1.5, 0.0);
+            assert!((glass - metal).abs() < 1e-12, "{degrees}°: {glass} and {metal}");
+        }
+    }
+
+    #[test]
+    fn light_that_leaves_glass_is_reflected_totally_beyond_41_81_degrees() {
+        assert!(fresnel_dielectric(cosine(41.7), 1.0 / 1.5) < 1.0);
+        assert_eq!(fresnel_dielectric(cosine(41.9), 1.0 / 1.5), 1.0);
+    }
+
+    #[test]
+    fn everything_is_reflected_at_grazing_incidence() {
+        assert_eq!(fresnel_dielectric(0.0, 1.5), 1.0);
+        assert_eq!(fresnel_conductor(0.0, 0.2, 3.0), 1.0);
+        assert_eq!(fresnel_schlick(0.0, 0.04), 1.0);
+    }
+
+    #[test]
+    fn schlick_is_a_fifth_too_low_for_glass_at_60_degrees() {
+        assert!((fresnel_schlick(cosine(60.0), 0.04) - 0.070_000).abs() < DIGITS);
+    }
+}
