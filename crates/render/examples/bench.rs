@@ -73,6 +73,7 @@ fn main() {
     let quick = arguments.iter().any(|a| a == "--quick");
     // `--only "64x32 phong 1"` measures the rows whose name begins so.
     let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
+    let frames_asked = arguments.iter().skip_while(|a| *a != "--frames").nth(1).and_then(|n| n.parse().ok());
     let asked = std::env::var("GLANZ_SIMD").ok();
     let level = glanz_math::simd_level(asked.as_deref()).expect("a level that this machine has");
     for (slices, stacks) in [(64, 32), (1024, 512)] {
@@ -80,7 +81,7 @@ fn main() {
             for lights in [1, 4, 8] {
                 if format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
                     let scene = sphere_scene(slices, stacks, lights, shading);
-                    let frames = if quick { 40 } else { 200 };
+                    let frames = frames_asked.unwrap_or(if quick { 40 } else { 200 });
                     let times = frame_times(&scene, frames, level);
                     let threads = rayon::current_num_threads();
                     println!(

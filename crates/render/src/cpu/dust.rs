@@ -1,0 +1,95 @@
+//! Sixteen pixels that see many triangles: set up in lanes rather than one by one.
+//!
+//! A record pays where several pixels use it. In a fine mesh every other pixel sees another triangle;
+//! there the vertices of sixteen triangles are brought into lanes, and the arithmetic of
+//! [`Records::add`](super::records::Records::add) is done for all of them at once.
+
+use fearless_simd::{Simd, SimdBase, f32x16};
+use glanz_math::{Lanes, Real};
+use glanz_scene::Shading;
+
+use super::block::BLOCK;
+use super::frame::FrameView;
+use super::records::{GROUP, Projected, barycentric, differences};
+use super::visible::{Owners, Visible, corners, object_of};
+use super::{inlined, three};
+
+/// From this number of triangles on, setting all of them up at once is cheaper than one by one.
+pub(crate) const MANY: usize = 4;
+
+/// What records would give: the rows of the position, and of one group of attributes.
+pub(crate) type Rows<S> = [[Lanes<S>; GROUP]; 2];
+
+/// The rows for sixteen pixels of one object without textures. None where triangles of other objects
+/// or parts of clipped triangles are among them, or where a value belongs to facets.
+#[inline(always)]
+pub(crate) fn rows<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    projected: &Projected,
+    visible: &Visible,
+    owners: &Owners,
+    at: usize,
+    object: usize,
+) -> Option<Rows<S>> {
+    let view = &frame.objects[object];
+    let gouraud = match view.shading {
+        Shading::Phong => false,
+        Shading::Gouraud if view.cull_back => true,
+        _ => return None,
+    };
+    let mut screen = [[[0.0f32; 4]; BLOCK]; 3];
+    let mut values = [[[0.0f32; 4]; BLOCK]; 3];
+    let (any, covered) = (owners.runs[0].record, owners.bits());
+    for lane in 0..BLOCK {
+        let owner = if covered >> lane & 1 == 1 { visible.each(at)[lane] } else { any };
+        let name = visible.whole(owner)?;
+        if object_of(frame, name) != object {
+            return None;
+        }
+        for (corner, vertex) in corners(frame, name).into_iter().enumerate() {
+            screen[corner][lane] = projected.screen[vertex];
+            let [x, y, z] = match gouraud {
+                true => {
+                    let [textured, plain] = projected.lit[vertex][0];
+                    three([0, 1, 2], |c| textured[c] + plain[c])
+                }
+                false => frame.prepared.geometry.normals[vertex],
+            };
+            values[corner][lane] = [x, y, z, 0.0];
+        }
+    }
+    let screen = three(
+        screen.each_ref(),
+        #[inline(always)]
+        |rows| columns(simd, rows),
+    );
+    let mut values = three(
+        values.each_ref(),
+        #[inline(always)]
+        |rows| columns(simd, rows),
+    );
+    let (position, back) = barycentric(&screen);
+    if !gouraud && !view.cull_back {
+        let one = Lanes::splat(simd, 1.0);
+        let two_sided = frame.materials[view.material].two_sided;
+        let sign = (if two_sided { -one } else { one.zero() }).select(back, one);
+        for value in values.iter_mut().flatten() {
+            *value = *value * sign;
+        }
+    }
+    Some([position, differences(&values)])
+}
+
+/// The three columns of sixteen rows.
+#[inline(always)]
+fn columns<S: Simd>(simd: S, rows: &[[f32; 4]; BLOCK]) -> [Lanes<S>; 3] {
+    let rows = rows.as_flattened();
+    let load = inlined(
+        #[inline(always)]
+        |i: usize| f32x16::from_slice(simd, &rows[16 * i..16 * i + 16]),
+    );
+    let (first, second) = (load(0).deinterleave(load(1)), load(2).deinterleave(load(3)));
+    let (even, odd) = (first.0.deinterleave(second.0), first.1.deinterleave(second.1));
+    [Lanes(even.0), Lanes(odd.0), Lanes(even.1)]
+}

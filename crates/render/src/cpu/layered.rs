@@ -1,0 +1,90 @@
+//! Several samples per pixel: what they see is shaded layer by layer and added up.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, LanesMask, Real};
+
+use super::bins::TILE_PIXELS;
+use super::block::{self, BLOCK};
+use super::group::{self, Shaded};
+use super::samples::SUBPIXEL;
+use super::target::backdrop;
+use super::tile::{Tile, TileScratch, keep_planes};
+
+/// Shades all blocks of a tile into its pixels.
+#[inline(always)]
+pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch) {
+    for at in tile.slot.blocks() {
+        find_layers(simd, tile, scratch, at);
+        if tile.blended || !scratch.layers.list.is_empty() {
+            shade_layers(simd, tile, scratch, at);
+        }
+    }
+}
+
+/// Collects what the samples of a block see into layers.
+#[inline(always)]
+fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
+    let frame = tile.frame;
+    let TileScratch { visible, records, layers, glass, .. } = scratch;
+    let samples = frame.samples.len();
+    let share = Lanes::splat(simd, 1.0 / samples as f32);
+    layers.clear();
+    for (sample, position) in frame.samples.iter().enumerate() {
+        let place = sample * TILE_PIXELS + at;
+        let mut owners = visible.owners(simd, place);
+        let runs = &mut owners.runs[..owners.count];
+        visible.set_up(frame, tile.projected, records, runs);
+        let mut weights = [0.0; BLOCK];
+        match tile.blended {
+            true => (Lanes::load(simd, glass.through(place)) * share).store(&mut weights),
+            false => share.store(&mut weights),
+        }
+        match frame.options.supersample {
+            true => layers.add_sample(runs, &weights, position.map(|s| s as f32 / SUBPIXEL as f32)),
+            false => layers.note(runs, &weights),
+        }
+    }
+    layers.pack();
+    layers.list.retain(|layer| layer.bits != 0);
+}
+
+/// Shades the layers of a block and adds them up with the background and what is blended.
+#[inline(always)]
+fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
+    let background = tile.frame.options.background;
+    let TileScratch { records, layers, glass, pixels, .. } = scratch;
+    let zero = Lanes::splat(simd, 0.0);
+    let mut sum = [zero; 3];
+    let mut covered = zero;
+    pixels.touch(at, background);
+    for layer in &layers.list {
+        let runs = &layers.runs[layer.runs.clone()];
+        let place = block::coordinates(simd, &tile.grid, at, layer.at);
+        let mut shaded = Shaded::nothing(simd);
+        group::shade(simd, tile.frame, records, runs, place, &mut shaded);
+        let weights = Lanes::load(simd, &layer.weights);
+        let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
+        for (sum, value) in sum.iter_mut().zip(shaded.rgb) {
+            // Where the weight is zero the value may be anything, NaN too.
+            *sum = (*sum + value * weights).select(zero.lt(weights), *sum);
+        }
+        covered = covered + weights;
+        if tile.keeps_planes() {
+            keep_planes(simd, pixels, records, &shaded, runs, at);
+        }
+    }
+    let (color, alpha) = backdrop(background);
+    let open = Lanes::load(simd, &layers.open);
+    for (sum, behind) in sum.iter_mut().zip(color) {
+        *sum = *sum + open * Lanes::splat(simd, behind);
+    }
+    covered = covered + open * Lanes::splat(simd, alpha);
+    if tile.blended {
+        let [r, g, b, a] = glass.light(simd, at);
+        for (sum, light) in sum.iter_mut().zip([r, g, b]) {
+            *sum = *sum + light;
+        }
+        covered = covered + a;
+    }
+    pixels.put(at, sum, covered);
+}

@@ -1,0 +1,127 @@
+//! One sample per pixel: each pixel of a block is what its triangle is, or background.
+
+use fearless_simd::Simd;
+use glanz_math::Lanes;
+
+use super::block;
+use super::dust;
+use super::group::{self, Group, Shaded, is_simple};
+use super::reflect::reflect;
+use super::runs::Run;
+use super::target::{Codes, over_backdrop};
+use super::tile::{Tile, TileScratch, keep_planes};
+use super::visible::Owners;
+
+/// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
+#[inline(always)]
+pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
+    let background = tile.frame.options.background;
+    for at in tile.slot.blocks() {
+        let mut owners = scratch.visible.owners(simd, at);
+        if owners.count == 0 && !tile.blended {
+            let Some(codes) = &mut codes else { continue };
+            if codes.put_empty(&tile.slot, at) {
+                continue;
+            }
+        }
+        let covered = owners.bits();
+        let rgb = match covered {
+            0 => [Lanes::splat(simd, 0.0); 3],
+            _ => colors(simd, tile, scratch, &mut owners, at),
+        };
+        if let Some(codes) = &mut codes {
+            let rgb = if covered == 0xffff { rgb } else { over_backdrop(simd, rgb, covered, background).0 };
+            codes.put(&tile.slot, at, rgb);
+            continue;
+        }
+        let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
+        if tile.blended {
+            let through = Lanes::load(simd, scratch.glass.through(at));
+            let [r, g, b, a] = scratch.glass.light(simd, at);
+            for (value, light) in rgb.iter_mut().zip([r, g, b]) {
+                *value = *value * through + light;
+            }
+            alpha = alpha * through + a;
+        }
+        if covered == 0 {
+            scratch.pixels.touch(at, background);
+        }
+        scratch.pixels.put(at, rgb, alpha);
+    }
+}
+
+/// The colours of a block; where nothing is, any.
+#[inline(always)]
+fn colors<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    owners: &mut Owners,
+    at: usize,
+) -> [Lanes<S>; 3] {
+    let Tile { frame, projected, .. } = *tile;
+    let place = block::coordinates(simd, &tile.grid, at, [0.5, 0.5]);
+    let number = scratch.visible.object(frame, owners.runs[0].record);
+    let object = &frame.objects[number];
+    let simple = is_simple(object, frame.options.show) && !tile.keeps_planes();
+    let located = match simple && owners.count >= dust::MANY {
+        true => {
+            let rows = dust::rows(simd, frame, projected, &scratch.visible, owners, at, number);
+            rows.map(
+                #[inline(always)]
+                |rows| Group::bare(simd, frame, &scratch.records, object, place).locate(&rows),
+            )
+        }
+        false => None,
+    };
+    let located = match located {
+        Some(located) => located,
+        None => {
+            let runs = &mut owners.runs[..owners.count];
+            scratch.visible.set_up(frame, projected, &mut scratch.records, runs);
+            let list = &scratch.records.list;
+            if !simple || runs.iter().any(|run| list[run.record as usize].object as usize != number) {
+                return any_colors(simd, tile, scratch, runs, at);
+            }
+            let group = Group { runs, ..Group::bare(simd, frame, &scratch.records, object, place) };
+            match runs.len() {
+                1 => group.locate(&[group.splat(0), group.splat(1)]),
+                _ => group.locate(&[group.gather(0), group.gather(1)]),
+            }
+        }
+    };
+    let group = Group::bare(simd, frame, &scratch.records, object, place);
+    let material = &frame.materials[object.material];
+    let (place, value) = located;
+    group.simple(
+        material,
+        &place,
+        value,
+        #[inline(always)]
+        |point| reflect(&frame.lights, material, point),
+    ).0
+}
+
+/// The colours of a block of any kind; keeps the planes that are asked for.
+#[inline(never)]
+fn any_colors<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    runs: &[Run],
+    at: usize,
+) -> [Lanes<S>; 3] {
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let place = block::coordinates(simd, &tile.grid, at, [0.5, 0.5]);
+            let mut shaded = Shaded::nothing(simd);
+            group::shade(simd, tile.frame, &scratch.records, runs, place, &mut shaded);
+            if tile.keeps_planes() {
+                scratch.pixels.touch(at, tile.frame.options.background);
+                keep_planes(simd, &mut scratch.pixels, &scratch.records, &shaded, runs, at);
+            }
+            shaded.rgb
+        },
+    )
+}
