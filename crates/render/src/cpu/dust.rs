@@ -40,7 +40,7 @@ pub(crate) fn rows<S: Simd>(
     };
     let mut screen = [[[0.0f32; 4]; BLOCK]; 3];
     let mut values = [[[0.0f32; 4]; BLOCK]; 3];
-    let (any, covered) = (owners.runs[0].record, owners.bits());
+    let (any, covered) = (owners.runs[0].record, owners.bits);
     for lane in 0..BLOCK {
         let owner = if covered >> lane & 1 == 1 { visible.each(at)[lane] } else { any };
         let name = visible.whole(owner)?;

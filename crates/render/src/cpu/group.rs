@@ -9,7 +9,7 @@ use super::gouraud::unit;
 use super::records::{GROUP, Record, Records};
 use super::reflect::{Point, Reflected, reflect_lanes};
 use super::runs::Run;
-use super::{inlined, three};
+use super::{inlined, nine, three};
 use super::{show, texturing};
 use crate::Show;
 use crate::prepare::PreparedMaterial;
@@ -142,11 +142,10 @@ impl<'a, S: Simd> Group<'a, S> {
         let start = self.record(&self.runs[0]).offset as usize + part * GROUP;
         let row: &[f32; GROUP] =
             self.records.floats[start..].first_chunk().expect("records hold whole groups");
-        let mut lanes = [self.px; GROUP];
-        for (lane, &value) in lanes.iter_mut().zip(row) {
-            *lane = Lanes::splat(self.simd, value);
-        }
-        lanes
+        nine(
+            #[inline(always)]
+            |i| Lanes::splat(self.simd, row[i]),
+        )
     }
 
     /// The place on the surface from the rows of the position, and the values of the attribute group
@@ -170,16 +169,18 @@ impl<'a, S: Simd> Group<'a, S> {
         let Some((first, others)) = self.runs.split_first() else {
             return [self.px.zero(); GROUP];
         };
-        let mut lanes = [self.px; GROUP];
-        for (lane, &value) in lanes.iter_mut().zip(row(first)) {
-            *lane = Lanes::splat(self.simd, value);
-        }
+        let first = row(first);
+        let mut lanes = nine(
+            #[inline(always)]
+            |i| Lanes::splat(self.simd, first[i]),
+        );
         for run in others {
             let mask = LanesMask::from_bits(self.simd, run.bits);
             let row = row(run);
-            for i in 0..GROUP {
-                lanes[i] = Lanes::splat(self.simd, row[i]).select(mask, lanes[i]);
-            }
+            lanes = nine(
+                #[inline(always)]
+                |i| Lanes::splat(self.simd, row[i]).select(mask, lanes[i]),
+            );
         }
         lanes
     }
@@ -235,7 +236,8 @@ impl<'a, S: Simd> Group<'a, S> {
         let layout = &self.object.layout;
         let material = &self.frame.materials[self.object.material];
         if is_simple(self.object, self.frame.options.show) {
-            let light = |point: &Point<Lanes<S>>| reflect_lanes(self.simd, &self.frame.lights, material, point);
+            let light =
+                |point: &Point<Lanes<S>>| reflect_lanes(self.simd, &self.frame.lights, material, point);
             let (rgb, normal) = self.simple(material, &place, values[0], light);
             let alpha = self.px.lit(f64::from(material.alpha));
             *out = Shaded { rgb, alpha, distance: place.distance, normal };

@@ -9,16 +9,20 @@ use super::group::{self, Shaded};
 use super::samples::SUBPIXEL;
 use super::target::backdrop;
 use super::tile::{Tile, TileScratch, keep_planes};
+use super::visible::Owners;
 
 /// Shades all blocks of a tile into its pixels.
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch) {
-    for at in tile.slot.blocks() {
-        find_layers(simd, tile, scratch, at);
-        if tile.blended || !scratch.layers.list.is_empty() {
-            shade_layers(simd, tile, scratch, at);
-        }
-    }
+    tile.slot.for_each_block(
+        #[inline(always)]
+        |at| {
+            find_layers(simd, tile, scratch, at);
+            if tile.blended || !scratch.layers.list.is_empty() {
+                shade_layers(simd, tile, scratch, at);
+            }
+        },
+    );
 }
 
 /// Collects what the samples of a block see into layers.
@@ -28,10 +32,11 @@ fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usi
     let TileScratch { visible, records, layers, glass, .. } = scratch;
     let samples = frame.samples.len();
     let share = Lanes::splat(simd, 1.0 / samples as f32);
+    let mut owners = Owners::default();
     layers.clear();
     for (sample, position) in frame.samples.iter().enumerate() {
         let place = sample * TILE_PIXELS + at;
-        let mut owners = visible.owners(simd, place);
+        visible.owners(simd, place, &mut owners);
         let runs = &mut owners.runs[..owners.count];
         visible.set_up(frame, tile.projected, records, runs);
         let mut weights = [0.0; BLOCK];

@@ -56,3 +56,9 @@ fn inlined<F>(closure: F) -> F {
 fn three<T, U>([a, b, c]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
     [f(a), f(b), f(c)]
 }
+
+/// Nine values, surely inlined and unrolled.
+#[inline(always)]
+fn nine<T>(f: impl Fn(usize) -> T) -> [T; 9] {
+    [f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7), f(8)]
+}

@@ -58,8 +58,8 @@ impl<S: Simd> Sixteen<S> {
         let plane = Plane::new(simd, self, at);
         let columns = bins::columns(frame.eye.width) as i32;
         for step in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-            let mut outside = (self.steps[0] - simd.splat_i32x16(step[0]))
-                | (self.steps[1] - simd.splat_i32x16(step[1]));
+            let mut outside =
+                (self.steps[0] - simd.splat_i32x16(step[0])) | (self.steps[1] - simd.splat_i32x16(step[1]));
             for edge in &edges {
                 let mut value = edge.value;
                 for axis in 0..2 {

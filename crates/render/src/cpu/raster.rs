@@ -234,9 +234,7 @@ impl<S: Simd> Small<S> {
         let within = three(
             edges.edges,
             #[inline(always)]
-            |(_, [dx, dy], _)| {
-                down * int(dx * SUBPIXEL) - right * int(dy * SUBPIXEL) - int(reach([dx, dy]))
-            },
+            |(_, [dx, dy], _)| down * int(dx * SUBPIXEL) - right * int(dy * SUBPIXEL) - int(reach([dx, dy])),
         );
         let down = three(
             edges.edges,

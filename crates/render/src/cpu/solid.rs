@@ -16,38 +16,52 @@ use super::visible::Owners;
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
     let background = tile.frame.options.background;
-    for at in tile.slot.blocks() {
-        let mut owners = scratch.visible.owners(simd, at);
-        if owners.count == 0 && !tile.blended {
-            let Some(codes) = &mut codes else { continue };
-            if codes.put_empty(&tile.slot, at) {
-                continue;
+    let mut owners = Owners::default();
+    tile.slot.for_each_block(
+        #[inline(always)]
+        |at| {
+            scratch.visible.owners(simd, at, &mut owners);
+            let mut rgb = [Lanes::splat(simd, 0.0); 3];
+            if owners.count > 0 {
+                rgb = colors(simd, tile, scratch, &mut owners, at);
             }
-        }
-        let covered = owners.bits();
-        let rgb = match covered {
-            0 => [Lanes::splat(simd, 0.0); 3],
-            _ => colors(simd, tile, scratch, &mut owners, at),
-        };
-        if let Some(codes) = &mut codes {
-            let rgb = if covered == 0xffff { rgb } else { over_backdrop(simd, rgb, covered, background).0 };
+            let Some(codes) = &mut codes else { return keep(simd, tile, scratch, rgb, owners.bits, at) };
+            if owners.count == 0 && codes.put_empty(&tile.slot, at) {
+                return;
+            }
+            if owners.bits != 0xffff {
+                rgb = over_backdrop(simd, rgb, owners.bits, background).0;
+            }
             codes.put(&tile.slot, at, rgb);
-            continue;
-        }
-        let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
-        if tile.blended {
-            let through = Lanes::load(simd, scratch.glass.through(at));
-            let [r, g, b, a] = scratch.glass.light(simd, at);
-            for (value, light) in rgb.iter_mut().zip([r, g, b]) {
-                *value = *value * through + light;
-            }
-            alpha = alpha * through + a;
-        }
-        if covered == 0 {
-            scratch.pixels.touch(at, background);
-        }
-        scratch.pixels.put(at, rgb, alpha);
+        },
+    );
+}
+
+/// Puts a block into the tile's pixels, behind what is blended.
+#[inline(always)]
+fn keep<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    rgb: [Lanes<S>; 3],
+    covered: u32,
+    at: usize,
+) {
+    let background = tile.frame.options.background;
+    if covered == 0 && !tile.blended {
+        return;
     }
+    scratch.pixels.touch(at, background);
+    let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
+    if tile.blended {
+        let through = Lanes::load(simd, scratch.glass.through(at));
+        let [r, g, b, a] = scratch.glass.light(simd, at);
+        for (value, light) in rgb.iter_mut().zip([r, g, b]) {
+            *value = *value * through + light;
+        }
+        alpha = alpha * through + a;
+    }
+    scratch.pixels.put(at, rgb, alpha);
 }
 
 /// The colours of a block; where nothing is, any.
@@ -93,13 +107,15 @@ fn colors<S: Simd>(
     let group = Group::bare(simd, frame, &scratch.records, object, place);
     let material = &frame.materials[object.material];
     let (place, value) = located;
-    group.simple(
-        material,
-        &place,
-        value,
-        #[inline(always)]
-        |point| reflect(&frame.lights, material, point),
-    ).0
+    group
+        .simple(
+            material,
+            &place,
+            value,
+            #[inline(always)]
+            |point| reflect(&frame.lights, material, point),
+        )
+        .0
 }
 
 /// The colours of a block of any kind; keeps the planes that are asked for.

@@ -120,10 +120,14 @@ pub(crate) struct Slot {
 }
 
 impl Slot {
-    /// The places of the blocks that are in the picture, at least in part.
-    pub fn blocks(&self) -> impl Iterator<Item = usize> + use<> {
-        let [columns, rows] = self.size.map(|size| size.div_ceil(SIDE));
-        (0..rows).flat_map(move |row| (0..columns).map(move |column| block::place(column, row)))
+    /// Calls `work` with the places of the blocks that are in the picture, at least in part.
+    #[inline(always)]
+    pub fn for_each_block(&self, mut work: impl FnMut(usize)) {
+        for row in 0..self.size[1].div_ceil(SIDE) {
+            for column in 0..self.size[0].div_ceil(SIDE) {
+                work(block::place(column, row));
+            }
+        }
     }
 }
 
@@ -179,29 +183,33 @@ impl Band<'_> {
 impl Codes<'_> {
     #[inline(always)]
     fn write<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot) {
-        for place in slot.blocks() {
-            if !pixels.touched[place / BLOCK] && self.put_empty(slot, place) {
-                continue;
-            }
-            let lanes = inlined(
-                #[inline(always)]
-                |plane: &[f32; TILE_PIXELS]| {
-                    Lanes::load(simd, plane[place..].first_chunk().expect("tiles are whole blocks"))
-                },
-            );
-            let [r, g, b] = &pixels.rgb;
-            let rgb = [lanes(r), lanes(g), lanes(b)];
-            match self.opaque {
-                true => self.put(slot, place, rgb),
-                false => {
-                    let mut bytes = [0; 4 * BLOCK];
-                    let [column, row] = block::pixel(place);
-                    let at = [slot.left + column, slot.top + row];
-                    self.kernel.store_block_rgba(rgb, lanes(&pixels.alpha), at, &mut bytes);
-                    self.copy(slot, place, &bytes);
-                }
-            }
+        slot.for_each_block(
+            #[inline(always)]
+            |place| self.write_block(simd, pixels, slot, place),
+        );
+    }
+
+    #[inline(always)]
+    fn write_block<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot, place: usize) {
+        if !pixels.touched[place / BLOCK] && self.put_empty(slot, place) {
+            return;
         }
+        let lanes = inlined(
+            #[inline(always)]
+            |plane: &[f32; TILE_PIXELS]| {
+                Lanes::load(simd, plane[place..].first_chunk().expect("tiles are whole blocks"))
+            },
+        );
+        let [r, g, b] = &pixels.rgb;
+        let rgb = [lanes(r), lanes(g), lanes(b)];
+        if self.opaque {
+            return self.put(slot, place, rgb);
+        }
+        let mut bytes = [0; 4 * BLOCK];
+        let [column, row] = block::pixel(place);
+        let at = [slot.left + column, slot.top + row];
+        self.kernel.store_block_rgba(rgb, lanes(&pixels.alpha), at, &mut bytes);
+        self.copy(slot, place, &bytes);
     }
 
     /// Develops a block of opaque pixels into its place.
@@ -227,13 +235,17 @@ impl Codes<'_> {
         let [column, row] = block::pixel(place);
         let rows = SIDE.min(slot.size[1] - row);
         let length = ROW.min(4 * (slot.size[0] - column));
-        let start = 4 * (row * slot.stride + slot.left + column);
-        for (i, bytes) in bytes.as_chunks::<ROW>().0.iter().take(rows).enumerate() {
-            let out = &mut self.out[start + 4 * i * slot.stride..];
-            match out.first_chunk_mut() {
-                Some(whole) if length == ROW => *whole = *bytes,
-                _ => out[..length].copy_from_slice(&bytes[..length]),
+        let [a, b, c, d] = bytes.as_chunks::<ROW>().0 else { return };
+        let (start, stride) = (4 * (row * slot.stride + slot.left + column), 4 * slot.stride);
+        if rows == SIDE && length == ROW {
+            for (i, bytes) in [a, b, c, d].into_iter().enumerate() {
+                let out = self.out[start + i * stride..].first_chunk_mut();
+                *out.expect("the block is in the picture") = *bytes;
             }
+            return;
+        }
+        for (i, bytes) in [a, b, c, d].into_iter().enumerate().take(rows) {
+            self.out[start + i * stride..][..length].copy_from_slice(&bytes[..length]);
         }
     }
 }

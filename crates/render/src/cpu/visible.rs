@@ -40,18 +40,19 @@ pub(crate) struct Visible {
     seen: Vec<Seen>,
 }
 
-/// Sixteen neighbouring samples that several triangles own.
+/// Who owns sixteen neighbouring samples.
+#[derive(Debug)]
 pub(crate) struct Owners {
     /// Each owner once, with the samples that it owns.
     pub runs: [Run; BLOCK],
     pub count: usize,
+    /// Which samples are owned at all.
+    pub bits: u32,
 }
 
-impl Owners {
-    /// Which samples are owned at all.
-    #[inline(always)]
-    pub fn bits(&self) -> u32 {
-        self.runs[..self.count].iter().fold(0, |bits, run| bits | run.bits)
+impl Default for Owners {
+    fn default() -> Self {
+        Self { runs: [Run { record: 0, bits: 0 }; BLOCK], count: 0, bits: 0 }
     }
 }
 
@@ -71,7 +72,8 @@ impl Visible {
         let at = point.place as usize;
         let before = self.depth[at];
         if before < point.depth
-            || before == point.depth && name(&self.seen, self.owners[at]).is_some_and(|other| point.name < other)
+            || before == point.depth
+                && name(&self.seen, self.owners[at]).is_some_and(|other| point.name < other)
         {
             self.depth[at] = point.depth;
             self.owners[at] = NAMED | point.name;
@@ -162,26 +164,28 @@ impl Visible {
         self.owners[at..].first_chunk().expect("planes are whole blocks")
     }
 
-    /// Who owns the block at a place of the planes.
+    /// Finds who owns the block at a place of the planes.
     #[inline(always)]
-    pub fn owners<S: Simd>(&self, simd: S, at: usize) -> Owners {
+    pub fn owners<S: Simd>(&self, simd: S, at: usize, found: &mut Owners) {
         let each = self.each(at);
         let lanes = u32x16::from_slice(simd, each);
         let same = inlined(
             #[inline(always)]
             |owner: u32| LanesMask(simd.simd_eq_u32x16(lanes, simd.splat_u32x16(owner))).bits(),
         );
-        let mut runs = [Run { record: 0, bits: 0 }; BLOCK];
-        let mut count = 0;
-        let mut left = !same(NONE) & 0xffff;
+        found.count = 0;
+        found.bits = 0;
+        let mut left = 0xffff_u32;
         while left != 0 {
             let owner = each[left.trailing_zeros() as usize & (BLOCK - 1)];
             let bits = same(owner);
-            runs[count & (BLOCK - 1)] = Run { record: owner, bits };
-            count += 1;
             left &= !bits;
+            if owner != NONE {
+                found.runs[found.count & (BLOCK - 1)] = Run { record: owner, bits };
+                found.count += 1;
+                found.bits |= bits;
+            }
         }
-        Owners { runs, count }
     }
 
     /// The number of an owner's object.
