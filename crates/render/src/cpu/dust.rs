@@ -11,11 +11,19 @@ use glanz_scene::Shading;
 use super::block::BLOCK;
 use super::frame::FrameView;
 use super::records::{GROUP, Projected, barycentric, differences};
-use super::visible::{Owners, Visible, corners, object_of};
+use super::visible::{Owners, Visible, is_named};
 use super::{inlined, three};
 
-/// From this number of triangles on, setting all of them up at once is cheaper than one by one.
-pub(crate) const MANY: usize = 4;
+/// From this number of triangles on, setting all of them up at once is cheaper than one by one, where
+/// they are set up for the block alone; and where they serve several blocks.
+const MANY_TINY: usize = 3;
+const MANY: usize = 8;
+
+/// Whether [`rows`] is cheaper than records.
+#[inline(always)]
+pub(crate) fn pays(owners: &Owners) -> bool {
+    owners.count >= MANY || owners.count >= MANY_TINY && is_named(owners.runs[0].record)
+}
 
 /// What records would give: the rows of the position, and of one group of attributes.
 pub(crate) type Rows<S> = [[Lanes<S>; GROUP]; 2];
@@ -38,26 +46,38 @@ pub(crate) fn rows<S: Simd>(
         Shading::Gouraud if view.cull_back => true,
         _ => return None,
     };
-    let mut screen = [[[0.0f32; 4]; BLOCK]; 3];
-    let mut values = [[[0.0f32; 4]; BLOCK]; 3];
+    let geometry = &frame.prepared.geometry;
+    let normals = geometry.normals.as_flattened();
+    let mut vertices = [[0usize; BLOCK]; 3];
     let (any, covered) = (owners.runs[0].record, owners.bits);
+    let each = visible.each(at);
     for lane in 0..BLOCK {
-        let owner = if covered >> lane & 1 == 1 { visible.each(at)[lane] } else { any };
+        let owner = if covered >> lane & 1 == 1 { each[lane] } else { any };
         let name = visible.whole(owner)?;
-        if object_of(frame, name) != object {
+        let cluster = &geometry.clusters[(name >> 7) as usize];
+        if cluster.object as usize != object {
             return None;
         }
-        for (corner, vertex) in corners(frame, name).into_iter().enumerate() {
-            screen[corner][lane] = projected.screen[vertex];
-            let [x, y, z] = match gouraud {
-                true => {
-                    let [textured, plain] = projected.lit[vertex][0];
-                    three([0, 1, 2], |c| textured[c] + plain[c])
-                }
-                false => frame.prepared.geometry.normals[vertex],
-            };
-            values[corner][lane] = [x, y, z, 0.0];
+        let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
+        for corner in 0..3 {
+            vertices[corner][lane] = cluster.first_vertex as usize + triangle[corner] as usize;
         }
+    }
+    let mut screen = [[[0.0f32; 4]; BLOCK]; 3];
+    let mut values = [[[0.0f32; 4]; BLOCK]; 3];
+    for (screen, vertex) in screen.as_flattened_mut().iter_mut().zip(vertices.as_flattened()) {
+        *screen = projected.screen[*vertex];
+    }
+    let values_of = values.as_flattened_mut().iter_mut().zip(vertices.as_flattened());
+    match gouraud {
+        true => values_of.for_each(
+            #[inline(always)]
+            |(value, vertex)| *value = lit(&projected.lit[*vertex][0]),
+        ),
+        false => values_of.for_each(
+            #[inline(always)]
+            |(value, vertex)| *value = normal(normals, *vertex),
+        ),
     }
     let screen = three(
         screen.each_ref(),
@@ -79,6 +99,18 @@ pub(crate) fn rows<S: Simd>(
         }
     }
     Some([position, differences(&values)])
+}
+
+/// A vertex's normal; the fourth number is of no use.
+#[inline(always)]
+fn normal(normals: &[f32], vertex: usize) -> [f32; 4] {
+    let row = &normals[3 * vertex..];
+    row.first_chunk().copied().unwrap_or_else(|| [row[0], row[1], row[2], 0.0])
+}
+
+#[inline(always)]
+fn lit([textured, plain]: &[[f32; 3]; 2]) -> [f32; 4] {
+    [textured[0] + plain[0], textured[1] + plain[1], textured[2] + plain[2], 0.0]
 }
 
 /// The three columns of sixteen rows.

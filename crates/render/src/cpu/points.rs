@@ -20,10 +20,11 @@ pub(crate) struct Point {
     pub place: u32,
 }
 
-/// Triangles smaller than this (in 1/256 pixel) can be tiny.
-pub(crate) const TINY: i32 = 4 * SUBPIXEL;
+/// Triangles smaller than this (in 1/256 pixel) are tiny. Going through the samples of their boxes,
+/// sixteen triangles at a time, is cheaper than setting each of them up for a tile.
+pub(crate) const TINY: i32 = 6 * SUBPIXEL;
 
-/// Sixteen triangles that are smaller than [`TINY`] and have at most 2×2 samples in their box.
+/// Sixteen triangles that are smaller than [`TINY`].
 pub(crate) struct Sixteen<S: Simd> {
     /// Corner coordinates, in 1/256 pixel.
     pub x: [i32x16<S>; 3],
@@ -57,35 +58,52 @@ impl<S: Simd> Sixteen<S> {
         );
         let plane = Plane::new(simd, self, at);
         let columns = bins::columns(frame.eye.width) as i32;
-        for step in [[0, 0], [1, 0], [0, 1], [1, 1]] {
-            let mut outside =
-                (self.steps[0] - simd.splat_i32x16(step[0])) | (self.steps[1] - simd.splat_i32x16(step[1]));
-            for edge in &edges {
-                let mut value = edge.value;
-                for axis in 0..2 {
-                    if step[axis] == 1 {
-                        value += edge.gain[axis];
-                    }
+        let mut row = three(
+            edges.each_ref(),
+            #[inline(always)]
+            |edge| edge.value,
+        );
+        let mut rows = (0, kept);
+        while rows.1 != 0 {
+            let mut values = row;
+            let mut step = [0, rows.0];
+            let mut left = rows.1;
+            while left != 0 {
+                let [a, b, c] = values;
+                let inside = simd.simd_ge_i32x16(a | b | c, simd.splat_i32x16(0));
+                let covered = LanesMask(inside).bits() & left;
+                if covered != 0 {
+                    self.put(covered, plane.at(step), self.words(simd, step, columns), bins);
                 }
-                outside = outside | value;
+                step[0] += 1;
+                left &= reaching(simd, self.steps[0], step[0]);
+                for (value, edge) in values.iter_mut().zip(&edges) {
+                    *value += edge.gain[0];
+                }
             }
-            let inside = LanesMask(simd.simd_ge_i32x16(outside, simd.splat_i32x16(0)));
-            let mut covered = inside.bits() & kept;
-            if covered == 0 {
-                continue;
+            rows.0 += 1;
+            rows.1 &= reaching(simd, self.steps[1], rows.0);
+            for (value, edge) in row.iter_mut().zip(&edges) {
+                *value += edge.gain[1];
             }
-            let mut depths = [0.0; 16];
-            plane.at(step).store(&mut depths);
-            let mut words = [0; 16];
-            self.words(simd, step, columns).store_slice(&mut words);
-            while covered != 0 {
-                let lane = covered.trailing_zeros() as usize & 15;
-                covered &= covered - 1;
-                let word = words[lane] as usize;
-                let place = (word % TILE_PIXELS) as u32;
-                let point = Point { depth: depths[lane], name: self.name + lane as u32, place };
-                bins.push_to(word / TILE_PIXELS, point);
-            }
+        }
+    }
+
+    /// Puts one sample of each triangle `covered` into its bin.
+    #[inline(always)]
+    fn put(&self, mut covered: u32, depth: Lanes<S>, words: i32x16<S>, bins: &mut Bins<Point>) {
+        let (mut depths, mut places) = ([0.0; 16], [0; 16]);
+        depth.store(&mut depths);
+        words.store_slice(&mut places);
+        while covered != 0 {
+            let lane = covered.trailing_zeros() as usize & 15;
+            covered &= covered - 1;
+            let word = places[lane] as usize;
+            let place = (word % TILE_PIXELS) as u32;
+            bins.push_to(
+                word / TILE_PIXELS,
+                Point { depth: depths[lane], name: self.name + lane as u32, place },
+            );
         }
     }
 
@@ -99,7 +117,7 @@ impl<S: Simd> Sixteen<S> {
         );
         let (dx, dy) = (turned(self.x[to] - self.x[from]), turned(self.y[to] - self.y[from]));
         // −1 where the edge does not own the samples on it. It owns them if it goes up, or level to the
-        // right; no coordinate difference is as great as 2048.
+        // right; no coordinate difference of a tiny triangle is as great as 2048.
         let bias = !((dy << 11) - dx) >> 31;
         let value = dx * (at[1] - self.y[from]) - dy * (at[0] - self.x[from]) + bias;
         let zero = simd.splat_i32x16(0);
@@ -121,6 +139,12 @@ impl<S: Simd> Sixteen<S> {
         let lane = ((row & int(SIDE as i32 - 1)) << 2) + (column & int(SIDE as i32 - 1));
         tile * int(TILE_PIXELS as i32) + block * int(BLOCK as i32) + lane
     }
+}
+
+/// Which triangles' boxes reach so many steps.
+#[inline(always)]
+fn reaching<S: Simd>(simd: S, steps: i32x16<S>, step: i32) -> u32 {
+    LanesMask(simd.simd_ge_i32x16(steps, simd.splat_i32x16(step))).bits()
 }
 
 /// Where the samples of some pixels are, in 1/256 pixel.
@@ -163,12 +187,8 @@ impl<S: Simd> Plane<S> {
 
     #[inline(always)]
     fn at(&self, step: [i32; 2]) -> Lanes<S> {
-        let mut depth = self.first;
-        for axis in 0..2 {
-            if step[axis] == 1 {
-                depth = depth + self.gain[axis];
-            }
-        }
+        let [right, down] = [self.first.lit(f64::from(step[0])), self.first.lit(f64::from(step[1]))];
+        let depth = self.first + right * self.gain[0] + down * self.gain[1];
         depth.max(self.range[0]).min(self.range[1])
     }
 }

@@ -301,7 +301,7 @@ fn cover_large<S: Simd>(
             depth.enter(simd, grid, row);
         }
         while touched != 0 {
-            let column = touched.trailing_zeros() as usize / SIDE & (COLUMNS - 1);
+            let column = (touched.trailing_zeros() as usize / SIDE) & (COLUMNS - 1);
             let nibble = SIDE * column;
             touched &= !(0xf << nibble);
             let bits = (0..SIDE).fold(0, |bits, i| bits | (words[i] >> nibble & 0xf) << (SIDE * i));

@@ -78,7 +78,7 @@ fn colors<S: Simd>(
     let number = scratch.visible.object(frame, owners.runs[0].record);
     let object = &frame.objects[number];
     let simple = is_simple(object, frame.options.show) && !tile.keeps_planes();
-    let located = match simple && owners.count >= dust::MANY {
+    let located = match simple && dust::pays(owners) {
         true => {
             let rows = dust::rows(simd, frame, projected, &scratch.visible, owners, at, number);
             rows.map(

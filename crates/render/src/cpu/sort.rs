@@ -25,7 +25,7 @@ struct Boxes<S: Simd> {
     first: [i32x16<S>; 2],
     last: [i32x16<S>; 2],
     kept: u32,
-    /// Those with at most 2×2 samples.
+    /// Those of a few samples.
     tiny: u32,
 }
 
@@ -50,7 +50,7 @@ pub(crate) fn sort<S: Simd>(
     // With more samples a pixel than one, or where a texture decides, triangles stay triangles.
     let pointed = frame.samples.len() == 1 && object.pass == Pass::Opaque;
     for (block, sixteen) in triangles.chunks(16).enumerate() {
-        let first_name = (number as u32) << 7 | block as u32 * 16;
+        let first_name = ((number as u32) << 7) | (block as u32 * 16);
         let corners = gather(simd, local, sixteen);
         let boxes = visible(simd, frame, object, &corners);
         let mut outside = if clipped { needing_clip(local, sixteen) } else { 0 };
@@ -153,7 +153,7 @@ fn visible<S: Simd>(simd: S, frame: &FrameView, object: &ObjectView, corners: &C
         false => simd.simd_ne_i32x16(area, int(0)),
     };
     let mut kept = (facing | large).to_bitmask() as u32;
-    let mut tiny = simd.simd_lt_i32x16(extent, int(TINY));
+    let tiny = simd.simd_lt_i32x16(extent, int(TINY));
     let size = [frame.eye.width as i32, frame.eye.height as i32];
     let (mut first, mut last) = ([area; 2], [area; 2]);
     for axis in 0..2 {
@@ -163,7 +163,6 @@ fn visible<S: Simd>(simd: S, frame: &FrameView, object: &ObjectView, corners: &C
         first[axis] = simd.max_i32x16(from, int(0));
         last[axis] = simd.min_i32x16(to, int(size[axis] - 1));
         kept &= simd.simd_le_i32x16(first[axis], last[axis]).to_bitmask() as u32;
-        tiny &= simd.simd_le_i32x16(last[axis] - first[axis], int(1));
     }
     Boxes { area, first, last, kept, tiny: tiny.to_bitmask() as u32 }
 }

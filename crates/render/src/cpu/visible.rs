@@ -250,7 +250,7 @@ pub(crate) fn triangle(frame: &FrameView, projected: &Projected, chunk: usize, k
 
 /// The vertices of a triangle.
 #[inline(always)]
-pub(crate) fn corners(frame: &FrameView, name: u32) -> [usize; 3] {
+fn corners(frame: &FrameView, name: u32) -> [usize; 3] {
     let geometry = &frame.prepared.geometry;
     let cluster = &geometry.clusters[(name >> 7) as usize];
     let first = cluster.first_vertex as usize;
@@ -265,6 +265,12 @@ pub(crate) fn corners(frame: &FrameView, name: u32) -> [usize; 3] {
 #[inline(always)]
 pub(crate) fn object_of(frame: &FrameView, name: u32) -> usize {
     frame.prepared.geometry.clusters[(name >> 7) as usize].object as usize
+}
+
+/// Whether the owner is a tiny triangle, which no other block is likely to see.
+#[inline(always)]
+pub(crate) fn is_named(owner: u32) -> bool {
+    owner & NAMED != 0
 }
 
 #[inline(always)]
