@@ -9,7 +9,7 @@ use glanz_math::{Lanes, Real};
 use glanz_scene::Shading;
 
 use super::block::BLOCK;
-use super::frame::FrameView;
+use super::frame::{FrameView, ObjectView};
 use super::records::{GROUP, Projected, barycentric, differences};
 use super::visible::{Owners, Visible, is_named};
 use super::{inlined, three};
@@ -19,7 +19,7 @@ use super::{inlined, three};
 const MANY_TINY: usize = 3;
 const MANY: usize = 8;
 
-/// Whether [`rows`] is cheaper than records.
+/// Whether [`Dust`] is cheaper than records.
 #[inline(always)]
 pub(crate) fn pays(owners: &Owners) -> bool {
     owners.count >= MANY || owners.count >= MANY_TINY && is_named(owners.runs[0].record)
@@ -28,77 +28,82 @@ pub(crate) fn pays(owners: &Owners) -> bool {
 /// What records would give: the rows of the position, and of one group of attributes.
 pub(crate) type Rows<S> = [[Lanes<S>; GROUP]; 2];
 
-/// The rows for sixteen pixels of one object without textures. None where triangles of other objects
-/// or parts of clipped triangles are among them, or where a value belongs to facets.
-#[inline(always)]
-pub(crate) fn rows<S: Simd>(
-    simd: S,
-    frame: &FrameView,
-    projected: &Projected,
-    visible: &Visible,
-    owners: &Owners,
-    at: usize,
-    object: usize,
-) -> Option<Rows<S>> {
-    let view = &frame.objects[object];
-    let gouraud = match view.shading {
-        Shading::Phong => false,
-        Shading::Gouraud if view.cull_back => true,
-        _ => return None,
-    };
-    let geometry = &frame.prepared.geometry;
-    let normals = geometry.normals.as_flattened();
-    let mut vertices = [[0usize; BLOCK]; 3];
-    let (any, covered) = (owners.runs[0].record, owners.bits);
-    let each = visible.each(at);
-    for lane in 0..BLOCK {
-        let owner = if covered >> lane & 1 == 1 { each[lane] } else { any };
-        let name = visible.whole(owner)?;
-        let cluster = &geometry.clusters[(name >> 7) as usize];
-        if cluster.object as usize != object {
-            return None;
+/// The corners of sixteen triangles.
+#[derive(Debug, Default)]
+pub(crate) struct Dust {
+    vertices: [[u32; BLOCK]; 3],
+    screen: [[[f32; 4]; BLOCK]; 3],
+    /// Normals, or light.
+    values: [[[f32; 4]; BLOCK]; 3],
+}
+
+impl Dust {
+    /// Fetches the triangles that sixteen pixels see, if all are of this object and have values at
+    /// their corners: false where parts of clipped triangles or of other objects are among them, or where
+    /// a value belongs to facets or to one side.
+    #[inline(always)]
+    pub fn fetch(
+        &mut self,
+        frame: &FrameView,
+        projected: &Projected,
+        visible: &Visible,
+        owners: &Owners,
+        at: usize,
+        object: usize,
+    ) -> bool {
+        let view = &frame.objects[object];
+        let gouraud = view.shading == Shading::Gouraud;
+        if view.shading == Shading::Flat || gouraud && !view.cull_back {
+            return false;
         }
-        let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
-        for corner in 0..3 {
-            vertices[corner][lane] = cluster.first_vertex as usize + triangle[corner] as usize;
+        let geometry = &frame.prepared.geometry;
+        let (any, covered) = (owners.runs[0].record, owners.bits);
+        let each = visible.each(at);
+        for (lane, own) in each.iter().enumerate() {
+            let owner = if covered >> lane & 1 == 1 { *own } else { any };
+            let Some(name) = visible.whole(owner) else { return false };
+            let cluster = &geometry.clusters[(name >> 7) as usize];
+            if cluster.object as usize != object {
+                return false;
+            }
+            let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
+            for (vertices, corner) in self.vertices.iter_mut().zip(triangle) {
+                vertices[lane] = cluster.first_vertex + u32::from(corner);
+            }
         }
+        let vertices = self.vertices.as_flattened();
+        for (screen, vertex) in self.screen.as_flattened_mut().iter_mut().zip(vertices) {
+            *screen = projected.screen[*vertex as usize];
+        }
+        let normals = geometry.normals.as_flattened();
+        for (value, vertex) in self.values.as_flattened_mut().iter_mut().zip(vertices) {
+            *value = match gouraud {
+                true => lit(&projected.lit[*vertex as usize][0]),
+                false => normal(normals, *vertex as usize),
+            };
+        }
+        true
     }
-    let mut screen = [[[0.0f32; 4]; BLOCK]; 3];
-    let mut values = [[[0.0f32; 4]; BLOCK]; 3];
-    for (screen, vertex) in screen.as_flattened_mut().iter_mut().zip(vertices.as_flattened()) {
-        *screen = projected.screen[*vertex];
-    }
-    let values_of = values.as_flattened_mut().iter_mut().zip(vertices.as_flattened());
-    match gouraud {
-        true => values_of.for_each(
+
+    /// The rows of the triangles that were fetched.
+    #[inline(always)]
+    pub fn rows<S: Simd>(&self, simd: S, frame: &FrameView, view: &ObjectView) -> Rows<S> {
+        let in_lanes = inlined(
             #[inline(always)]
-            |(value, vertex)| *value = lit(&projected.lit[*vertex][0]),
-        ),
-        false => values_of.for_each(
-            #[inline(always)]
-            |(value, vertex)| *value = normal(normals, *vertex),
-        ),
-    }
-    let screen = three(
-        screen.each_ref(),
-        #[inline(always)]
-        |rows| columns(simd, rows),
-    );
-    let mut values = three(
-        values.each_ref(),
-        #[inline(always)]
-        |rows| columns(simd, rows),
-    );
-    let (position, back) = barycentric(&screen);
-    if !gouraud && !view.cull_back {
-        let one = Lanes::splat(simd, 1.0);
-        let two_sided = frame.materials[view.material].two_sided;
-        let sign = (if two_sided { -one } else { one.zero() }).select(back, one);
-        for value in values.iter_mut().flatten() {
-            *value = *value * sign;
+            |rows: &[[f32; 4]; BLOCK]| columns(simd, rows),
+        );
+        let (position, back) = barycentric(&three(self.screen.each_ref(), in_lanes));
+        let mut values = three(self.values.each_ref(), in_lanes);
+        if view.shading == Shading::Phong && !view.cull_back {
+            let one = Lanes::splat(simd, 1.0);
+            let two_sided = frame.materials[view.material].two_sided;
+            let sign = (if two_sided { -one } else { one.zero() }).select(back, one);
+            for value in values.iter_mut().flatten() {
+                *value = *value * sign;
+            }
         }
+        [position, differences(&values)]
     }
-    Some([position, differences(&values)])
 }
 
 /// A vertex's normal; the fourth number is of no use.

@@ -8,6 +8,7 @@ use super::block::{self, BLOCK};
 use super::group::{self, Shaded};
 use super::samples::SUBPIXEL;
 use super::target::backdrop;
+use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
 
@@ -69,10 +70,12 @@ fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: us
         group::shade(simd, tile.frame, records, runs, place, &mut shaded);
         let weights = Lanes::load(simd, &layer.weights);
         let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
-        for (sum, value) in sum.iter_mut().zip(shaded.rgb) {
+        sum = three(
+            [0, 1, 2],
             // Where the weight is zero the value may be anything, NaN too.
-            *sum = (*sum + value * weights).select(zero.lt(weights), *sum);
-        }
+            #[inline(always)]
+            |c| (sum[c] + shaded.rgb[c] * weights).select(zero.lt(weights), sum[c]),
+        );
         covered = covered + weights;
         if tile.keeps_planes() {
             keep_planes(simd, pixels, records, &shaded, runs, at);
@@ -80,16 +83,20 @@ fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: us
     }
     let (color, alpha) = backdrop(background);
     let open = Lanes::load(simd, &layers.open);
-    for (sum, behind) in sum.iter_mut().zip(color) {
-        *sum = *sum + open * Lanes::splat(simd, behind);
-    }
+    sum = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| sum[c] + open * Lanes::splat(simd, color[c]),
+    );
     covered = covered + open * Lanes::splat(simd, alpha);
     if tile.blended {
-        let [r, g, b, a] = glass.light(simd, at);
-        for (sum, light) in sum.iter_mut().zip([r, g, b]) {
-            *sum = *sum + light;
-        }
-        covered = covered + a;
+        let light = glass.light(simd, at);
+        sum = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| sum[c] + light[c],
+        );
+        covered = covered + light[3];
     }
     pixels.put(at, sum, covered);
 }

@@ -254,8 +254,8 @@ impl<S: Simd> Small<S> {
     /// Makes the row's values readable block by block.
     #[inline(always)]
     fn enter(&mut self) {
-        for (row, values) in self.row.iter_mut().zip(self.greatest) {
-            values.store_slice(row);
+        for edge in 0..3 {
+            self.greatest[edge].store_slice(&mut self.row[edge]);
         }
     }
 

@@ -9,6 +9,7 @@ use super::group::{self, Group, Shaded, is_simple};
 use super::reflect::reflect;
 use super::runs::Run;
 use super::target::{Codes, over_backdrop};
+use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
 
@@ -55,11 +56,13 @@ fn keep<S: Simd>(
     let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
     if tile.blended {
         let through = Lanes::load(simd, scratch.glass.through(at));
-        let [r, g, b, a] = scratch.glass.light(simd, at);
-        for (value, light) in rgb.iter_mut().zip([r, g, b]) {
-            *value = *value * through + light;
-        }
-        alpha = alpha * through + a;
+        let light = scratch.glass.light(simd, at);
+        rgb = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| rgb[c] * through + light[c],
+        );
+        alpha = alpha * through + light[3];
     }
     scratch.pixels.put(at, rgb, alpha);
 }
@@ -78,39 +81,33 @@ fn colors<S: Simd>(
     let number = scratch.visible.object(frame, owners.runs[0].record);
     let object = &frame.objects[number];
     let simple = is_simple(object, frame.options.show) && !tile.keeps_planes();
-    let located = match simple && dust::pays(owners) {
-        true => {
-            let rows = dust::rows(simd, frame, projected, &scratch.visible, owners, at, number);
-            rows.map(
-                #[inline(always)]
-                |rows| Group::bare(simd, frame, &scratch.records, object, place).locate(&rows),
-            )
+    let (located, value);
+    let dusty = simple
+        && dust::pays(owners)
+        && scratch.dust.fetch(frame, projected, &scratch.visible, owners, at, number);
+    if dusty {
+        let rows = scratch.dust.rows(simd, frame, object);
+        (located, value) = Group::bare(simd, frame, &scratch.records, object, place).locate(&rows);
+    } else {
+        let runs = &mut owners.runs[..owners.count];
+        scratch.visible.set_up(frame, projected, &mut scratch.records, runs);
+        let list = &scratch.records.list;
+        if !simple || runs.iter().any(|run| list[run.record as usize].object as usize != number) {
+            return any_colors(simd, tile, scratch, runs, at);
         }
-        false => None,
-    };
-    let located = match located {
-        Some(located) => located,
-        None => {
-            let runs = &mut owners.runs[..owners.count];
-            scratch.visible.set_up(frame, projected, &mut scratch.records, runs);
-            let list = &scratch.records.list;
-            if !simple || runs.iter().any(|run| list[run.record as usize].object as usize != number) {
-                return any_colors(simd, tile, scratch, runs, at);
-            }
-            let group = Group { runs, ..Group::bare(simd, frame, &scratch.records, object, place) };
-            match runs.len() {
-                1 => group.locate(&[group.splat(0), group.splat(1)]),
-                _ => group.locate(&[group.gather(0), group.gather(1)]),
-            }
-        }
-    };
+        let mut group = Group::bare(simd, frame, &scratch.records, object, place);
+        group.runs = runs;
+        (located, value) = match runs.len() {
+            1 => group.locate(&[group.splat(0), group.splat(1)]),
+            _ => group.locate(&[group.gather(0), group.gather(1)]),
+        };
+    }
     let group = Group::bare(simd, frame, &scratch.records, object, place);
     let material = &frame.materials[object.material];
-    let (place, value) = located;
     group
         .simple(
             material,
-            &place,
+            &located,
             value,
             #[inline(always)]
             |point| reflect(&frame.lights, material, point),

@@ -6,7 +6,7 @@ use glanz_scene::Background;
 
 use super::bins::{TILE_PIXELS, TILE_WIDTH};
 use super::block::{self, BLOCK, SIDE};
-use super::inlined;
+use super::{inlined, three};
 use crate::Develop;
 use crate::develop::DevelopKernel;
 
@@ -68,10 +68,17 @@ impl TilePixels {
     #[inline(always)]
     pub fn put<S: Simd>(&mut self, place: usize, rgb: [Lanes<S>; 3], alpha: Lanes<S>) {
         self.touched[place / BLOCK] = true;
-        let planes = self.rgb.iter_mut().zip(rgb).chain([(&mut self.alpha, alpha)]);
-        for (plane, value) in planes {
-            value.store(plane[place..].first_chunk_mut().expect("tiles are whole blocks"));
-        }
+        let store = inlined(
+            #[inline(always)]
+            |plane: &mut [f32; TILE_PIXELS], value: Lanes<S>| {
+                value.store(plane[place..].first_chunk_mut().expect("tiles are whole blocks"));
+            },
+        );
+        let [r, g, b] = &mut self.rgb;
+        store(r, rgb[0]);
+        store(g, rgb[1]);
+        store(b, rgb[2]);
+        store(&mut self.alpha, alpha);
     }
 
     fn touch_all(&mut self, background: Background) {
@@ -300,14 +307,16 @@ fn copy<T: Copy>(out: &mut [T], tile: &[T], slot: Slot) {
 #[inline(always)]
 pub(crate) fn over_backdrop<S: Simd>(
     simd: S,
-    mut rgb: [Lanes<S>; 3],
+    rgb: [Lanes<S>; 3],
     covered: u32,
     background: Background,
 ) -> ([Lanes<S>; 3], Lanes<S>) {
     let (color, alpha) = backdrop(background);
     let mask = LanesMask::from_bits(simd, covered);
-    for (value, behind) in rgb.iter_mut().zip(color) {
-        *value = value.select(mask, Lanes::splat(simd, behind));
-    }
-    (rgb, Lanes::splat(simd, 1.0).select(mask, Lanes::splat(simd, alpha)))
+    let over = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| rgb[c].select(mask, Lanes::splat(simd, color[c])),
+    );
+    (over, Lanes::splat(simd, 1.0).select(mask, Lanes::splat(simd, alpha)))
 }

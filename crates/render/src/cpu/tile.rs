@@ -6,6 +6,7 @@ use glanz_math::{Lanes, LanesMask, Real};
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::blend::Glass;
 use super::block::BLOCK;
+use super::dust::Dust;
 use super::frame::FrameView;
 use super::group::Shaded;
 use super::raster::Grid;
@@ -24,6 +25,7 @@ pub(crate) struct TileScratch {
     pub records: Records,
     pub layers: Layers,
     pub glass: Glass,
+    pub dust: Dust,
     pub pixels: TilePixels,
 }
 
