@@ -2,11 +2,12 @@
 
 mod common;
 
-use common::{Random, add, camera, empty, glow, picture, pixel_camera, rectangle, sampled, triangles};
+use common::{Random, add, ambient_only, camera, empty, glow, light, picture, pixel_camera, rectangle};
+use common::{sampled, sphere, triangles};
 use glam::{DMat4, Vec3};
 use glanz_color::Rgb;
 use glanz_render::{DrawOptions, Frame};
-use glanz_scene::{AlphaMode, Background, Material, Mesh, Scene};
+use glanz_scene::{AlphaMode, Background, LightKind, Material, Mesh, Scene};
 
 const COUNTS: [u32; 5] = [1, 2, 4, 8, 16];
 const GLASS: Rgb = Rgb([1.0, 0.5, 0.25]);
@@ -99,21 +100,46 @@ fn shards(order: &[u32]) -> Mesh {
     Mesh { colors, ..triangles(positions, corners) }
 }
 
+/// The mesh with its triangles in the opposite order.
+fn reversed(mesh: &Mesh) -> Mesh {
+    let faces: Vec<&[u32]> = (0..mesh.face_count()).map(|face| mesh.face(face)).collect();
+    let corners = faces.iter().rev().flat_map(|face| face.iter().copied()).collect();
+    let mut starts = vec![0];
+    starts.extend(faces.iter().rev().scan(0, |end, face| {
+        *end += face.len() as u32;
+        Some(*end)
+    }));
+    Mesh { corners, face_starts: starts, ..mesh.clone() }
+}
+
+/// A ball of many colours.
+fn ball() -> Mesh {
+    let mut mesh = sphere(23, 14);
+    mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.9).extend(1.0)).collect();
+    mesh
+}
+
 #[test]
 fn the_order_of_glass_triangles_does_not_matter() {
-    let forward: Vec<u32> = (0..40).collect();
-    let backward: Vec<u32> = (0..40).rev().collect();
-    let [one, other] = [forward, backward].map(|order| {
-        let mut scene = empty(camera(3.0, 50.0));
-        add(&mut scene, shards(&order), glass(), DMat4::IDENTITY);
-        scene
-    });
-    for samples in COUNTS {
-        for supersample in [false, true] {
-            let options = DrawOptions { supersample, ..sampled(samples) };
-            let frames = [&one, &other].map(|scene| picture(scene, 48, 48, &options));
-            assert!(frames[0].alpha.iter().any(|alpha| *alpha > 0.9), "the shards overlap");
-            assert!(frames[0] == frames[1], "{samples} samples, supersampled: {supersample}");
+    let order: Vec<u32> = (0..40).collect();
+    for (mesh, opacity) in [(shards(&order), 0.9), (ball(), 0.7)] {
+        let [one, other] = [mesh.clone(), reversed(&mesh)].map(|mesh| {
+            let mut scene = empty(camera(3.0, 50.0));
+            scene.lights.push(light(LightKind::Ambient, Rgb::gray(1.0)));
+            let tinted =
+                Material { alpha: 0.5, alpha_mode: AlphaMode::Blend, ..ambient_only(Rgb::gray(1.0)) };
+            add(&mut scene, mesh, tinted, DMat4::IDENTITY);
+            scene
+        });
+        for samples in COUNTS {
+            for supersample in [false, true] {
+                let options = DrawOptions { supersample, ..sampled(samples) };
+                let frames = [&one, &other].map(|scene| picture(scene, 48, 48, &options));
+                assert!(frames[0].alpha.iter().any(|alpha| *alpha > opacity), "it overlaps itself");
+                let different =
+                    (0..48 * 48).find(|i| frames[0].pixel(i % 48, i / 48) != frames[1].pixel(i % 48, i / 48));
+                assert_eq!(different, None, "{samples} samples, supersampled: {supersample}");
+            }
         }
     }
 }
