@@ -122,6 +122,18 @@ impl<S: Simd> Real for Lanes<S> {
     fn select(self, mask: LanesMask<S>, other: Self) -> Self {
         Self(mask.0.select(self.0, other.0))
     }
+    // On x86 the instructions for maximum and minimum are the very comparison and choice of `Real`, to
+    // the case of NaN and of two zeros: the second operand wins. Elsewhere they differ in these cases.
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(self.0.simd.max_f32x16(self.0, other.0))
+    }
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(self.0.simd.min_f32x16(self.0, other.0))
+    }
     #[inline(always)]
     fn any(mask: LanesMask<S>) -> bool {
         mask.0.any_true()
@@ -230,6 +242,24 @@ mod tests {
                 let same =
                     value.to_bits() == wide[op][lane].to_bits() || value.is_nan() && wide[op][lane].is_nan();
                 assert!(same, "operation {op}, lane {lane}: {value} against {}", wide[op][lane]);
+            }
+        }
+    }
+
+    #[test]
+    fn maximum_and_minimum_are_those_of_one_lane_for_nan_and_both_zeros_too() {
+        let awkward = [0.0, -0.0, f32::NAN, 1.0, -1.0, f32::INFINITY, f32::NEG_INFINITY, 1e-40];
+        for x in awkward {
+            for y in awkward {
+                let mut wide = [[0.0f32; 16]; 2];
+                dispatch!(Level::new(), simd => {
+                    let (x, y) = (Lanes::splat(simd, x), Lanes::splat(simd, y));
+                    x.max(y).store(&mut wide[0]);
+                    x.min(y).store(&mut wide[1]);
+                });
+                for (wide, scalar) in wide.iter().zip([Real::max(x, y), Real::min(x, y)]) {
+                    assert_eq!(wide[3].to_bits(), scalar.to_bits(), "{x} and {y}");
+                }
             }
         }
     }

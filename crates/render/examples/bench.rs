@@ -13,7 +13,7 @@ use glanz_bsdf::{MODELS, Pair, Part, Shape};
 use glanz_color::Rgb;
 use glanz_math::{Lanes, at_level};
 use glanz_render::cpu::Renderer;
-use glanz_render::{Develop, DrawOptions, PrepareOptions, View, prepare};
+use glanz_render::{Develop, DrawOptions, PrepareOptions, Prepared, View, prepare};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
     Attenuation, Background, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
@@ -47,8 +47,9 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
         ..Scene::default()
     };
     for i in 0..lights {
-        let angle = i as f64 * 2.399_963;
-        let position = DVec3::new(3.0 * angle.cos(), 3.0 * angle.sin(), 3.5);
+        // Where the peers have them: on a ring before the sphere.
+        let angle = core::f64::consts::TAU * (i as f64 + 0.125) / lights as f64;
+        let position = DVec3::new(3.0 * angle.cos(), 3.0 * angle.sin(), 3.0);
         scene.lights.push(Light {
             name: String::new(),
             kind: LightKind::Point { position, attenuation: Attenuation::NONE },
@@ -71,8 +72,9 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let quick = arguments.iter().any(|a| a == "--quick");
-    // `--only "64x32 phong 1"` measures the rows whose name begins so.
+    // `--only "64x32 phong 1"` measures the rows whose name begins so, `--frames 5` so many frames.
     let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
+    let frames_asked = arguments.iter().skip_while(|a| *a != "--frames").nth(1).and_then(|n| n.parse().ok());
     let asked = std::env::var("GLANZ_SIMD").ok();
     let level = glanz_math::simd_level(asked.as_deref()).expect("a level that this machine has");
     for (slices, stacks) in [(64, 32), (1024, 512)] {
@@ -80,7 +82,7 @@ fn main() {
             for lights in [1, 4, 8] {
                 if format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
                     let scene = sphere_scene(slices, stacks, lights, shading);
-                    let frames = if quick { 40 } else { 200 };
+                    let frames = frames_asked.unwrap_or(if quick { 40 } else { 200 });
                     let times = frame_times(&scene, frames, level);
                     let threads = rayon::current_num_threads();
                     println!(
@@ -95,6 +97,14 @@ fn main() {
             }
         }
     }
+    let frames = frames_asked.unwrap_or(if quick { 100 } else { 500 });
+    if only.is_empty() || only == "paired" {
+        let scene = sphere_scene(64, 32, 4, Shading::Phong);
+        let prepared = || prepare(&scene, &PrepareOptions::default()).expect("a sound scene");
+        let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
+        // A scene against itself: how far from 1 a ratio must be to mean anything.
+        paired("64x32 sphere, 4 lights: rgb / rgb", [&prepared(), &prepared()], &view, frames, level);
+    }
     if only.is_empty() || only == "models" {
         models(quick, level);
     }
@@ -104,20 +114,65 @@ fn main() {
 fn frame_times(scene: &Scene, frames: usize, level: Level) -> Vec<f64> {
     let prepared = prepare(scene, &PrepareOptions::default()).expect("a sound scene");
     let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
-    let mut options = DrawOptions::new(Background::Color(Rgb([0.05, 0.05, 0.08])));
-    options.level = level;
-    let mut renderer = Renderer::new();
-    let mut out = vec![0u8; (WIDTH * HEIGHT * 4) as usize];
-    let mut times = Vec::with_capacity(frames);
-    for frame in 0..frames + 5 {
-        let start = Instant::now();
-        renderer.draw_rgba8(&prepared, &view, &options, &Develop::default(), &mut out);
-        if frame >= 5 {
-            times.push(start.elapsed().as_secs_f64() * 1e3);
-        }
-    }
+    let mut bench = FrameBench::new(level);
+    let mut times: Vec<f64> = (0..frames + WARM_UP).map(|_| bench.time(&prepared, &view)).collect();
+    times.drain(..WARM_UP);
     times.sort_by(f64::total_cmp);
     times
+}
+
+/// Frames that are drawn before any is measured.
+const WARM_UP: usize = 5;
+
+/// A renderer and its picture.
+struct FrameBench {
+    renderer: Renderer,
+    options: DrawOptions,
+    out: Vec<u8>,
+}
+
+impl FrameBench {
+    fn new(level: Level) -> Self {
+        let mut options = DrawOptions::new(Background::Color(Rgb([0.05, 0.05, 0.08])));
+        options.level = level;
+        Self { renderer: Renderer::new(), options, out: vec![0u8; (WIDTH * HEIGHT * 4) as usize] }
+    }
+
+    /// Draws a frame; milliseconds.
+    fn time(&mut self, prepared: &Prepared, view: &View) -> f64 {
+        let start = Instant::now();
+        self.renderer.draw_rgba8(prepared, view, &self.options, &Develop::default(), &mut self.out);
+        start.elapsed().as_secs_f64() * 1e3
+    }
+}
+
+/// How much longer a frame of the first scene takes than one of the second. They take turns, so that
+/// whatever else the machine does falls on both: the median of the ratios of neighbouring frames, and
+/// between which values half of them lie.
+fn paired(name: &str, scenes: [&Prepared; 2], view: &View, frames: usize, level: Level) {
+    let mut bench = FrameBench::new(level);
+    let mut ratios = Vec::with_capacity(frames);
+    for pair in 0..frames + WARM_UP {
+        // Who comes first changes too.
+        let order = if pair % 2 == 0 { [0, 1] } else { [1, 0] };
+        let mut times = [0.0; 2];
+        for scene in order {
+            times[scene] = bench.time(scenes[scene], view);
+        }
+        if pair >= WARM_UP {
+            ratios.push(times[0] / times[1]);
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let at = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
+    println!(
+        "{{\"table\":\"Two scenes in turn: the first's time per frame over the second's\",\"name\":\"{name}\",\
+         \"pairs\":{},\"median\":{:.4},\"lower quartile\":{:.4},\"upper quartile\":{:.4}}}",
+        ratios.len(),
+        at(0.5),
+        at(0.25),
+        at(0.75)
+    );
 }
 
 /// Shading throughput per model, beside the limit: the same lobe alone, on numbers in cache, with 16

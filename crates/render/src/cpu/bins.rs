@@ -1,4 +1,4 @@
-//! Triangles sorted by the tiles that they touch.
+//! Triangles, and single samples, sorted by the tiles that they touch.
 
 /// Width of a tile in pixels.
 pub(crate) const TILE_WIDTH: usize = 64;
@@ -7,34 +7,45 @@ pub(crate) const TILE_HEIGHT: usize = 32;
 /// Pixels of a tile.
 pub(crate) const TILE_PIXELS: usize = TILE_WIDTH * TILE_HEIGHT;
 
-/// One list of triangle names per tile.
+/// One list of things per tile.
 #[derive(Debug, Default)]
-pub(crate) struct Bins {
+pub(crate) struct Bins<T> {
     columns: usize,
-    tiles: Vec<Vec<u32>>,
+    tiles: Vec<Vec<T>>,
 }
 
-impl Bins {
+impl<T: Copy> Bins<T> {
     /// Empties the lists, for a picture of this size.
     pub fn reset(&mut self, width: usize, height: usize) {
-        self.columns = width.div_ceil(TILE_WIDTH);
+        self.columns = columns(width);
         self.tiles.resize_with(self.columns * height.div_ceil(TILE_HEIGHT), Vec::new);
         self.tiles.iter_mut().for_each(Vec::clear);
     }
 
-    /// Adds a triangle to all tiles from pixel `first` to pixel `last`, which are in the picture.
+    /// Adds a thing to all tiles from pixel `first` to pixel `last`, which are in the picture.
     #[inline(always)]
-    pub fn push(&mut self, first: [i32; 2], last: [i32; 2], name: u32) {
+    pub fn push(&mut self, first: [i32; 2], last: [i32; 2], thing: T) {
         let tile = |p: i32, size: usize| p as usize / size;
         for row in tile(first[1], TILE_HEIGHT)..=tile(last[1], TILE_HEIGHT) {
             for column in tile(first[0], TILE_WIDTH)..=tile(last[0], TILE_WIDTH) {
-                self.tiles[row * self.columns + column].push(name);
+                self.tiles[row * self.columns + column].push(thing);
             }
         }
     }
 
-    /// The triangles of a tile.
-    pub fn of(&self, column: usize, row: usize) -> &[u32] {
+    /// Adds a thing to the tile of this number: row by row, as [`columns`] counts them.
+    #[inline(always)]
+    pub fn push_to(&mut self, tile: usize, thing: T) {
+        self.tiles[tile].push(thing);
+    }
+
+    /// The things of a tile.
+    pub fn of(&self, column: usize, row: usize) -> &[T] {
         &self.tiles[row * self.columns + column]
     }
+}
+
+/// How many tiles stand side by side in a picture of this width.
+pub(crate) fn columns(width: usize) -> usize {
+    width.div_ceil(TILE_WIDTH)
 }

@@ -1,94 +1,230 @@
-//! Surfaces that let through what is behind them: sorted per pixel, so that the order in which they
-//! come does not matter.
+//! Surfaces that let through what is behind them.
+//!
+//! Each is shaded once per pixel, like any other surface, but laid over what is behind it sample by
+//! sample, from the nearest to the farthest (Porter and Duff 1984): so two triangles that share the
+//! samples of a pixel join without a seam, and the order in which triangles come does not matter. What
+//! is left for the opaque surfaces of a sample is the share of light that all in front let through.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, Real};
 
-use super::bins::TILE_WIDTH;
+use super::bins::TILE_PIXELS;
+use super::block::{self, BLOCK};
 use super::frame::FrameView;
 use super::group::{self, Shaded};
-use super::raster::Grid;
-use super::records::Records;
+use super::raster::{Grid, cover};
+use super::records::{Projected, Records};
 use super::runs::Run;
-use super::target::TilePixels;
+use super::samples::SUBPIXEL;
+use super::visible::{Visible, object_of, triangle};
 
-/// A pixel that a blended triangle covers in front of all that is opaque.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fragment {
-    /// Its place in the tile.
-    pub pixel: u32,
-    pub depth: f32,
+/// A triangle at a pixel, or at one of its samples: what is shaded once.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    /// The pixel's place in the tile's arrays.
+    place: u32,
+    record: u32,
+    /// Where it is shaded.
+    at: [f32; 2],
+}
+
+/// A sample that a piece covers, in front of all that is opaque.
+#[derive(Clone, Copy, Debug, Default)]
+struct Hit {
+    place: u32,
+    sample: u32,
+    depth: f32,
     /// The triangle's name, by which equal depths are decided.
-    pub name: u32,
-    pub record: u32,
-    /// The share of the pixel's samples that it covers.
-    pub weight: f32,
+    name: u32,
+    piece: u32,
 }
 
-/// Joins the fragments of several samples of the same pixel; all from `start` on are one triangle's.
-pub(crate) fn join_samples(fragments: &mut Vec<Fragment>, start: usize) {
-    fragments[start..].sort_unstable_by_key(|fragment| fragment.pixel);
-    let mut kept = start;
-    for i in start + 1..fragments.len() {
-        if fragments[i].pixel == fragments[kept].pixel {
-            fragments[kept].weight += fragments[i].weight;
-            fragments[kept].depth = fragments[kept].depth.max(fragments[i].depth);
-        } else {
-            kept += 1;
-            fragments[kept] = fragments[i];
-        }
-    }
-    fragments.truncate((kept + 1).min(fragments.len()));
+/// The blended surfaces of a tile.
+#[derive(Debug, Default)]
+pub(crate) struct Glass {
+    pieces: Vec<Piece>,
+    /// Colour and opacity of each piece.
+    colors: Vec<[f32; 4]>,
+    hits: Vec<Hit>,
+    sorted: Vec<Hit>,
+    /// The last piece of each pixel.
+    latest: Vec<u32>,
+    /// What is let through at each sample, sample after sample.
+    through: Vec<f32>,
+    /// Premultiplied colour and coverage of the blended surfaces of each pixel.
+    light: [Vec<f32>; 4],
 }
 
-/// Shades the fragments, sixteen at a time, and lays them over the tile from the farthest to the
-/// nearest.
-#[inline(always)]
-pub(crate) fn blend<S: Simd>(
-    simd: S,
-    frame: &FrameView,
-    records: &Records,
-    grid: &Grid,
-    fragments: &mut [Fragment],
-    pixels: &mut TilePixels,
-) {
-    fragments.sort_unstable_by(|a, b| {
-        let order = a.pixel.cmp(&b.pixel).then(a.depth.total_cmp(&b.depth));
-        order.then(b.name.cmp(&a.name)).then(a.record.cmp(&b.record))
-    });
-    for sixteen in fragments.chunks(16) {
-        let (mut px, mut py) = ([0.0; 16], [0.0; 16]);
-        let mut runs = [Run { record: 0, bits: 0 }; 16];
-        for (lane, fragment) in sixteen.iter().enumerate() {
-            let pixel = fragment.pixel as usize;
-            px[lane] = (grid.origin[0] + pixel % TILE_WIDTH) as f32 + 0.5;
-            py[lane] = (grid.origin[1] + pixel / TILE_WIDTH) as f32 + 0.5;
-            runs[lane] = Run { record: fragment.record, bits: 1 << lane };
-        }
-        let place = [Lanes::load(simd, &px), Lanes::load(simd, &py)];
-        let mut shaded = Shaded::nothing(simd);
-        group::shade(simd, frame, records, &runs[..sixteen.len()], place, &mut shaded);
-        let mut rgb = [[0.0; 16]; 3];
-        let mut alpha = [0.0; 16];
-        for (array, lanes) in rgb.iter_mut().zip(shaded.rgb) {
-            lanes.store(array);
-        }
-        shaded.alpha.store(&mut alpha);
-        for (lane, fragment) in sixteen.iter().enumerate() {
-            let color = [rgb[0][lane], rgb[1][lane], rgb[2][lane]];
-            pixels.touch(fragment.pixel as usize, frame.options.background);
-            over(pixels, fragment.pixel as usize, color, alpha[lane].clamp(0.0, 1.0) * fragment.weight);
+impl Glass {
+    /// Forgets everything.
+    pub fn clear(&mut self, samples: usize) {
+        self.pieces.clear();
+        self.colors.clear();
+        self.hits.clear();
+        self.latest.resize(TILE_PIXELS, 0);
+        self.through.clear();
+        self.through.resize(samples * TILE_PIXELS, 1.0);
+        for plane in &mut self.light {
+            plane.clear();
+            plane.resize(TILE_PIXELS, 0.0);
         }
     }
-}
 
-/// Porter and Duff 1984: lays a straight colour of some opacity over a pixel.
-fn over(pixels: &mut TilePixels, pixel: usize, color: [f32; 3], alpha: f32) {
-    if alpha <= 0.0 {
-        return;
+    /// Notes where a blended triangle is in front of what is opaque.
+    #[inline(always)]
+    pub fn collect<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        projected: &Projected,
+        (visible, records): (&Visible, &mut Records),
+        grid: &Grid,
+        (chunk, key): (usize, u32),
+    ) {
+        let triangle = triangle(frame, projected, chunk, key);
+        let view = &frame.objects[object_of(frame, triangle.name)];
+        let record = records.list.len() as u32;
+        let hits = self.hits.len();
+        for (sample, &position) in frame.samples.iter().enumerate() {
+            let grid = Grid { sample: position, ..*grid };
+            cover(
+                simd,
+                &triangle,
+                view.cull_back,
+                &grid,
+                #[inline(always)]
+                |start, inside, z| {
+                    let opaque = Lanes::load(simd, visible.depths(sample * TILE_PIXELS + start));
+                    let bits = (inside & opaque.lt(z)).bits();
+                    if bits != 0 {
+                        let mut depths = [0.0; BLOCK];
+                        z.store(&mut depths);
+                        let hit = Hit { sample: sample as u32, name: triangle.name, ..Hit::default() };
+                        self.note(frame, record, start, (bits, &depths), hit);
+                    }
+                },
+            );
+        }
+        if self.hits.len() > hits {
+            records.add(frame, projected, chunk, &triangle);
+        }
     }
-    for (plane, value) in pixels.rgb.iter_mut().zip(color) {
-        plane[pixel] = value * alpha + plane[pixel] * (1.0 - alpha);
+
+    fn note(
+        &mut self,
+        frame: &FrameView,
+        record: u32,
+        start: usize,
+        (mut bits, depths): (u32, &[f32; BLOCK]),
+        hit: Hit,
+    ) {
+        let at = match frame.options.supersample {
+            true => frame.samples[hit.sample as usize].map(|s| s as f32 / SUBPIXEL as f32),
+            false => [0.5; 2],
+        };
+        while bits != 0 {
+            let lane = bits.trailing_zeros() as usize;
+            bits &= bits - 1;
+            let place = (start + lane) as u32;
+            let latest = &mut self.latest[start + lane];
+            let same = |piece: &Piece| piece.place == place && piece.record == record && piece.at == at;
+            if !self.pieces.get(*latest as usize).is_some_and(same) {
+                *latest = self.pieces.len() as u32;
+                self.pieces.push(Piece { place, record, at });
+            }
+            self.hits.push(Hit { place, depth: depths[lane], piece: *latest, ..hit });
+        }
     }
-    pixels.alpha[pixel] = alpha + pixels.alpha[pixel] * (1.0 - alpha);
+
+    /// Shades what was collected, and lays it over one another.
+    #[inline(always)]
+    pub fn blend<S: Simd>(&mut self, simd: S, frame: &FrameView, records: &Records, grid: &Grid) {
+        self.shade(simd, frame, records, grid);
+        self.sort();
+        let share = 1.0 / frame.samples.len() as f32;
+        for hits in self.sorted.chunk_by(|a, b| a.place == b.place && a.sample == b.sample) {
+            let mut through = 1.0;
+            let place = hits[0].place as usize;
+            for hit in hits {
+                let [r, g, b, alpha] = self.colors[hit.piece as usize];
+                let weight = through * alpha;
+                if weight > 0.0 {
+                    for (plane, value) in self.light.iter_mut().zip([r, g, b, 1.0]) {
+                        plane[place] += value * weight * share;
+                    }
+                }
+                through *= 1.0 - alpha;
+            }
+            self.through[hits[0].sample as usize * TILE_PIXELS + place] = through;
+        }
+    }
+
+    /// Shades the pieces, sixteen at a time.
+    #[inline(always)]
+    fn shade<S: Simd>(&mut self, simd: S, frame: &FrameView, records: &Records, grid: &Grid) {
+        for sixteen in self.pieces.chunks(BLOCK) {
+            let (mut px, mut py) = ([0.0; BLOCK], [0.0; BLOCK]);
+            let mut runs = [Run { record: 0, bits: 0 }; BLOCK];
+            let mut count = 0;
+            for (lane, piece) in sixteen.iter().enumerate() {
+                let [column, row] = block::pixel(piece.place as usize);
+                px[lane] = (grid.origin[0] + column) as f32 + piece.at[0];
+                py[lane] = (grid.origin[1] + row) as f32 + piece.at[1];
+                if count == 0 || runs[count - 1].record != piece.record {
+                    runs[count] = Run { record: piece.record, bits: 0 };
+                    count += 1;
+                }
+                runs[count - 1].bits |= 1 << lane;
+            }
+            let place = [Lanes::load(simd, &px), Lanes::load(simd, &py)];
+            let mut shaded = Shaded::nothing(simd);
+            group::shade(simd, frame, records, &runs[..count], place, &mut shaded);
+            let mut lanes = [[0.0; BLOCK]; 4];
+            let [r, g, b] = shaded.rgb;
+            for (array, value) in lanes.iter_mut().zip([r, g, b, shaded.alpha.clamp(0.0, 1.0)]) {
+                value.store(array);
+            }
+            self.colors.extend((0..sixteen.len()).map(|lane| lanes.map(|array| array[lane])));
+        }
+    }
+
+    /// Sorts the hits by pixel and sample, and there from the nearest to the farthest.
+    fn sort(&mut self) {
+        let mut starts = vec![0u32; TILE_PIXELS + 1];
+        for hit in &self.hits {
+            starts[hit.place as usize + 1] += 1;
+        }
+        for place in 0..TILE_PIXELS {
+            starts[place + 1] += starts[place];
+        }
+        self.sorted.clear();
+        self.sorted.resize(self.hits.len(), Hit::default());
+        for hit in &self.hits {
+            let next = &mut starts[hit.place as usize];
+            self.sorted[*next as usize] = *hit;
+            *next += 1;
+        }
+        for hits in self.sorted.chunk_by_mut(|a, b| a.place == b.place) {
+            hits.sort_unstable_by(|a, b| {
+                let order = a.sample.cmp(&b.sample).then(b.depth.total_cmp(&a.depth));
+                order.then(a.name.cmp(&b.name)).then(a.piece.cmp(&b.piece))
+            });
+        }
+    }
+
+    /// How much of what is behind is seen, at the samples of the block at a place of the planes.
+    #[inline(always)]
+    pub fn through(&self, at: usize) -> &[f32; BLOCK] {
+        self.through[at..].first_chunk().expect("planes are whole blocks")
+    }
+
+    /// Premultiplied colour and coverage in the block at a place.
+    #[inline(always)]
+    pub fn light<S: Simd>(&self, simd: S, place: usize) -> [Lanes<S>; 4] {
+        let load = |plane: &Vec<f32>| {
+            Lanes::load(simd, plane[place..].first_chunk().expect("planes are whole blocks"))
+        };
+        let [r, g, b, alpha] = &self.light;
+        [load(r), load(g), load(b), load(alpha)]
+    }
 }

@@ -37,7 +37,7 @@ pub(crate) fn clip(
     frame: &FrameView,
     name: u32,
     screen: &[Screen],
-    bins: &mut Bins,
+    bins: &mut Bins<u32>,
     extras: &mut Vec<Extra>,
 ) {
     let mut polygon = corners(frame, name, screen);

@@ -4,6 +4,7 @@ use glam::DVec3;
 use glanz_math::{Real, Vec3};
 use glanz_scene::{Projection, Space};
 
+use super::inlined;
 use crate::prepare::{Falloff, LightShape, PreparedLight, PreparedObject};
 use crate::{Prepared, View};
 
@@ -90,9 +91,12 @@ impl Eye {
     pub fn unproject<R: Real>(&self, px: R, py: R, distance: R) -> (Vec3<R>, Vec3<R>) {
         let x = (px - px.lit(f64::from(self.center[0]))) * px.lit(f64::from(self.inverse_scale));
         let y = (px.lit(f64::from(self.center[1])) - py) * px.lit(f64::from(self.inverse_scale));
-        let axis = |a: &[f32; 3]| {
-            Vec3::new(px.lit(f64::from(a[0])), px.lit(f64::from(a[1])), px.lit(f64::from(a[2])))
-        };
+        let axis = inlined(
+            #[inline(always)]
+            |a: &[f32; 3]| {
+                Vec3::new(px.lit(f64::from(a[0])), px.lit(f64::from(a[1])), px.lit(f64::from(a[2])))
+            },
+        );
         let across = axis(&self.right) * x + axis(&self.up) * y;
         let back = axis(&self.back);
         if self.perspective {

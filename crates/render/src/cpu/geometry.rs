@@ -1,16 +1,18 @@
-//! The first pass: clusters are culled, vertices projected, triangles culled and put into bins.
+//! The first pass: clusters are culled, vertices projected; `sort` then puts triangles into bins.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16, mask32x16};
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
 use glanz_math::{Lanes, Real};
 
 use super::bins::Bins;
-use super::clip::{self, Extra};
+use super::clip::Extra;
 use super::eye::Eye;
-use super::frame::{FrameView, ObjectView, Pass};
+use super::frame::{FrameView, ObjectView};
 use super::gouraud::{self, Lit};
+use super::inlined;
+use super::points::Point;
 use super::samples::SUBPIXEL;
-use super::{inlined, three};
-use crate::prepare::{Cluster, Geometry};
+use super::sort::sort;
+use crate::prepare::Cluster;
 
 /// Screen positions beyond this many pixels from the corner are clipped, so that fixed-point numbers
 /// keep their range.
@@ -28,18 +30,20 @@ pub(crate) type Screen = [f32; 4];
 #[derive(Debug, Default)]
 pub(crate) struct ChunkOutput {
     /// Opaque and masked triangles.
-    pub solid: Bins,
+    pub solid: Bins<u32>,
+    /// Samples that tiny opaque triangles cover, where there is one sample per pixel.
+    pub points: Bins<Point>,
     /// Blended triangles.
-    pub blended: Bins,
+    pub blended: Bins<u32>,
     /// Triangles that clipping made.
     pub extras: Vec<Extra>,
 }
 
 /// Fixed-point positions of a cluster's vertices, and which of them need clipping.
-struct Local {
-    x: [i32; 256],
-    y: [i32; 256],
-    outside: [bool; 256],
+pub(crate) struct Local {
+    pub x: [i32; 256],
+    pub y: [i32; 256],
+    pub outside: [bool; 256],
 }
 
 /// Projects and bins the clusters `range`. `screen` and `lit` are the parts of the frame's arrays that
@@ -70,7 +74,7 @@ pub(crate) fn process<S: Simd>(
         if object.shading == glanz_scene::Shading::Gouraud {
             gouraud::shade(simd, frame, cluster, &mut lit[start..start + count]);
         }
-        bin(simd, frame, number, object, &local, own, clipped, output);
+        sort(simd, frame, number, object, &local, own, clipped, output);
     }
 }
 
@@ -184,147 +188,6 @@ fn project_lanes<S: Simd>(
     let inside = splat(eye.near).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
     let nan = splat(f32::NAN);
     (x.select(inside, splat(0.0)), y.select(inside, splat(0.0)), depth.select(inside, nan), inside)
-}
-
-/// Six corner coordinates of sixteen triangles, in 1/256 pixel.
-struct Corners<S: Simd> {
-    x: [i32x16<S>; 3],
-    y: [i32x16<S>; 3],
-}
-
-#[expect(clippy::too_many_arguments, reason = "a cluster on its way from one array to the next")]
-#[inline(always)]
-fn bin<S: Simd>(
-    simd: S,
-    frame: &FrameView,
-    number: usize,
-    object: &ObjectView,
-    local: &Local,
-    screen: &[Screen],
-    clipped: bool,
-    output: &mut ChunkOutput,
-) {
-    let geometry: &Geometry = &frame.prepared.geometry;
-    let cluster = &geometry.clusters[number];
-    let triangles = &geometry.triangles[cluster.first_triangle as usize..][..cluster.triangles as usize];
-    let bins = if object.pass == Pass::Blended { &mut output.blended } else { &mut output.solid };
-    for (block, sixteen) in triangles.chunks(16).enumerate() {
-        let mut x = [[0i32; 16]; 3];
-        let mut y = [[0i32; 16]; 3];
-        let mut outside = 0u32;
-        for (lane, corners) in sixteen.iter().enumerate() {
-            for c in 0..3 {
-                let vertex = corners[c] as usize;
-                x[c][lane] = local.x[vertex];
-                y[c][lane] = local.y[vertex];
-            }
-            if clipped && corners.iter().any(|&v| local.outside[v as usize]) {
-                outside |= 1 << lane;
-            }
-        }
-        let corners = Corners {
-            x: three(
-                x,
-                #[inline(always)]
-                |v| i32x16::from_slice(simd, &v),
-            ),
-            y: three(
-                y,
-                #[inline(always)]
-                |v| i32x16::from_slice(simd, &v),
-            ),
-        };
-        let mut first = [[0i32; 16]; 2];
-        let mut last = [[0i32; 16]; 2];
-        let valid = (1u32 << sixteen.len()) - 1;
-        let mut kept = visible(simd, frame, object, &corners, &mut first, &mut last) & valid & !outside;
-        let name = |lane: u32| (number as u32) << 7 | (block as u32 * 16 + lane);
-        while kept != 0 {
-            let lane = kept.trailing_zeros();
-            kept &= kept - 1;
-            let l = lane as usize;
-            bins.push([first[0][l], first[1][l]], [last[0][l], last[1][l]], name(lane));
-        }
-        while outside != 0 {
-            let lane = outside.trailing_zeros();
-            outside &= outside - 1;
-            clip::clip(frame, name(lane), screen, bins, &mut output.extras);
-        }
-    }
-}
-
-/// Which triangles may cover a sample, and the first and last pixel column and row of each.
-#[inline(always)]
-fn visible<S: Simd>(
-    simd: S,
-    frame: &FrameView,
-    object: &ObjectView,
-    corners: &Corners<S>,
-    first: &mut [[i32; 16]; 2],
-    last: &mut [[i32; 16]; 2],
-) -> u32 {
-    let int = inlined(
-        #[inline(always)]
-        |v: i32| simd.splat_i32x16(v),
-    );
-    let Corners { x, y } = corners;
-    let least = inlined(
-        #[inline(always)]
-        |v: &[i32x16<S>; 3]| simd.min_i32x16(simd.min_i32x16(v[0], v[1]), v[2]),
-    );
-    let most = inlined(
-        #[inline(always)]
-        |v: &[i32x16<S>; 3]| simd.max_i32x16(simd.max_i32x16(v[0], v[1]), v[2]),
-    );
-    let (low, high) = ([least(x), least(y)], [most(x), most(y)]);
-    let large = simd.simd_ge_i32x16(simd.max_i32x16(high[0] - low[0], high[1] - low[1]), int(SMALL));
-    // Twice the signed area; with y downwards, front faces are negative. Exact where not large.
-    let area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-    let facing = match object.cull_back {
-        true => simd.simd_lt_i32x16(area, int(0)),
-        false => simd.simd_ne_i32x16(area, int(0)),
-    };
-    let mut kept = (facing | large).to_bitmask() as u32;
-    let size = [frame.eye.width as i32, frame.eye.height as i32];
-    let mut single = !large;
-    let mut sample = [area; 2];
-    for axis in 0..2 {
-        let (least_sample, most_sample) = sample_range(frame.samples, axis);
-        let from = (low[axis] + int(SUBPIXEL - 1 - most_sample)) >> 8;
-        let to = (high[axis] - int(least_sample)) >> 8;
-        let from = simd.max_i32x16(from, int(0));
-        let to = simd.min_i32x16(to, int(size[axis] - 1));
-        kept &= simd.simd_le_i32x16(from, to).to_bitmask() as u32;
-        from.store_slice(&mut first[axis]);
-        to.store_slice(&mut last[axis]);
-        single &= simd.simd_eq_i32x16(from, to);
-        sample[axis] = (from << 8) + int(most_sample);
-    }
-    if frame.samples.len() == 1 {
-        kept &= !(single & is_missed(simd, corners, area, sample)).to_bitmask() as u32;
-    }
-    kept
-}
-
-/// Which triangles miss the one sample that their box holds. Of fine meshes this is about every second.
-#[inline(always)]
-fn is_missed<S: Simd>(
-    simd: S,
-    Corners { x, y }: &Corners<S>,
-    area: i32x16<S>,
-    sample: [i32x16<S>; 2],
-) -> mask32x16<S> {
-    // The sign of the area in every bit: adding and flipping it turns edge functions positive inside.
-    let sign = area >> 31;
-    let edge = inlined(
-        #[inline(always)]
-        |a: usize, b: usize| {
-            let value = (x[b] - x[a]) * (sample[1] - y[a]) - (y[b] - y[a]) * (sample[0] - x[a]);
-            (value ^ sign) - sign
-        },
-    );
-    let outside = edge(0, 1) | edge(1, 2) | edge(2, 0);
-    simd.simd_lt_i32x16(outside, simd.splat_i32x16(0))
 }
 
 /// The least and greatest coordinate of the samples of a pixel.

@@ -7,9 +7,9 @@ use glanz_scene::{Interpolation, Shading};
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::unit;
 use super::records::{GROUP, Record, Records};
-use super::reflect::{Point, reflect, reflect_lanes};
+use super::reflect::{Point, Reflected, reflect_lanes};
 use super::runs::Run;
-use super::{inlined, three};
+use super::{inlined, nine, three};
 use super::{show, texturing};
 use crate::Show;
 use crate::prepare::PreparedMaterial;
@@ -79,6 +79,24 @@ pub(crate) fn shade<S: Simd>(
     }
 }
 
+/// Whether [`Group::simple`] gives the object's colours.
+#[inline(always)]
+pub(crate) fn is_simple(object: &ObjectView, show: Show) -> bool {
+    object.layout.groups == 1
+        && object.polygons.is_none()
+        && matches!(show, Show::Shaded | Show::Diffuse | Show::Specular | Show::Ambient)
+}
+
+/// The three values of the attribute group with these rows.
+#[inline(always)]
+pub(crate) fn interpolate<S: Simd>(rows: &[Lanes<S>; GROUP], place: &Place<S>) -> [Lanes<S>; 3] {
+    three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| rows[c] + place.u * rows[3 + c] + place.v * rows[6 + c],
+    )
+}
+
 impl<S: Simd> Shaded<S> {
     /// All zero.
     #[inline(always)]
@@ -100,15 +118,47 @@ impl<S: Simd> Shaded<S> {
     }
 }
 
-impl<S: Simd> Group<'_, S> {
+impl<'a, S: Simd> Group<'a, S> {
     /// The record of a run.
     pub fn record(&self, run: &Run) -> &Record {
         &self.records.list[run.record as usize]
     }
 
+    /// A group without records.
+    #[inline(always)]
+    pub fn bare(
+        simd: S,
+        frame: &'a FrameView<'a>,
+        records: &'a Records,
+        object: &'a ObjectView,
+        [px, py]: [Lanes<S>; 2],
+    ) -> Self {
+        Self { simd, frame, records, object, runs: &[], px, py }
+    }
+
+    /// [`Group::gather`] where there is one record.
+    #[inline(always)]
+    pub fn splat(&self, part: usize) -> [Lanes<S>; GROUP] {
+        let start = self.record(&self.runs[0]).offset as usize + part * GROUP;
+        let row: &[f32; GROUP] =
+            self.records.floats[start..].first_chunk().expect("records hold whole groups");
+        nine(
+            #[inline(always)]
+            |i| Lanes::splat(self.simd, row[i]),
+        )
+    }
+
+    /// The place on the surface from the rows of the position, and the values of the attribute group
+    /// with the second rows there.
+    #[inline(always)]
+    pub fn locate(&self, [position, attribute]: &[[Lanes<S>; GROUP]; 2]) -> (Place<S>, [Lanes<S>; 3]) {
+        let place = self.place(position, self.px, self.py);
+        (place, interpolate(attribute, &place))
+    }
+
     /// Nine floats of each pixel's record, from the `part`-th nine on.
     #[inline(always)]
-    fn gather(&self, part: usize) -> [Lanes<S>; GROUP] {
+    pub fn gather(&self, part: usize) -> [Lanes<S>; GROUP] {
         let row = inlined(
             #[inline(always)]
             |run: &Run| -> &[f32; GROUP] {
@@ -119,16 +169,18 @@ impl<S: Simd> Group<'_, S> {
         let Some((first, others)) = self.runs.split_first() else {
             return [self.px.zero(); GROUP];
         };
-        let mut lanes = [self.px; GROUP];
-        for (lane, &value) in lanes.iter_mut().zip(row(first)) {
-            *lane = Lanes::splat(self.simd, value);
-        }
+        let first = row(first);
+        let mut lanes = nine(
+            #[inline(always)]
+            |i| Lanes::splat(self.simd, first[i]),
+        );
         for run in others {
             let mask = LanesMask::from_bits(self.simd, run.bits);
             let row = row(run);
-            for i in 0..GROUP {
-                lanes[i] = Lanes::splat(self.simd, row[i]).select(mask, lanes[i]);
-            }
+            lanes = nine(
+                #[inline(always)]
+                |i| Lanes::splat(self.simd, row[i]).select(mask, lanes[i]),
+            );
         }
         lanes
     }
@@ -136,7 +188,7 @@ impl<S: Simd> Group<'_, S> {
     /// The place on the surface that pixel positions show. Positions outside the triangle, by rounding
     /// or because a pixel is shaded at its centre, are brought to its border.
     #[inline(always)]
-    fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
+    pub fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
         let [x0, y0, ux, uy, vx, vy, ..] = *rows;
         let (dx, dy) = (px - x0, py - y0);
         let u = (dx * ux + dy * uy).clamp(0.0, 1.0);
@@ -164,12 +216,7 @@ impl<S: Simd> Group<'_, S> {
     /// The three values of an attribute group.
     #[inline(always)]
     pub fn attribute(&self, group: usize, place: &Place<S>) -> [Lanes<S>; 3] {
-        let rows = self.gather(1 + group);
-        three(
-            [0, 1, 2],
-            #[inline(always)]
-            |c| rows[c] + place.u * rows[3 + c] + place.v * rows[6 + c],
-        )
+        interpolate(&self.gather(1 + group), place)
     }
 
     /// [`Group::shade`] as a function of its own, which exists once per SIMD level.
@@ -188,14 +235,12 @@ impl<S: Simd> Group<'_, S> {
         let mut values = [self.attribute(0, &place), [self.px.zero(); 3]];
         let layout = &self.object.layout;
         let material = &self.frame.materials[self.object.material];
-        let simple = layout.groups == 1
-            && self.object.polygons.is_none()
-            && matches!(
-                self.frame.options.show,
-                Show::Shaded | Show::Diffuse | Show::Specular | Show::Ambient
-            );
-        if simple {
-            self.simple(material, &place, values[0], out);
+        if is_simple(self.object, self.frame.options.show) {
+            let light =
+                |point: &Point<Lanes<S>>| reflect_lanes(self.simd, &self.frame.lights, material, point);
+            let (rgb, normal) = self.simple(material, &place, values[0], light);
+            let alpha = self.px.lit(f64::from(material.alpha));
+            *out = Shaded { rgb, alpha, distance: place.distance, normal };
             return;
         }
         let mut extra = texturing::Extra::new(self.px);
@@ -216,22 +261,23 @@ impl<S: Simd> Group<'_, S> {
         Point { position, normal: unit(Vec3::new(x, y, z)), wo }
     }
 
-    /// No textures, no vertex colours, no special view.
+    /// Colour and normal where there are no textures, no vertex colours and no special view. `value` is
+    /// the first attribute group, and `reflect` sums up the light at a point.
     #[inline(always)]
-    fn simple(
+    pub fn simple(
         &self,
         material: &PreparedMaterial,
         place: &Place<S>,
         value: [Lanes<S>; 3],
-        out: &mut Shaded<S>,
-    ) {
+        reflect: impl Fn(&Point<Lanes<S>>) -> Reflected<Lanes<S>>,
+    ) -> ([Lanes<S>; 3], Vec3<Lanes<S>>) {
         let like = self.px;
         let mut normal = Vec3::new(like.zero(), like.zero(), like.zero());
         let mut rgb = value;
         if self.object.shading == Shading::Phong {
             let point = self.point(place, value);
             normal = point.normal;
-            let light = reflect(&self.frame.lights, material, &point);
+            let light = reflect(&point);
             rgb = three(
                 [0, 1, 2],
                 #[inline(always)]
@@ -241,8 +287,7 @@ impl<S: Simd> Group<'_, S> {
         for (value, emission) in rgb.iter_mut().zip(material.emission) {
             *value = *value + like.lit(f64::from(emission));
         }
-        let alpha = like.lit(f64::from(material.alpha));
-        *out = Shaded { rgb, alpha, distance: place.distance, normal };
+        (rgb, normal)
     }
 
     /// Everything else.

@@ -2,24 +2,29 @@
 //!
 //! A frame goes through two passes, each parallel:
 //!
-//! 1. `geometry`: clusters are culled, their vertices projected, triangles culled sixteen at a time
-//!    and put into the bins of the tiles that they touch (`bins`; `clip` for those that reach behind
-//!    the eye).
-//! 2. `tile`: visibility first (`raster`: which triangle is nearest at each sample), then the visible
-//!    triangles are set up for interpolation (`records`), and sixteen neighbouring pixels at a time are
-//!    interpolated and shaded (`group`, `reflect`), blended (`blend`) and developed.
+//! 1. `geometry`: clusters are culled and their vertices projected; `sort`: triangles are culled sixteen
+//!    at a time and put into the bins of the tiles that they touch (`bins`; `clip` for those that reach
+//!    behind the eye; `points` for those of a few samples, of which only the samples go on).
+//! 2. `tile`: visibility first (`visible`, `raster`: which triangle is nearest at each sample), then the
+//!    visible triangles are set up for interpolation (`records`; `dust` where there are many), and blocks
+//!    of sixteen pixels are interpolated, shaded (`group`, `reflect`) and developed while they are in
+//!    registers (`solid`), or added up from several samples (`layered`) and blended surfaces (`blend`).
 //!
 //! Nothing depends on the number of threads or the order of triangles: of two surfaces at the same
 //! depth the one with the smaller number is seen.
 
 mod bins;
 mod blend;
+mod block;
 mod clip;
+mod dust;
 mod eye;
 mod frame;
 mod geometry;
 mod gouraud;
 mod group;
+mod layered;
+mod points;
 mod polygons;
 mod raster;
 mod records;
@@ -28,9 +33,12 @@ mod renderer;
 mod runs;
 mod samples;
 mod show;
+mod solid;
+mod sort;
 mod target;
 mod texturing;
 mod tile;
+mod visible;
 
 pub use renderer::Renderer;
 
@@ -47,4 +55,10 @@ fn inlined<F>(closure: F) -> F {
 #[inline(always)]
 fn three<T, U>([a, b, c]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
     [f(a), f(b), f(c)]
+}
+
+/// Nine values, surely inlined and unrolled.
+#[inline(always)]
+fn nine<T>(f: impl Fn(usize) -> T) -> [T; 9] {
+    [f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7), f(8)]
 }

@@ -1,12 +1,15 @@
 //! Which samples of a tile a triangle covers, and how deep it is there.
 //!
 //! Corners are on a grid of 1/256 pixel and edge functions are integers, so that two triangles with a
-//! common edge cover every sample on it exactly once (the top-left rule).
+//! common edge cover every sample on it exactly once (the top-left rule). A tile is gone through in
+//! blocks of sixteen pixels: a row of sixteen blocks is tested at once for those that the triangle may
+//! touch, and these are tested pixel by pixel.
 
 use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
-use glanz_math::{Lanes, Real};
+use glanz_math::{Lanes, LanesMask, Real};
 
-use super::bins::{TILE_HEIGHT, TILE_WIDTH};
+use super::bins::TILE_WIDTH;
+use super::block::{self, COLUMNS, DOWN, RIGHT, SIDE};
 use super::clip::fixed;
 use super::geometry::{SMALL, Screen};
 use super::samples::SUBPIXEL;
@@ -22,39 +25,6 @@ pub(crate) struct Triangle {
     pub key: u32,
 }
 
-/// The depth of a triangle as a plane over the screen, limited to the range of its corners.
-#[derive(Clone, Copy, Debug)]
-struct DepthPlane {
-    x0: f32,
-    y0: f32,
-    q0: f32,
-    slope: [f32; 2],
-    range: [f32; 2],
-}
-
-impl DepthPlane {
-    #[inline(always)]
-    fn new([a, b, c]: &[Screen; 3]) -> Self {
-        let (x1, y1, q1) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-        let (x2, y2, q2) = (c[0] - a[0], c[1] - a[1], c[2] - a[2]);
-        let inverse = 1.0 / (x1 * y2 - y1 * x2);
-        let slope = [(q1 * y2 - q2 * y1) * inverse, (q2 * x1 - q1 * x2) * inverse];
-        let range = [Real::min(Real::min(a[2], b[2]), c[2]), Real::max(Real::max(a[2], b[2]), c[2])];
-        Self { x0: a[0], y0: a[1], q0: a[2], slope, range }
-    }
-
-    #[inline(always)]
-    fn at<R: Real>(&self, x: R, y: f32) -> R {
-        let splat = inlined(
-            #[inline(always)]
-            |v: f32| x.lit(f64::from(v)),
-        );
-        let base = self.q0 + (y - self.y0) * self.slope[1];
-        let depth = (x - splat(self.x0)) * splat(self.slope[0]) + splat(base);
-        depth.max(splat(self.range[0])).min(splat(self.range[1]))
-    }
-}
-
 /// The tile's place in the picture, and which sample of each pixel is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid {
@@ -67,10 +37,67 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The sample of a pixel of the tile, in pixels of the picture.
+    /// The sample of a pixel of the tile, in 1/256 pixel of the picture.
+    #[inline(always)]
+    fn fixed(&self, pixel: usize, axis: usize) -> i32 {
+        (self.origin[axis] + pixel) as i32 * SUBPIXEL + self.sample[axis]
+    }
+
+    /// The same in pixels.
     #[inline(always)]
     fn center(&self, pixel: usize, axis: usize) -> f32 {
         (self.origin[axis] + pixel) as f32 + self.sample[axis] as f32 * (1.0 / SUBPIXEL as f32)
+    }
+}
+
+/// The depth of a triangle as a plane over the screen, limited to the range of its corners: at the
+/// first samples of a row of blocks, and from there on within a block.
+struct Depth<S: Simd> {
+    y0: f32,
+    q0: f32,
+    slope: f32,
+    across: Lanes<S>,
+    within: Lanes<S>,
+    range: [Lanes<S>; 2],
+    row: [f32; COLUMNS],
+}
+
+impl<S: Simd> Depth<S> {
+    #[inline(always)]
+    fn new(simd: S, [a, b, c]: &[Screen; 3], grid: &Grid) -> Self {
+        let (x1, y1, q1) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+        let (x2, y2, q2) = (c[0] - a[0], c[1] - a[1], c[2] - a[2]);
+        let inverse = 1.0 / (x1 * y2 - y1 * x2);
+        let slope = [(q1 * y2 - q2 * y1) * inverse, (q2 * x1 - q1 * x2) * inverse];
+        let range = [Real::min(Real::min(a[2], b[2]), c[2]), Real::max(Real::max(a[2], b[2]), c[2])];
+        let splat = inlined(
+            #[inline(always)]
+            |v: f32| Lanes::splat(simd, v),
+        );
+        let first = Lanes::load(simd, &STEPS) + splat(grid.center(0, 0));
+        Self {
+            y0: a[1],
+            q0: a[2],
+            slope: slope[1],
+            across: (first - splat(a[0])) * splat(slope[0]),
+            within: Lanes::load(simd, &RIGHT) * splat(slope[0]) + Lanes::load(simd, &DOWN) * splat(slope[1]),
+            range: range.map(splat),
+            row: [0.0; COLUMNS],
+        }
+    }
+
+    /// Goes to a row of blocks.
+    #[inline(always)]
+    fn enter(&mut self, simd: S, grid: &Grid, row: usize) {
+        let base = self.q0 + (grid.center(row * SIDE, 1) - self.y0) * self.slope;
+        (self.across + Lanes::splat(simd, base)).store(&mut self.row);
+    }
+
+    /// The depths in a block of the row.
+    #[inline(always)]
+    fn block(&self, simd: S, column: usize) -> Lanes<S> {
+        let depth = Lanes::splat(simd, self.row[column]) + self.within;
+        depth.max(self.range[0]).min(self.range[1])
     }
 }
 
@@ -114,196 +141,195 @@ impl Edges {
         Some(Self { edges: [edge(a, b), edge(b, c), edge(c, a)], low, high, small })
     }
 
-    /// Whether a small triangle covers the sample of this pixel of the picture.
-    #[inline(always)]
-    fn hold(&self, px: usize, py: usize, grid: &Grid) -> bool {
-        let (x, y) = (px as i32 * SUBPIXEL + grid.sample[0], py as i32 * SUBPIXEL + grid.sample[1]);
-        let mut outside = 0;
-        for ([ax, ay], [dx, dy], bias) in self.edges {
-            outside |= dx * (y - ay) - dy * (x - ax) + bias;
-        }
-        outside >= 0
-    }
-
     /// First and last pixel of the tile, in its own coordinates, whose sample may be covered.
     #[inline(always)]
-    fn pixels(&self, grid: &Grid, axis: usize) -> (i32, i32) {
+    fn pixels(&self, grid: &Grid, axis: usize) -> [i32; 2] {
         let origin = grid.origin[axis] as i32;
         let first = (self.low[axis] + SUBPIXEL - 1 - grid.sample[axis]) >> 8;
         let last = (self.high[axis] - grid.sample[axis]) >> 8;
-        ((first - origin).max(0), (last - origin).min(grid.size[axis] as i32 - 1))
+        [(first - origin).max(0), (last - origin).min(grid.size[axis] as i32 - 1)]
     }
 }
 
-/// Calls `visit(row, column, depth)` for each covered sample of a triangle within 2×2 pixels, and
-/// returns true; returns false for greater ones. The same samples and depths as [`cover`] gives, but
-/// cheaper for the dust that fine meshes are.
-#[inline(always)]
-pub(crate) fn cover_few(
-    triangle: &Triangle,
-    cull_back: bool,
-    grid: &Grid,
-    mut visit: impl FnMut(usize, usize, f32),
-) -> bool {
-    let Some(edges) = Edges::new(&triangle.screen, cull_back) else { return true };
-    let (left, right) = edges.pixels(grid, 0);
-    let (top, bottom) = edges.pixels(grid, 1);
-    if !edges.small || right - left > 1 || bottom - top > 1 {
-        return false;
-    }
-    for row in top..=bottom {
-        for column in left..=right {
-            let [px, py] = [grid.origin[0] + column as usize, grid.origin[1] + row as usize];
-            if edges.hold(px, py, grid) {
-                let plane = DepthPlane::new(&triangle.screen);
-                let depth = plane.at(grid.center(column as usize, 0), grid.center(row as usize, 1));
-                visit(row as usize, column as usize, depth);
-            }
-        }
-    }
-    true
-}
-
-/// Calls `visit(row, column, bits, depth)` for each run of 16 pixels in which samples are covered:
-/// `bits` tells which. `column` is at most 48, so that the run stays in the tile.
+/// Calls `visit(place, inside, depth)` for each block in which samples may be covered, where `place` is
+/// that of the block in the tile's arrays, and `inside` tells which samples are covered: possibly none,
+/// and possibly some beyond the border of the picture.
 #[inline(always)]
 pub(crate) fn cover<S: Simd>(
     simd: S,
     triangle: &Triangle,
     cull_back: bool,
     grid: &Grid,
-    mut visit: impl FnMut(usize, usize, u32, Lanes<S>),
+    mut visit: impl FnMut(usize, LanesMask<S>, Lanes<S>),
 ) {
     let Some(edges) = Edges::new(&triangle.screen, cull_back) else { return };
-    let (left, right) = edges.pixels(grid, 0);
-    let (top, bottom) = edges.pixels(grid, 1);
+    let [left, right] = edges.pixels(grid, 0);
+    let [top, bottom] = edges.pixels(grid, 1);
     if left > right || top > bottom {
         return;
     }
-    let plane = DepthPlane::new(&triangle.screen);
-    let depth = inlined(
-        #[inline(always)]
-        |row: i32, column: i32| {
-            let x = Lanes::load(simd, &STEPS) + Lanes::splat(simd, grid.center(column as usize, 0));
-            plane.at(x, grid.center(row as usize, 1))
-        },
-    );
-    debug_assert!(bottom < TILE_HEIGHT as i32 && right < TILE_WIDTH as i32);
-    if edges.small {
-        cover_small(
-            simd,
-            &edges,
-            grid,
-            [left, right, top, bottom],
-            #[inline(always)]
-            |row, column, bits| {
-                visit(row as usize, column as usize, bits, depth(row, column));
-            },
-        );
-    } else {
-        cover_large(
-            &edges,
-            grid,
-            [left, right, top, bottom],
-            #[inline(always)]
-            |row, column, bits| {
-                visit(row as usize, column as usize, bits, depth(row, column));
-            },
-        );
+    let side = SIDE as i32;
+    let columns = (2 << (right / side)) - (1 << (left / side));
+    let rows = (top / side) as usize..(bottom / side) as usize + 1;
+    let mut depth = Depth::new(simd, &triangle.screen, grid);
+    if !edges.small {
+        cover_large(simd, &edges, grid, [left, right, top, bottom], &mut depth, visit);
+        return;
+    }
+    let mut small = Small::new(simd, &edges, grid, rows.start);
+    for row in rows {
+        let mut touched = small.touched(simd) & columns;
+        if touched != 0 {
+            small.enter();
+            depth.enter(simd, grid, row);
+        }
+        while touched != 0 {
+            let column = touched.trailing_zeros() as usize & (COLUMNS - 1);
+            touched &= touched - 1;
+            visit(block::place(column, row), small.inside(simd, column), depth.block(simd, column));
+        }
+        small.go_down();
     }
 }
 
-const STEPS: [f32; 16] =
-    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0];
+const STEPS: [f32; COLUMNS] =
+    [0.0, 4.0, 8.0, 12.0, 16.0, 20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 44.0, 48.0, 52.0, 56.0, 60.0];
 const INDICES: [i32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-const LAST_COLUMN: i32 = TILE_WIDTH as i32 - 16;
 
-/// Up to 64 pixels: edge functions of 16 pixels at a time, in 32 bits.
+/// A triangle of up to 64 pixels: edge functions of sixteen blocks, then of sixteen pixels, in 32 bits.
+struct Small<S: Simd> {
+    /// The greatest value of each edge function in each block of a row.
+    greatest: [i32x16<S>; 3],
+    /// What it gains from one row of blocks to the next.
+    down: [i32x16<S>; 3],
+    /// How far below the greatest value each pixel of a block is; no number above 0.
+    within: [i32x16<S>; 3],
+    row: [[i32; COLUMNS]; 3],
+}
+
+impl<S: Simd> Small<S> {
+    #[inline(always)]
+    fn new(simd: S, edges: &Edges, grid: &Grid, row: usize) -> Self {
+        const BLOCK_STEP: i32 = SIDE as i32 * SUBPIXEL;
+        let int = inlined(
+            #[inline(always)]
+            |v: i32| simd.splat_i32x16(v),
+        );
+        let indices = i32x16::from_slice(simd, &INDICES);
+        let (right, down) = (indices & int(SIDE as i32 - 1), indices >> 2);
+        let (x, y) = (grid.fixed(0, 0), grid.fixed(row * SIDE, 1));
+        // What the edge function of this direction gains within a block at most.
+        let reach = inlined(
+            #[inline(always)]
+            |[dx, dy]: [i32; 2]| (dx.max(0) - dy.min(0)) * (BLOCK_STEP - SUBPIXEL),
+        );
+        let greatest = three(
+            edges.edges,
+            #[inline(always)]
+            |([ax, ay], [dx, dy], bias)| {
+                let corner = dx * (y - ay) - dy * (x - ax) + bias + reach([dx, dy]);
+                int(corner) - indices * int(dy * BLOCK_STEP)
+            },
+        );
+        let within = three(
+            edges.edges,
+            #[inline(always)]
+            |(_, [dx, dy], _)| down * int(dx * SUBPIXEL) - right * int(dy * SUBPIXEL) - int(reach([dx, dy])),
+        );
+        let down = three(
+            edges.edges,
+            #[inline(always)]
+            |(_, d, _)| int(d[0] * BLOCK_STEP),
+        );
+        Self { greatest, down, within, row: [[0; COLUMNS]; 3] }
+    }
+
+    /// Bit i: the i-th block of the row may be touched.
+    #[inline(always)]
+    fn touched(&self, simd: S) -> u32 {
+        let [a, b, c] = self.greatest;
+        !(simd.simd_lt_i32x16(a | b | c, simd.splat_i32x16(0)).to_bitmask() as u32)
+    }
+
+    /// Makes the row's values readable block by block.
+    #[inline(always)]
+    fn enter(&mut self) {
+        for edge in 0..3 {
+            self.greatest[edge].store_slice(&mut self.row[edge]);
+        }
+    }
+
+    /// Which pixels of a block are inside.
+    #[inline(always)]
+    fn inside(&self, simd: S, column: usize) -> LanesMask<S> {
+        let [a, b, c] = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |edge: usize| simd.splat_i32x16(self.row[edge][column]) + self.within[edge],
+        );
+        LanesMask(simd.simd_ge_i32x16(a | b | c, simd.splat_i32x16(0)))
+    }
+
+    #[inline(always)]
+    fn go_down(&mut self) {
+        for edge in 0..3 {
+            self.greatest[edge] += self.down[edge];
+        }
+    }
+}
+
+/// A triangle of any size: four rows of pixels as words of 64 bits, one for each pixel of the tile.
 #[inline(always)]
-fn cover_small<S: Simd>(
+fn cover_large<S: Simd>(
     simd: S,
     edges: &Edges,
     grid: &Grid,
     [left, right, top, bottom]: [i32; 4],
-    mut visit: impl FnMut(i32, i32, u32),
+    depth: &mut Depth<S>,
+    mut visit: impl FnMut(usize, LanesMask<S>, Lanes<S>),
 ) {
-    let indices = i32x16::from_slice(simd, &INDICES);
-    let int = inlined(
-        #[inline(always)]
-        |v: i32| simd.splat_i32x16(v),
-    );
-    // The sample of the tile's first pixel.
-    let [sx, sy] = [0, 1].map(|axis| grid.origin[axis] as i32 * SUBPIXEL + grid.sample[axis]);
-    let columns = u64::MAX >> (TILE_WIDTH - grid.size[0]);
-    let mut column = left.min(LAST_COLUMN);
-    let mut fresh = columns;
-    loop {
-        let (x, y) = (sx + column * SUBPIXEL, sy + top * SUBPIXEL);
-        let mut values = three(
-            edges.edges,
-            #[inline(always)]
-            |([ax, ay], [dx, dy], bias)| {
-                let corner = dx * (y - ay) - dy * (x - ax) + bias;
-                int(corner) - indices * int(dy * SUBPIXEL)
-            },
-        );
-        let steps = three(
-            edges.edges,
-            #[inline(always)]
-            |(_, d, _)| int(d[0] * SUBPIXEL),
-        );
-        let inside = (fresh >> column) as u32 & 0xffff;
-        for row in top..=bottom {
-            let outside = values[0] | values[1] | values[2];
-            let bits = !(simd.simd_lt_i32x16(outside, int(0)).to_bitmask() as u32) & inside;
-            if bits != 0 {
-                visit(row, column, bits);
-            }
-            for i in 0..3 {
-                values[i] += steps[i];
+    for row in top as usize / SIDE..bottom as usize / SIDE + 1 {
+        let mut words = [0u64; SIDE];
+        for (i, word) in words.iter_mut().enumerate() {
+            let y = (row * SIDE + i) as i32;
+            if (top..=bottom).contains(&y) {
+                *word = span(edges, grid, y as usize, [left, right]);
             }
         }
-        if column + 15 >= right {
-            return;
+        let mut touched = words.iter().fold(0, |all, word| all | word);
+        if touched != 0 {
+            depth.enter(simd, grid, row);
         }
-        // The last run of a row may overlap the one before it: its pixels are not visited again.
-        fresh = columns & u64::MAX << (column + 16);
-        column = (column + 16).min(LAST_COLUMN);
+        while touched != 0 {
+            let column = (touched.trailing_zeros() as usize / SIDE) & (COLUMNS - 1);
+            let nibble = SIDE * column;
+            touched &= !(0xf << nibble);
+            let bits = (0..SIDE).fold(0, |bits, i| bits | (words[i] >> nibble & 0xf) << (SIDE * i));
+            let inside = LanesMask::from_bits(simd, bits as u32);
+            visit(block::place(column, row), inside, depth.block(simd, column));
+        }
     }
 }
 
-/// Any size: the span of each row, from the edges by exact division.
+/// The pixels of a row that are inside, from the edges by exact division.
 #[inline(always)]
-fn cover_large(
-    edges: &Edges,
-    grid: &Grid,
-    [left, right, top, bottom]: [i32; 4],
-    mut visit: impl FnMut(i32, i32, u32),
-) {
-    let [sx, sy] =
-        [0, 1].map(|axis| grid.origin[axis] as i64 * i64::from(SUBPIXEL) + i64::from(grid.sample[axis]));
-    for row in top..=bottom {
-        let y = sy + i64::from(row * SUBPIXEL);
-        let (mut first, mut last) = (i64::from(left), i64::from(right));
-        for ([ax, ay], [dx, dy], bias) in edges.edges {
-            let (dx, dy) = (i64::from(dx), i64::from(dy));
-            let value = dx * (y - i64::from(ay)) - dy * (sx - i64::from(ax)) + i64::from(bias);
-            // value − dy·256·column >= 0
-            let step = dy * i64::from(SUBPIXEL);
-            match step {
-                0 if value < 0 => last = -1,
-                0 => {}
-                1.. => last = last.min(value.div_euclid(step)),
-                _ => first = first.max(-(value.div_euclid(-step))),
-            }
-        }
-        let (mut column, last) = (first, last);
-        while column <= last {
-            let start = column.min(i64::from(LAST_COLUMN));
-            let end = last.min(start + 15);
-            let bits = ((1u64 << (end - start + 1)) - 1) & !((1u64 << (column - start)) - 1);
-            visit(row, start as i32, bits as u32);
-            column = end + 1;
+fn span(edges: &Edges, grid: &Grid, row: usize, [left, right]: [i32; 2]) -> u64 {
+    let (x, y) = (i64::from(grid.fixed(0, 0)), i64::from(grid.fixed(row, 1)));
+    let (mut first, mut last) = (i64::from(left), i64::from(right));
+    for ([ax, ay], [dx, dy], bias) in edges.edges {
+        let (dx, dy) = (i64::from(dx), i64::from(dy));
+        let value = dx * (y - i64::from(ay)) - dy * (x - i64::from(ax)) + i64::from(bias);
+        // value − dy·256·column >= 0
+        let step = dy * i64::from(SUBPIXEL);
+        match step {
+            0 if value < 0 => return 0,
+            0 => {}
+            1.. => last = last.min(value.div_euclid(step)),
+            _ => first = first.max(-(value.div_euclid(-step))),
         }
     }
+    if first > last {
+        return 0;
+    }
+    u64::MAX >> (TILE_WIDTH as i64 - 1 - (last - first)) << first
 }

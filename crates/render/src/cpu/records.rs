@@ -4,7 +4,7 @@
 //! group of three attributes (the values at the first corner, and the differences of the other two from
 //! it). So the inner loop reads nothing but rows of numbers.
 
-use glanz_math::Vec3;
+use glanz_math::{Real, Vec3};
 use glanz_scene::Shading;
 
 use super::clip::EXTRA;
@@ -13,7 +13,7 @@ use super::geometry::{ChunkOutput, Screen};
 use super::gouraud::{Lit, unit};
 use super::raster::Triangle;
 use super::reflect::{Point, reflect};
-use super::three;
+use super::{inlined, three};
 
 /// Floats of a group of three attributes, and of the part that comes before the groups.
 pub(crate) const GROUP: usize = 9;
@@ -79,7 +79,11 @@ impl Records {
                 .then(|| projected.chunks[chunk].extras[(triangle.key & !EXTRA) as usize].weights),
         };
         let (facet, outline) = geometry.facets[number];
-        let (position, back) = barycentric(&triangle.screen);
+        let (position, back) = barycentric(&three(
+            triangle.screen,
+            #[inline(always)]
+            |[x, y, depth, _]| [x, y, depth],
+        ));
         let record = Record {
             offset: self.floats.len() as u32,
             object: cluster.object,
@@ -172,10 +176,7 @@ impl Records {
                 core::array::from_fn(|c| whole[0][c] * u + whole[1][c] * v + whole[2][c] * w)
             });
         }
-        let [a, b, c] = at;
-        let difference = |b: [f32; 3]| [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-        let ([b0, b1, b2], [c0, c1, c2]) = (difference(b), difference(c));
-        self.floats.extend_from_slice(&[a[0], a[1], a[2], b0, b1, b2, c0, c1, c2]);
+        self.floats.extend_from_slice(&differences(&at));
     }
 
     fn constant(&mut self, value: [f32; 3]) {
@@ -187,15 +188,27 @@ fn sum([a, b]: [[f32; 3]; 2]) -> [f32; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// First corner, gradients of the second and third barycentric coordinate on the screen, depth at the
-/// first corner and its differences at the others; and whether the triangle shows its back.
+/// The values at the first corner, and the differences of the other two from it.
 #[inline(always)]
-fn barycentric([a, b, c]: &[Screen; 3]) -> ([f32; GROUP], bool) {
+pub(crate) fn differences<R: Real>([a, b, c]: &[[R; 3]; 3]) -> [R; GROUP] {
+    let from_first = inlined(
+        #[inline(always)]
+        |other: &[R; 3]| [other[0] - a[0], other[1] - a[1], other[2] - a[2]],
+    );
+    let ([b0, b1, b2], [c0, c1, c2]) = (from_first(b), from_first(c));
+    [a[0], a[1], a[2], b0, b1, b2, c0, c1, c2]
+}
+
+/// From x, y and depth of the corners: the first corner, gradients of the second and third barycentric
+/// coordinate on the screen, depth at the first corner and its differences at the others; and whether
+/// the triangle shows its back.
+#[inline(always)]
+pub(crate) fn barycentric<R: Real>([a, b, c]: &[[R; 3]; 3]) -> ([R; GROUP], R::Mask) {
     let (x1, y1) = (b[0] - a[0], b[1] - a[1]);
     let (x2, y2) = (c[0] - a[0], c[1] - a[1]);
     let area = x1 * y2 - y1 * x2;
-    let inverse = 1.0 / area;
-    let floats = [
+    let inverse = area.one() / area;
+    let rows = [
         a[0],
         a[1],
         y2 * inverse,
@@ -207,7 +220,7 @@ fn barycentric([a, b, c]: &[Screen; 3]) -> ([f32; GROUP], bool) {
         c[2] - a[2],
     ];
     // y runs downwards on the screen: what turns right there is counter-clockwise seen from behind.
-    (floats, area > 0.0)
+    (rows, area.zero().lt(area))
 }
 
 /// The light of a facet: evaluated once, at its centroid with its own normal.

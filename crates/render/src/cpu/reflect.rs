@@ -69,11 +69,11 @@ pub(crate) fn reflect<R: Real>(
         }
         let pair = Pair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
         let row = &material.tints[number * lobes.len()..][..lobes.len()];
+        // A factor of 1 rather than none: the compiler multiplies in either case, and where there is
+        // none with what happens to be in memory, which is slow where that is a denormal number.
+        let reach = incident.reach.unwrap_or(like.one());
         for (lobe, tint) in lobes.iter().zip(row) {
-            let mut value = lobe.shape.f_cos(&pair);
-            if let Some(reach) = incident.reach {
-                value = value * reach;
-            }
+            let value = lobe.shape.f_cos(&pair) * reach;
             add(if lobe.textured { &mut sum.textured } else { &mut sum.plain }, value, tint);
         }
     }

@@ -99,6 +99,7 @@ impl Renderer {
         let level = frame.options.level;
         for_each(tasks, |(range, screen, lit, output)| {
             output.solid.reset(frame.eye.width, frame.eye.height);
+            output.points.reset(frame.eye.width, frame.eye.height);
             output.blended.reset(frame.eye.width, frame.eye.height);
             output.extras.clear();
             process(level, frame, range, screen, lit, output);

@@ -30,15 +30,17 @@ pub(crate) struct Layer {
 pub(crate) struct Layers {
     pub runs: Vec<Run>,
     pub list: Vec<Layer>,
+    /// How much of each pixel no triangle covers.
+    pub open: [f32; 16],
     seen: Vec<Seen>,
 }
 
-/// A triangle, the pixels that see it, and with how many samples each.
+/// A triangle, the pixels that see it, and how much of each.
 #[derive(Debug)]
 struct Seen {
     record: u32,
     bits: u32,
-    counts: [u8; 16],
+    weights: [f32; 16],
     placed: bool,
 }
 
@@ -49,34 +51,38 @@ impl Layers {
         self.runs.clear();
         self.list.clear();
         self.seen.clear();
+        self.open = [0.0; 16];
     }
 
-    /// One layer of these runs, in which every pixel counts fully, or `weight`.
-    pub fn add_sample(&mut self, runs: &[Run], weight: f32, at: [f32; 2]) {
+    /// One layer of these runs: what a sample that counts so much in each pixel sees.
+    pub fn add_sample(&mut self, runs: &[Run], weights: &[f32; 16], at: [f32; 2]) {
         let start = self.runs.len();
         self.runs.extend_from_slice(runs);
         let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
-        self.list.push(Layer { runs: start..self.runs.len(), bits, weights: [weight; 16], at });
+        self.list.push(Layer { runs: start..self.runs.len(), bits, weights: *weights, at });
+        self.leave_open(bits, weights);
     }
 
-    /// Notes what one sample of each pixel sees; [`Layers::pack`] makes layers of it.
-    pub fn note(&mut self, runs: &[Run]) {
+    /// Notes what a sample that counts so much in each pixel sees; [`Layers::pack`] makes layers of it.
+    pub fn note(&mut self, runs: &[Run], weights: &[f32; 16]) {
         for run in runs {
             let at = self.seen.iter().position(|seen| seen.record == run.record).unwrap_or_else(|| {
-                self.seen.push(Seen { record: run.record, bits: 0, counts: [0; 16], placed: false });
+                self.seen.push(Seen { record: run.record, bits: 0, weights: [0.0; 16], placed: false });
                 self.seen.len() - 1
             });
             let seen = &mut self.seen[at];
             seen.bits |= run.bits;
-            for (lane, count) in seen.counts.iter_mut().enumerate() {
-                *count += (run.bits >> lane & 1) as u8;
-            }
+            add_where(&mut seen.weights, weights, run.bits);
         }
+        self.leave_open(runs.iter().fold(0, |bits, run| bits | run.bits), weights);
+    }
+
+    fn leave_open(&mut self, covered: u32, weights: &[f32; 16]) {
+        add_where(&mut self.open, weights, !covered);
     }
 
     /// Packs what was noted into as few layers as first-fit finds.
-    pub fn pack(&mut self, samples: usize) {
-        let share = 1.0 / samples as f32;
+    pub fn pack(&mut self) {
         while self.seen.iter().any(|seen| !seen.placed) {
             let start = self.runs.len();
             let mut layer = Layer { runs: start..start, bits: 0, weights: [0.0; 16], at: CENTER };
@@ -87,13 +93,20 @@ impl Layers {
                 seen.placed = true;
                 layer.bits |= seen.bits;
                 self.runs.push(Run { record: seen.record, bits: seen.bits });
-                for (weight, count) in layer.weights.iter_mut().zip(seen.counts) {
-                    *weight += f32::from(count) * share;
+                for (weight, own) in layer.weights.iter_mut().zip(seen.weights) {
+                    *weight += own;
                 }
             }
             layer.runs.end = self.runs.len();
             self.list.push(layer);
         }
+    }
+}
+
+/// Adds to the sums whose bit is set.
+fn add_where(sums: &mut [f32; 16], values: &[f32; 16], bits: u32) {
+    for (lane, (sum, value)) in sums.iter_mut().zip(values).enumerate() {
+        *sum += if bits >> lane & 1 == 1 { *value } else { 0.0 };
     }
 }
 
@@ -104,9 +117,10 @@ mod tests {
     #[test]
     fn layers_hold_each_pixel_once_and_all_weights() {
         let mut layers = Layers::default();
-        layers.note(&[Run { record: 0, bits: 0b0011 }, Run { record: 1, bits: 0b1100 }]);
-        layers.note(&[Run { record: 0, bits: 0b0111 }, Run { record: 2, bits: 0b1000 }]);
-        layers.pack(2);
+        let half = [0.5; 16];
+        layers.note(&[Run { record: 0, bits: 0b0011 }, Run { record: 1, bits: 0b1100 }], &half);
+        layers.note(&[Run { record: 0, bits: 0b0111 }, Run { record: 2, bits: 0b1000 }], &half);
+        layers.pack();
         let mut total = [0.0; 16];
         for layer in &layers.list {
             let mut bits = 0;
@@ -120,5 +134,6 @@ mod tests {
             }
         }
         assert_eq!(total[..5], [1.0, 1.0, 1.0, 1.0, 0.0]);
+        assert_eq!(layers.open[..5], [0.0, 0.0, 0.0, 0.0, 1.0]);
     }
 }

@@ -1,18 +1,16 @@
-//! Where finished tiles go.
+//! Where finished blocks go.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, LanesMask, Real};
 use glanz_scene::Background;
 
-use super::bins::{TILE_HEIGHT, TILE_PIXELS, TILE_WIDTH};
-use super::inlined;
+use super::bins::{TILE_PIXELS, TILE_WIDTH};
+use super::block::{self, BLOCK, SIDE};
+use super::{inlined, three};
 use crate::Develop;
 use crate::develop::DevelopKernel;
 
-/// Sixteen neighbouring pixels are a block; a tile is whole rows of them.
-pub(crate) const BLOCK: usize = 16;
-
-/// The pixels of a tile: linear colour, coverage, and the planes that were asked for.
+/// The pixels of a tile, block by block: linear colour, coverage, and the planes that were asked for.
 ///
 /// Blocks are given their background when they are first touched, so that empty parts of the picture
 /// cost next to nothing.
@@ -45,10 +43,10 @@ impl TilePixels {
         self.touched = [false; TILE_PIXELS / BLOCK];
     }
 
-    /// Sees to it that the block of this pixel holds the background, or what was drawn since.
+    /// Sees to it that the block of this place holds the background, or what was drawn since.
     #[inline(always)]
-    pub fn touch(&mut self, pixel: usize, background: Background) {
-        let block = pixel / BLOCK;
+    pub fn touch(&mut self, place: usize, background: Background) {
+        let block = place / BLOCK;
         if self.touched[block] {
             return;
         }
@@ -66,14 +64,25 @@ impl TilePixels {
         self.object[range].fill(0);
     }
 
-    /// Says that the block of this pixel is about to be written whole.
+    /// Writes colour and coverage of a whole block.
     #[inline(always)]
-    pub fn fill_whole(&mut self, pixel: usize) {
-        self.touched[pixel / BLOCK] = true;
+    pub fn put<S: Simd>(&mut self, place: usize, rgb: [Lanes<S>; 3], alpha: Lanes<S>) {
+        self.touched[place / BLOCK] = true;
+        let store = inlined(
+            #[inline(always)]
+            |plane: &mut [f32; TILE_PIXELS], value: Lanes<S>| {
+                value.store(plane[place..].first_chunk_mut().expect("tiles are whole blocks"));
+            },
+        );
+        let [r, g, b] = &mut self.rgb;
+        store(r, rgb[0]);
+        store(g, rgb[1]);
+        store(b, rgb[2]);
+        store(&mut self.alpha, alpha);
     }
 
     fn touch_all(&mut self, background: Background) {
-        (0..TILE_PIXELS).step_by(BLOCK).for_each(|pixel| self.touch(pixel, background));
+        (0..TILE_PIXELS).step_by(BLOCK).for_each(|place| self.touch(place, background));
     }
 }
 
@@ -117,6 +126,18 @@ pub(crate) struct Slot {
     pub size: [usize; 2],
 }
 
+impl Slot {
+    /// Calls `work` with the places of the blocks that are in the picture, at least in part.
+    #[inline(always)]
+    pub fn for_each_block(&self, mut work: impl FnMut(usize)) {
+        for row in 0..self.size[1].div_ceil(SIDE) {
+            for column in 0..self.size[0].div_ceil(SIDE) {
+                work(block::place(column, row));
+            }
+        }
+    }
+}
+
 /// What is where nothing is: colour and coverage.
 #[inline(always)]
 pub(crate) fn backdrop(background: Background) -> ([f32; 3], f32) {
@@ -135,7 +156,7 @@ impl Band<'_> {
                 if codes.empty.is_none() {
                     pixels.touch_all(background);
                 }
-                write_codes(simd, codes, pixels, slot);
+                codes.write(simd, pixels, &slot);
             }
             Band::Planes(planes) => {
                 pixels.touch_all(background);
@@ -143,45 +164,95 @@ impl Band<'_> {
             }
         }
     }
+
+    /// Writes a tile in which nothing is.
+    #[inline(always)]
+    pub fn write_empty<S: Simd>(
+        &mut self,
+        simd: S,
+        pixels: &mut TilePixels,
+        slot: Slot,
+        background: Background,
+    ) {
+        if let Band::Codes(Codes { out, empty: Some(empty), .. }) = self {
+            for row in 0..slot.size[1] {
+                let start = 4 * (row * slot.stride + slot.left);
+                let (whole, rest) = out[start..start + 4 * slot.size[0]].as_chunks_mut();
+                whole.fill(*empty);
+                rest.copy_from_slice(&empty[..rest.len()]);
+            }
+        } else {
+            self.write(simd, pixels, slot, background);
+        }
+    }
 }
 
-#[inline(always)]
-fn write_codes<S: Simd>(simd: S, codes: &mut Codes, pixels: &TilePixels, slot: Slot) {
-    let mut sixteen = [0u8; 64];
-    let untouched = codes.empty.as_ref().filter(|_| !pixels.touched.contains(&true));
-    for row in 0..slot.size[1] {
-        let start = 4 * (row * slot.stride + slot.left);
-        let line = &mut codes.out[start..start + 4 * slot.size[0]];
-        if let (Some(empty), (whole, [])) = (untouched, line.as_chunks_mut::<{ 4 * BLOCK }>()) {
-            whole.fill(*empty);
-            continue;
+impl Codes<'_> {
+    #[inline(always)]
+    fn write<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot) {
+        slot.for_each_block(
+            #[inline(always)]
+            |place| self.write_block(simd, pixels, slot, place),
+        );
+    }
+
+    #[inline(always)]
+    fn write_block<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot, place: usize) {
+        if !pixels.touched[place / BLOCK] && self.put_empty(slot, place) {
+            return;
         }
-        for (block, out) in line.chunks_mut(4 * BLOCK).enumerate() {
-            let at = row * TILE_WIDTH + block * BLOCK;
-            if let Some(empty) = codes.empty.as_ref().filter(|_| !pixels.touched[at / BLOCK]) {
-                match <&mut [u8; 4 * BLOCK]>::try_from(&mut *out) {
-                    Ok(whole) => *whole = *empty,
-                    Err(_) => out.copy_from_slice(&empty[..out.len()]),
-                }
-                continue;
+        let lanes = inlined(
+            #[inline(always)]
+            |plane: &[f32; TILE_PIXELS]| {
+                Lanes::load(simd, plane[place..].first_chunk().expect("tiles are whole blocks"))
+            },
+        );
+        let [r, g, b] = &pixels.rgb;
+        let rgb = [lanes(r), lanes(g), lanes(b)];
+        if self.opaque {
+            return self.put(slot, place, rgb);
+        }
+        let mut bytes = [0; 4 * BLOCK];
+        let [column, row] = block::pixel(place);
+        let at = [slot.left + column, slot.top + row];
+        self.kernel.store_block_rgba(rgb, lanes(&pixels.alpha), at, &mut bytes);
+        self.copy(slot, place, &bytes);
+    }
+
+    /// Develops a block of opaque pixels into its place.
+    #[inline(always)]
+    pub fn put<S: Simd>(&mut self, slot: &Slot, place: usize, rgb: [Lanes<S>; 3]) {
+        let mut bytes = [0; 4 * BLOCK];
+        let [column, row] = block::pixel(place);
+        self.kernel.store_block(rgb, [slot.left + column, slot.top + row], &mut bytes);
+        self.copy(slot, place, &bytes);
+    }
+
+    /// Writes a block of background, if it is the same everywhere.
+    #[inline(always)]
+    pub fn put_empty(&mut self, slot: &Slot, place: usize) -> bool {
+        let Some(empty) = self.empty else { return false };
+        self.copy(slot, place, &empty);
+        true
+    }
+
+    #[inline(always)]
+    fn copy(&mut self, slot: &Slot, place: usize, bytes: &[u8; 4 * BLOCK]) {
+        const ROW: usize = 4 * SIDE;
+        let [column, row] = block::pixel(place);
+        let rows = SIDE.min(slot.size[1] - row);
+        let length = ROW.min(4 * (slot.size[0] - column));
+        let [a, b, c, d] = bytes.as_chunks::<ROW>().0 else { return };
+        let (start, stride) = (4 * (row * slot.stride + slot.left + column), 4 * slot.stride);
+        if rows == SIDE && length == ROW {
+            for (i, bytes) in [a, b, c, d].into_iter().enumerate() {
+                let out = self.out[start + i * stride..].first_chunk_mut();
+                *out.expect("the block is in the picture") = *bytes;
             }
-            let lanes = inlined(
-                #[inline(always)]
-                |plane: &[f32; TILE_PIXELS]| {
-                    Lanes::load(simd, plane[at..].first_chunk().expect("tiles are rows of whole blocks"))
-                },
-            );
-            let rgb = [lanes(&pixels.rgb[0]), lanes(&pixels.rgb[1]), lanes(&pixels.rgb[2])];
-            let (x, y) = (slot.left + block * BLOCK, slot.top + row);
-            let whole = out.as_mut_array();
-            let target = whole.unwrap_or(&mut sixteen);
-            match codes.opaque {
-                true => codes.kernel.store_opaque(rgb, x, y, target),
-                false => codes.kernel.store_rgba(rgb, lanes(&pixels.alpha), x, y, target),
-            }
-            if out.len() < 64 {
-                out.copy_from_slice(&sixteen[..out.len()]);
-            }
+            return;
+        }
+        for (i, bytes) in [a, b, c, d].into_iter().enumerate().take(rows) {
+            self.out[start + i * stride..][..length].copy_from_slice(&bytes[..length]);
         }
     }
 }
@@ -222,10 +293,30 @@ fn copy<T: Copy>(out: &mut [T], tile: &[T], slot: Slot) {
     if out.is_empty() {
         return;
     }
-    debug_assert!(slot.size[1] <= TILE_HEIGHT);
     for row in 0..slot.size[1] {
         let start = row * slot.stride + slot.left;
-        let from = &tile[row * TILE_WIDTH..][..slot.size[0]];
-        out[start..start + slot.size[0]].copy_from_slice(from);
+        let blocks = &tile[block::place(0, row / SIDE)..][..TILE_WIDTH * SIDE];
+        let rows = blocks.chunks(BLOCK).map(|block| &block[row % SIDE * SIDE..][..SIDE]);
+        for (out, four) in out[start..start + slot.size[0]].chunks_mut(SIDE).zip(rows) {
+            out.copy_from_slice(&four[..out.len()]);
+        }
     }
+}
+
+/// Colour and coverage of a block with the background where nothing covers it.
+#[inline(always)]
+pub(crate) fn over_backdrop<S: Simd>(
+    simd: S,
+    rgb: [Lanes<S>; 3],
+    covered: u32,
+    background: Background,
+) -> ([Lanes<S>; 3], Lanes<S>) {
+    let (color, alpha) = backdrop(background);
+    let mask = LanesMask::from_bits(simd, covered);
+    let over = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| rgb[c].select(mask, Lanes::splat(simd, color[c])),
+    );
+    (over, Lanes::splat(simd, 1.0).select(mask, Lanes::splat(simd, alpha)))
 }

@@ -36,6 +36,24 @@ pub(super) fn offsets(x: usize, y: usize) -> &'static [f32; 16] {
     row[x & 7..].first_chunk().expect("a row holds 16 values from any of 8 phases")
 }
 
+/// The pattern in blocks of 4×4 pixels, row by row: the two by two blocks that it has.
+static BLOCKS: [[[f32; 16]; 2]; 2] = {
+    let mut blocks = [[[0.0; 16]; 2]; 2];
+    let mut i = 0;
+    while i < 64 {
+        let (x, y) = (i % 8, i / 8);
+        blocks[y / 4][x / 4][y % 4 * 4 + x % 4] = OFFSETS[y][x];
+        i += 1;
+    }
+    blocks
+};
+
+/// What to add to the codes of 4×4 pixels, row by row, from column and row `at` on: multiples of 4.
+#[inline(always)]
+pub(super) fn block_offsets([x, y]: [usize; 2]) -> &'static [f32; 16] {
+    &BLOCKS[y >> 2 & 1][x >> 2 & 1]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -56,6 +74,15 @@ mod tests {
             for y in 0..10 {
                 assert_eq!(offsets(x, y)[1..], offsets(x + 1, y)[..15]);
                 assert_eq!(offsets(x, y), offsets(x + 8, y + 8));
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_have_the_offsets_of_their_rows() {
+        for (x, y) in [(0, 0), (4, 0), (0, 4), (20, 12), (8, 36)] {
+            for row in 0..4 {
+                assert_eq!(block_offsets([x, y])[4 * row..][..4], offsets(x, y + row)[..4]);
             }
         }
     }

@@ -46,18 +46,54 @@ impl DevelopKernel {
     /// Develops 16 pixels of row `y` from column `x` on, all of alpha 1, into RGBA bytes.
     #[inline(always)]
     pub fn store_opaque<S: Simd>(&self, rgb: [Lanes<S>; 3], x: usize, y: usize, out: &mut [u8; 64]) {
-        let rgb = self.graded_lanes(rgb);
-        pack::pack_opaque(self.dithered(self.encoded(rgb), x, y), out);
+        self.pack_opaque(rgb, dither::offsets(x, y), out);
     }
 
     /// Develops 16 pixels of row `y` from column `x` on into RGBA bytes.
     #[inline(always)]
     pub fn store_rgba<S: Simd>(
         &self,
-        mut rgb: [Lanes<S>; 3],
+        rgb: [Lanes<S>; 3],
         alpha: Lanes<S>,
         x: usize,
         y: usize,
+        out: &mut [u8; 64],
+    ) {
+        self.pack_rgba(rgb, alpha, dither::offsets(x, y), out);
+    }
+
+    /// Develops 4×4 pixels, all of alpha 1, into RGBA bytes, row by row; `at` is the column and row of
+    /// the first, multiples of 4.
+    #[inline(always)]
+    pub(crate) fn store_block<S: Simd>(&self, rgb: [Lanes<S>; 3], at: [usize; 2], out: &mut [u8; 64]) {
+        self.pack_opaque(rgb, dither::block_offsets(at), out);
+    }
+
+    /// Develops 4×4 pixels into RGBA bytes, row by row; `at` is the column and row of the first,
+    /// multiples of 4.
+    #[inline(always)]
+    pub(crate) fn store_block_rgba<S: Simd>(
+        &self,
+        rgb: [Lanes<S>; 3],
+        alpha: Lanes<S>,
+        at: [usize; 2],
+        out: &mut [u8; 64],
+    ) {
+        self.pack_rgba(rgb, alpha, dither::block_offsets(at), out);
+    }
+
+    #[inline(always)]
+    fn pack_opaque<S: Simd>(&self, rgb: [Lanes<S>; 3], offsets: &[f32; 16], out: &mut [u8; 64]) {
+        let rgb = self.graded_lanes(rgb);
+        pack::pack_opaque(self.dithered(self.encoded(rgb), offsets), out);
+    }
+
+    #[inline(always)]
+    fn pack_rgba<S: Simd>(
+        &self,
+        mut rgb: [Lanes<S>; 3],
+        alpha: Lanes<S>,
+        offsets: &[f32; 16],
         out: &mut [u8; 64],
     ) {
         let alpha = alpha.clamp(0.0, 1.0);
@@ -65,7 +101,7 @@ impl DevelopKernel {
             rgb = straight(rgb, alpha);
         }
         let rgb = self.graded_lanes(rgb);
-        let [r, g, b] = self.dithered(self.encoded(rgb), x, y);
+        let [r, g, b] = self.dithered(self.encoded(rgb), offsets);
         pack::pack_rgba([r, g, b, alpha * alpha.lit(255.0)], out);
     }
 
@@ -102,9 +138,9 @@ impl DevelopKernel {
     }
 
     #[inline(always)]
-    fn dithered<S: Simd>(&self, mut rgb: [Lanes<S>; 3], x: usize, y: usize) -> [Lanes<S>; 3] {
+    fn dithered<S: Simd>(&self, mut rgb: [Lanes<S>; 3], offsets: &[f32; 16]) -> [Lanes<S>; 3] {
         if self.dither {
-            let offset = Lanes::load(rgb[0].0.simd, dither::offsets(x, y));
+            let offset = Lanes::load(rgb[0].0.simd, offsets);
             for c in &mut rgb {
                 *c = *c + offset;
             }

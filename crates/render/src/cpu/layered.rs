@@ -1,0 +1,102 @@
+//! Several samples per pixel: what they see is shaded layer by layer and added up.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, LanesMask, Real};
+
+use super::bins::TILE_PIXELS;
+use super::block::{self, BLOCK};
+use super::group::{self, Shaded};
+use super::samples::SUBPIXEL;
+use super::target::backdrop;
+use super::three;
+use super::tile::{Tile, TileScratch, keep_planes};
+use super::visible::Owners;
+
+/// Shades all blocks of a tile into its pixels.
+#[inline(always)]
+pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch) {
+    tile.slot.for_each_block(
+        #[inline(always)]
+        |at| {
+            find_layers(simd, tile, scratch, at);
+            if tile.blended || !scratch.layers.list.is_empty() {
+                shade_layers(simd, tile, scratch, at);
+            }
+        },
+    );
+}
+
+/// Collects what the samples of a block see into layers.
+#[inline(always)]
+fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
+    let frame = tile.frame;
+    let TileScratch { visible, records, layers, glass, .. } = scratch;
+    let samples = frame.samples.len();
+    let share = Lanes::splat(simd, 1.0 / samples as f32);
+    let mut owners = Owners::default();
+    layers.clear();
+    for (sample, position) in frame.samples.iter().enumerate() {
+        let place = sample * TILE_PIXELS + at;
+        visible.owners(simd, place, &mut owners);
+        let runs = &mut owners.runs[..owners.count];
+        visible.set_up(frame, tile.projected, records, runs);
+        let mut weights = [0.0; BLOCK];
+        match tile.blended {
+            true => (Lanes::load(simd, glass.through(place)) * share).store(&mut weights),
+            false => share.store(&mut weights),
+        }
+        match frame.options.supersample {
+            true => layers.add_sample(runs, &weights, position.map(|s| s as f32 / SUBPIXEL as f32)),
+            false => layers.note(runs, &weights),
+        }
+    }
+    layers.pack();
+    layers.list.retain(|layer| layer.bits != 0);
+}
+
+/// Shades the layers of a block and adds them up with the background and what is blended.
+#[inline(always)]
+fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
+    let background = tile.frame.options.background;
+    let TileScratch { records, layers, glass, pixels, .. } = scratch;
+    let zero = Lanes::splat(simd, 0.0);
+    let mut sum = [zero; 3];
+    let mut covered = zero;
+    pixels.touch(at, background);
+    for layer in &layers.list {
+        let runs = &layers.runs[layer.runs.clone()];
+        let place = block::coordinates(simd, &tile.grid, at, layer.at);
+        let mut shaded = Shaded::nothing(simd);
+        group::shade(simd, tile.frame, records, runs, place, &mut shaded);
+        let weights = Lanes::load(simd, &layer.weights);
+        let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
+        sum = three(
+            [0, 1, 2],
+            // Where the weight is zero the value may be anything, NaN too.
+            #[inline(always)]
+            |c| (sum[c] + shaded.rgb[c] * weights).select(zero.lt(weights), sum[c]),
+        );
+        covered = covered + weights;
+        if tile.keeps_planes() {
+            keep_planes(simd, pixels, records, &shaded, runs, at);
+        }
+    }
+    let (color, alpha) = backdrop(background);
+    let open = Lanes::load(simd, &layers.open);
+    sum = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| sum[c] + open * Lanes::splat(simd, color[c]),
+    );
+    covered = covered + open * Lanes::splat(simd, alpha);
+    if tile.blended {
+        let light = glass.light(simd, at);
+        sum = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| sum[c] + light[c],
+        );
+        covered = covered + light[3];
+    }
+    pixels.put(at, sum, covered);
+}
