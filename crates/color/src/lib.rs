@@ -1,7 +1,9 @@
 //! Colour for Glanz: spectra, linear RGB with the sRGB primaries, the sRGB transfer.
 
 pub mod adaptation;
+pub mod difference;
 mod matrix;
+pub mod mixing;
 pub mod models;
 mod reradiation;
 mod rgb;
