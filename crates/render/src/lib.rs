@@ -4,6 +4,7 @@
 //! tint tables, in which all colour work is done. [`draw`] turns those into a [`Frame`] of linear
 //! channels, [`develop()`] turns a frame into display codes, [`output`] writes picture files.
 
+pub mod compare;
 pub mod cpu;
 mod develop;
 mod draw;

@@ -8,6 +8,7 @@ mod difference;
 mod encode;
 mod failure;
 mod frames;
+mod heat_sheet;
 mod load;
 mod pipeline;
 mod preview;
@@ -15,6 +16,7 @@ mod print;
 mod progress;
 mod sheet;
 mod summary;
+mod thresholds;
 mod timings;
 mod vary;
 

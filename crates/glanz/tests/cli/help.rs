@@ -3,11 +3,12 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 12] = [
+const COMMANDS: [&[&str]; 13] = [
     &[],
     &["render"],
     &["sweep"],
     &["shade-compare"],
+    &["compare"],
     &["info"],
     &["bsdf"],
     &["bsdf", "list"],

@@ -2,6 +2,7 @@
 
 mod bsdf;
 mod compare;
+mod compare_pictures;
 mod completions;
 mod film;
 mod info;
@@ -25,6 +26,9 @@ pub enum Command {
     /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
     #[command(after_help = compare::EXAMPLES)]
     ShadeCompare(Box<compare::CompareArgs>),
+    /// Measure how far two picture files are apart
+    #[command(after_help = compare_pictures::EXAMPLES)]
+    Compare(Box<compare_pictures::ComparePicturesArgs>),
     /// Tell what is in a scene or a model, and what of it is ignored
     #[command(after_help = info::EXAMPLES)]
     Info(info::InfoArgs),
@@ -51,6 +55,7 @@ impl Command {
             Self::Render(_) => vec!["render"],
             Self::Sweep(_) => vec!["sweep"],
             Self::ShadeCompare(_) => vec!["shade-compare"],
+            Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
             Self::Schema => vec!["schema"],
@@ -64,6 +69,7 @@ impl Command {
             Self::Render(args) => args.run(),
             Self::Sweep(args) => args.run(),
             Self::ShadeCompare(args) => args.run(),
+            Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),
             Self::Schema => schema::run(),

@@ -1,0 +1,41 @@
+//! How far two pictures are apart: colour difference, error, structure, and what an eye sees.
+//!
+//! [`read_picture`] reads a PNG or an OpenEXR file into a [`Picture`] of linear light, a [`Pair`] holds two
+//! of one size, [`Pair::measure`] gives a [`Measurement`]: numbers and a map with an error per pixel, which
+//! [`heat_colors`] turns into colours.
+//!
+//! **Scales.** A picture from a PNG holds what a screen shows, one from an OpenEXR light without bounds. Two
+//! of light are compared as light. A pair with a PNG in it is compared as a screen shows it: light is
+//! clipped to 0 … 1 and encoded by the transfer of sRGB, not rounded ([`Scale`]).
+//!
+//! **Alpha.** Pictures are laid over black, in linear light: what shows nothing is black.
+//!
+//! Sums run in `f64` in the order of the rows, and all functions are those of `libm`, so numbers do not
+//! depend on the machine or on the number of threads.
+
+mod de2000;
+mod error;
+mod filter;
+mod flip;
+mod heat;
+mod measure;
+mod pair;
+mod picture;
+mod read;
+mod rmse;
+mod rows;
+#[cfg(test)]
+mod samples;
+mod spread;
+mod ssim;
+#[cfg(test)]
+mod tests;
+
+pub use error::{CompareError, ReadError};
+pub use flip::{DEFAULT_PPD, Exposures, PPD_RANGE};
+pub use heat::{heat_color, heat_colors};
+pub use measure::{Measurement, Metric, MetricOptions};
+pub use pair::Pair;
+pub use picture::{Picture, Scale};
+pub use read::{MAX_PIXELS, MAX_SIDE, decode_picture, read_picture};
+pub use spread::Spread;

@@ -1,0 +1,105 @@
+//! Pictures from files.
+
+mod exr;
+mod png;
+#[cfg(test)]
+mod tests;
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::{Picture, ReadError};
+
+/// The widest and highest picture, in pixels.
+pub const MAX_SIDE: usize = 16_384;
+/// The most pixels of a picture: 8192×8192.
+pub const MAX_PIXELS: usize = 1 << 26;
+
+/// The most bytes of a file: [`MAX_PIXELS`] of eight `f32` channels, not compressed.
+const MAX_FILE: u64 = (MAX_PIXELS * 8 * 4) as u64;
+/// How a PNG begins (ISO/IEC 15948, 5.2).
+const PNG: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
+/// How an OpenEXR file begins: 20000630, low byte first.
+const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
+/// Reads a PNG or OpenEXR file; its first bytes tell which.
+///
+/// Of a PNG, 1 to 16 bits per sample are taken as sRGB codes and straight alpha. Of OpenEXR, the half or
+/// float channels R, G, B of the first part that has them are taken, else the first layer `name.R`, … that
+/// has them; they are premultiplied with alpha, linear, and of the primaries that the file names. The
+/// compressions B44, B44A and DWA and deep data are not read.
+///
+/// Memory grows with what the file holds, not with what it claims, up to [`MAX_PIXELS`].
+pub fn read_picture(path: impl AsRef<Path>) -> Result<Picture, ReadError> {
+    let path = path.as_ref();
+    let failed = |source: io::Error| ReadError::File { path: path.to_owned(), source };
+    let name = path.display().to_string();
+    let mut file = File::open(path).map_err(failed)?;
+    let mut bytes = Vec::new();
+    // The first bytes alone at first: a device may go on for ever.
+    Read::by_ref(&mut file).take(PNG.len() as u64).read_to_end(&mut bytes).map_err(failed)?;
+    if !bytes.starts_with(&PNG) && !bytes.starts_with(&EXR) {
+        return Err(ReadError::Format { name });
+    }
+    file.take(MAX_FILE).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > MAX_FILE {
+        return Err(ReadError::FileTooLarge { path: path.to_owned(), limit: MAX_FILE });
+    }
+    decode_picture(&bytes, &name)
+}
+
+/// The same from the bytes of a file that is called `name` in messages.
+pub fn decode_picture(bytes: &[u8], name: &str) -> Result<Picture, ReadError> {
+    let source = Source { bytes, name };
+    let picture = if bytes.starts_with(&PNG) {
+        png::decode(&source)?
+    } else if bytes.starts_with(&EXR) {
+        exr::decode(&source)?
+    } else {
+        return Err(ReadError::Format { name: name.to_owned() });
+    };
+    source.check_finite(&picture)?;
+    Ok(picture)
+}
+
+/// A file in memory.
+struct Source<'a> {
+    bytes: &'a [u8],
+    name: &'a str,
+}
+
+impl Source<'_> {
+    fn content(&self, expected: impl ToString, found: impl ToString) -> ReadError {
+        ReadError::Content {
+            name: self.name.to_owned(),
+            expected: expected.to_string(),
+            found: found.to_string(),
+        }
+    }
+
+    /// That a picture of this size is within the limits and not more than the file can hold, whose every
+    /// byte stands for at most `pixels_per_byte`.
+    fn check_size(&self, width: usize, height: usize, pixels_per_byte: usize) -> Result<(), ReadError> {
+        let pixels = width.saturating_mul(height);
+        if width > MAX_SIDE || height > MAX_SIDE || pixels > MAX_PIXELS {
+            return Err(ReadError::TooLarge { name: self.name.to_owned(), width, height });
+        }
+        let held = self.bytes.len().saturating_mul(pixels_per_byte);
+        if pixels > held {
+            let expected = format!("at most the {held} pixels that {} bytes can hold", self.bytes.len());
+            return Err(self.content(expected, format_args!("a claim of {width}×{height}")));
+        }
+        Ok(())
+    }
+
+    fn check_finite(&self, picture: &Picture) -> Result<(), ReadError> {
+        for plane in &picture.rgb {
+            if let Some(i) = plane.iter().position(|value| !value.is_finite()) {
+                let (x, y) = (i % picture.width, i / picture.width);
+                return Err(ReadError::NotFinite { name: self.name.to_owned(), x, y, value: plane[i] });
+            }
+        }
+        Ok(())
+    }
+}
