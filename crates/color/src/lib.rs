@@ -1,8 +1,11 @@
 //! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
+mod ior;
 mod lights;
 mod names;
 mod observers;
+mod paper_notes;
+mod reflectances;
 mod reradiation;
 mod resample;
 mod rgb;
@@ -11,12 +14,15 @@ mod srgb;
 mod table;
 pub mod units;
 
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use names::UnknownName;
 pub use observers::{
     Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
     xyz_of_reflectance,
 };
+pub use paper_notes::{PaperNote, paper_notes};
+pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
 pub use reradiation::Reradiation;
 pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
