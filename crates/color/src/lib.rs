@@ -1,17 +1,36 @@
-//! Colour for Glanz: spectra, linear RGB with the sRGB primaries, the sRGB transfer.
+//! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
 pub mod adaptation;
 pub mod difference;
+mod ior;
+mod lights;
 mod matrix;
 pub mod mixing;
 pub mod models;
+mod names;
+mod observers;
+mod paper_notes;
+mod reflectances;
 mod reradiation;
+mod resample;
 mod rgb;
 mod spectrum;
 mod srgb;
+mod table;
+pub mod units;
 
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
+pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
+pub use names::UnknownName;
+pub use observers::{
+    Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
+    xyz_of_reflectance,
+};
+pub use paper_notes::{PaperNote, paper_notes};
+pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
 pub use reradiation::Reradiation;
+pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
 pub use spectrum::{FIRST_NM, LAST_NM, SAMPLES, STEP_NM, Spectrum, lambda_nm};
 pub use srgb::{srgb_decode, srgb_decode_u8, srgb_encode};
