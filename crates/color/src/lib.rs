@@ -1,7 +1,9 @@
 //! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
 pub mod adaptation;
+pub mod chromaticity;
 pub mod difference;
+pub mod dominant;
 mod ior;
 mod lights;
 mod matrix;
@@ -10,6 +12,7 @@ pub mod models;
 mod names;
 mod observers;
 mod paper_notes;
+pub mod photometry;
 mod reflectances;
 mod reradiation;
 mod resample;
@@ -17,6 +20,7 @@ mod rgb;
 mod spectrum;
 mod srgb;
 mod table;
+pub mod temperature;
 pub mod units;
 
 pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
