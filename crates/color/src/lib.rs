@@ -2,6 +2,7 @@
 
 pub mod adaptation;
 pub mod chromaticity;
+pub mod cri;
 pub mod difference;
 pub mod dominant;
 mod ior;
