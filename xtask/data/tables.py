@@ -220,6 +220,15 @@ def paper_notes(folder):
     write(folder, "paper_notes.csv", comments, ["note", "emission", "incidence"], rows)
 
 
+def upsampling(folder):
+    basis = colour.recovery.MSDS_BASIS_FUNCTIONS_sRGB_MALLETT2019
+    comments = [
+        "Reflectances of the sRGB primaries (I. Mallett and C. Yuksel, EGSR 2019, doi 10.2312/SR.20191216).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "mallett_yuksel.csv", comments, channels(basis, "rgb"), digits=10)
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -228,6 +237,7 @@ def main():
     reflectances(folder)
     metals(folder)
     paper_notes(folder)
+    upsampling(folder)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,7 @@ mod srgb;
 mod table;
 pub mod temperature;
 pub mod units;
+pub mod upsample;
 
 pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
