@@ -1,21 +1,33 @@
 //! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
 pub mod adaptation;
+pub mod chromaticity;
+pub mod cri;
 pub mod difference;
+pub mod dominant;
+mod ior;
 mod lights;
+mod linear;
 mod matrix;
+pub mod meyer;
 pub mod mixing;
 pub mod models;
 mod names;
 mod observers;
+mod paper_notes;
+pub mod photometry;
+mod reflectances;
 mod reradiation;
 mod resample;
 mod rgb;
 mod spectrum;
 mod srgb;
 mod table;
+pub mod temperature;
 pub mod units;
+pub mod upsample;
 
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
 pub use names::UnknownName;
@@ -23,6 +35,8 @@ pub use observers::{
     Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
     xyz_of_reflectance,
 };
+pub use paper_notes::{PaperNote, paper_notes};
+pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
 pub use reradiation::Reradiation;
 pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
