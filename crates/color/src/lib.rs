@@ -1,13 +1,26 @@
-//! Colour for Glanz: spectra, linear RGB with the sRGB primaries, the sRGB transfer.
+//! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
 mod fluorophore;
+mod lights;
+mod names;
+mod observers;
 mod reradiation;
+mod resample;
 mod rgb;
 mod spectrum;
 mod srgb;
+mod table;
+pub mod units;
 
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
+pub use lights::{LightInfo, light, lights};
+pub use names::UnknownName;
+pub use observers::{
+    Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
+    xyz_of_reflectance,
+};
 pub use reradiation::{EnergyReport, MeasuredError, Reradiation};
+pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
 pub use spectrum::{FIRST_NM, LAST_NM, SAMPLES, STEP_NM, Spectrum, lambda_nm};
 pub use srgb::{srgb_decode, srgb_decode_u8, srgb_encode};

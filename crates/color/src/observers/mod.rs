@@ -1,0 +1,156 @@
+//! What sees: standard observers, cones and rods by name, and any other sensor from its curves.
+//!
+//! Sums over spectra are taken at the samples of the grid, every 5 nm, as CIE 15 has it for practical
+//! use; the curves are CIE's values at these wavelengths, not means.
+
+mod list;
+
+use std::sync::LazyLock;
+
+use crate::names::{UnknownName, plain};
+use crate::resample::Outside;
+use crate::spectrum::Spectrum;
+use crate::table::Table;
+
+pub use list::{ObserverInfo, observers};
+
+/// Who looks: one response per channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observer {
+    /// The name, such as `cie1931`.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// The channels in their order.
+    pub channels: Vec<Channel>,
+    /// What the channels are.
+    pub kind: ObserverKind,
+}
+
+/// One kind of receptor, or one colour-matching function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// The name, such as `x` or `L`.
+    pub name: String,
+    /// The response to a unit of light at each wavelength.
+    pub sensitivity: Spectrum,
+}
+
+/// What the channels of an observer are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ObserverKind {
+    /// x, y, z: colour-matching functions of which y is a luminous efficiency.
+    Xyz,
+    /// L, M, S: the cones.
+    Lms,
+    /// V: the eye by day.
+    Photopic,
+    /// V′: the eye at night.
+    Scotopic,
+    /// Anything else, such as a camera.
+    Other,
+}
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("../../data/observers.csv")));
+
+/// The observer of that name; [`observers`] lists them.
+///
+/// # Errors
+///
+/// [`UnknownName`] suggests near names.
+pub fn observer(name: &str) -> Result<Observer, UnknownName> {
+    let wanted = plain(name);
+    let info = observers().iter().find(|info| info.name == wanted).ok_or_else(|| {
+        UnknownName::not_found("observer", name.trim(), observers().iter().map(|info| info.name))
+    })?;
+    let channels = TABLE.names().filter_map(|column| {
+        let (owner, channel) = column.split_once(':')?;
+        let sensitivity = TABLE.spectrum(column, Outside::Zero)?;
+        (owner == info.name).then(|| Channel { name: channel.to_owned(), sensitivity })
+    });
+    Ok(Observer {
+        name: info.name.to_owned(),
+        title: info.title.to_owned(),
+        channels: channels.collect(),
+        kind: info.kind,
+    })
+}
+
+/// V(λ), the luminous efficiency by day.
+pub(crate) fn photopic() -> &'static Spectrum {
+    static V: LazyLock<Spectrum> = LazyLock::new(|| {
+        TABLE.spectrum("photopic:V", Outside::Zero).expect("the table of observers has a column for V")
+    });
+    &V
+}
+
+impl Default for Observer {
+    /// The CIE 1931 standard observer.
+    fn default() -> Self {
+        observer("cie1931").expect("the list of observers has the CIE 1931 standard observer")
+    }
+}
+
+impl Observer {
+    /// A camera or any other sensor, from the curves of its channels.
+    pub fn from_channels(name: impl Into<String>, channels: Vec<Channel>) -> Self {
+        let name = name.into();
+        Self { title: name.clone(), name, channels, kind: ObserverKind::Other }
+    }
+
+    /// The response of each channel: Σ s(λ) E(λ) · 5 nm, in the unit of the light's values times nm.
+    pub fn response(&self, light: &Spectrum) -> Vec<f64> {
+        self.channels.iter().map(|channel| channel.sensitivity.dot(light)).collect()
+    }
+
+    /// The first three responses; 0 where there are fewer channels.
+    fn first_three(&self, light: &Spectrum) -> [f64; 3] {
+        core::array::from_fn(|i| self.channels.get(i).map_or(0.0, |channel| channel.sensitivity.dot(light)))
+    }
+
+    /// The response by which XYZ are divided: Y, or the only channel of an efficiency.
+    ///
+    /// NaN for observers that have no luminance.
+    fn luminance(&self, light: &Spectrum) -> f64 {
+        let [first, second, _] = self.first_three(light);
+        match self.kind {
+            ObserverKind::Xyz => second,
+            ObserverKind::Photopic | ObserverKind::Scotopic => first,
+            ObserverKind::Lms | ObserverKind::Other => f64::NAN,
+        }
+    }
+}
+
+/// XYZ of a light, scaled so that its Y is 1.
+///
+/// For an observer of kind `Xyz`. The efficiencies V and V′ give `[1, 0, 0]`. All three are NaN where there
+/// is nothing to scale by: light that the observer does not see, or an observer without luminance (take
+/// [`Observer::response`] there).
+pub fn xyz_of_light(light: &Spectrum, observer: &Observer) -> [f64; 3] {
+    let luminance = observer.luminance(light);
+    observer.first_three(light).map(|response| response / luminance)
+}
+
+/// XYZ of a surface under a light, scaled so that the perfect diffuser has Y = 1.
+///
+/// For an observer of kind `Xyz`; what others give, and when all is NaN, [`xyz_of_light`] says.
+pub fn xyz_of_reflectance(reflectance: &Spectrum, light: &Spectrum, observer: &Observer) -> [f64; 3] {
+    let luminance = observer.luminance(light);
+    observer.first_three(&(*reflectance * *light)).map(|response| response / luminance)
+}
+
+/// The CIE 1931 functions by 1 nm, 360 … 830 nm: wavelengths and x, y, z.
+///
+/// For the spectral locus and for sums at full precision; spectra on the grid are summed with
+/// [`observer`]`("cie1931")`.
+pub fn cie1931_by_1_nm() -> &'static [(f64, [f64; 3])] {
+    static FINE: LazyLock<Vec<(f64, [f64; 3])>> = LazyLock::new(|| {
+        let table = Table::parse(include_str!("../../data/cie1931_1nm.csv"));
+        let [x, y, z] = ["x", "y", "z"].map(|name| table.points(name).expect("the table has x, y and z"));
+        (0..x.0.len()).map(|i| (x.0[i], [x.1[i], y.1[i], z.1[i]])).collect()
+    });
+    &FINE
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,52 @@
+//! Wavelength, frequency and period of light in vacuum: λ = c T, T = 1 / f.
+
+/// The speed of light in vacuum, in m/s: exact, it defines the metre (SI, 1983).
+pub const SPEED_OF_LIGHT: f64 = 299_792_458.0;
+
+/// Nanometres in a metre.
+const NM_PER_M: f64 = 1e9;
+
+/// The frequency in Hz of light of a wavelength in nm.
+pub fn frequency_hz(lambda_nm: f64) -> f64 {
+    SPEED_OF_LIGHT * NM_PER_M / lambda_nm
+}
+
+/// The period in s of light of a wavelength in nm.
+pub fn period_s(lambda_nm: f64) -> f64 {
+    lambda_nm / (SPEED_OF_LIGHT * NM_PER_M)
+}
+
+/// The wavelength in nm of light of a frequency in Hz.
+pub fn lambda_nm_of_frequency(frequency_hz: f64) -> f64 {
+    SPEED_OF_LIGHT * NM_PER_M / frequency_hz
+}
+
+/// The wavelength in nm of light of a period in s.
+pub fn lambda_nm_of_period(period_s: f64) -> f64 {
+    period_s * (SPEED_OF_LIGHT * NM_PER_M)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rounding of a few products and quotients.
+    const ROUNDING: f64 = 1e-15;
+
+    #[test]
+    fn green_light_swings_540_thz() {
+        // 555 nm, where the candela is defined by 540 THz (SI, 1979).
+        assert!((frequency_hz(555.171) / 540.000_000e12 - 1.0).abs() < 1e-6);
+        assert!((period_s(555.171) * 540e12 - 1.0).abs() < 1e-6);
+        assert!((lambda_nm_of_frequency(299_792_458e6) - 1000.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn both_ways_lead_back() {
+        for nm in [300.0, 456.4, 555.0, 780.0] {
+            assert!((lambda_nm_of_frequency(frequency_hz(nm)) / nm - 1.0).abs() < ROUNDING);
+            assert!((lambda_nm_of_period(period_s(nm)) / nm - 1.0).abs() < ROUNDING);
+            assert!((frequency_hz(nm) * period_s(nm) - 1.0).abs() < ROUNDING);
+        }
+    }
+}

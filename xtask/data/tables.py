@@ -1,0 +1,132 @@
+"""Writes the tables of crates/color/data from public packages: see `cargo xtask data`.
+
+    python tables.py FOLDER
+
+Every table is CSV: lines that begin with `#` say what it is and where it comes from, then one line of
+names, then numbers. An empty cell means that the source gives nothing there.
+"""
+
+import pathlib
+import sys
+import warnings
+
+warnings.filterwarnings("ignore")
+
+import colour
+import numpy as np
+
+COLOUR = f"colour-science {colour.__version__} (BSD-3-Clause)"
+
+# The grid of the project, in nm.
+FIRST, LAST, STEP = 300, 780, 5
+
+
+def number(value, digits=8):
+    """The shortest decimal text that is right to `digits` significant digits."""
+    text = f"{float(value):.{digits}g}"
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return f"{mantissa}e{int(exponent)}"
+    return text.removeprefix("0") if text.startswith("0.") else text
+
+
+def write(folder, name, comments, header, rows):
+    """Writes one table."""
+    lines = [f"# {line}" for line in comments]
+    lines.append(",".join(header))
+    lines.extend(",".join(row) for row in rows)
+    (folder / name).write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+
+
+def columns(folder, name, comments, spectra, first=FIRST, last=LAST, step=STEP, digits=8):
+    """Writes spectra side by side; `spectra` gives for each name a dictionary from nm to value."""
+    wavelengths = range(first, last + 1, step)
+    used = [nm for nm in wavelengths if any(nm in spectrum for spectrum in spectra.values())]
+    rows = []
+    for nm in used:
+        cells = [number(s[nm], digits) if nm in s else "" for s in spectra.values()]
+        rows.append([str(nm), *cells])
+    write(folder, name, comments, ["nm", *spectra], rows)
+
+
+def points(distribution):
+    """A dictionary from nm to value."""
+    return {round(float(nm)): v for nm, v in zip(distribution.wavelengths, distribution.values)}
+
+
+def channels(distributions, names):
+    """The columns of several curves over the same wavelengths."""
+    wavelengths = [round(float(nm)) for nm in distributions.wavelengths]
+    values = np.asarray(distributions.values)
+    return {name: dict(zip(wavelengths, values[:, i])) for i, name in enumerate(names)}
+
+
+def lights(folder):
+    given = colour.SDS_ILLUMINANTS
+    names = ["B", "C"]
+    names += [f"FL{i}" for i in range(1, 13)] + [f"FL3.{i}" for i in range(1, 16)]
+    names += [f"HP{i}" for i in range(1, 6)]
+    names += [f"LED-{kind}" for kind in ("B1", "B2", "B3", "B4", "B5", "BH1", "RGB1", "V1", "V2")]
+    comments = [
+        "Relative spectral power of CIE illuminants, as tabulated (CIE 15:2004 and CIE 15:2018).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "lights.csv", comments, {name: points(given[name]) for name in names})
+
+    comments = [
+        "Published tables of illuminants that Glanz computes by formula (CIE 15:2004, table T.1); tests compare.",
+        f"Source: {COLOUR}.",
+    ]
+    names = ["A", "D50", "D55", "D65", "D75"]
+    columns(folder, "lights_published.csv", comments, {name: points(given[name]) for name in names})
+
+    basis = colour.colorimetry.datasets.SDS_BASIS_FUNCTIONS_CIE_ILLUMINANT_D_SERIES
+    comments = [
+        "Mean and eigenvectors of daylight, S0 S1 S2 (CIE 15:2004, table T.2).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "daylight.csv", comments, {name: points(basis[name]) for name in ("S0", "S1", "S2")})
+
+
+def observers(folder):
+    curves = colour.MSDS_CMFS
+    table = {}
+    for name, title in (
+        ("cie1931", "CIE 1931 2 Degree Standard Observer"),
+        ("cie1964", "CIE 1964 10 Degree Standard Observer"),
+        ("cie2015-2", "CIE 2015 2 Degree Standard Observer"),
+        ("cie2015-10", "CIE 2015 10 Degree Standard Observer"),
+    ):
+        table |= channels(curves[title], [f"{name}:{axis}" for axis in "xyz"])
+    for name, title in (
+        ("lms2", "Stockman & Sharpe 2 Degree Cone Fundamentals"),
+        ("lms10", "Stockman & Sharpe 10 Degree Cone Fundamentals"),
+    ):
+        table |= channels(curves[title], [f"{name}:{cone}" for cone in "LMS"])
+    efficiencies = colour.SDS_LEFS
+    table["photopic:V"] = points(efficiencies["CIE 1924 Photopic Standard Observer"])
+    table["scotopic:V'"] = points(efficiencies["CIE 1951 Scotopic Standard Observer"])
+    comments = [
+        "Colour-matching functions (CIE 1931 and 1964: CIE 15:2004; 2015: CIE 170-2:2015), cone fundamentals",
+        "(Stockman and Sharpe 2000, CIE 170-1:2006), V (CIE 1924) and V' (CIE 1951).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "observers.csv", comments, table)
+
+    comments = [
+        "Colour-matching functions of the CIE 1931 standard observer by 1 nm (ISO/CIE 11664-1:2019).",
+        f"Source: {COLOUR}.",
+    ]
+    fine = channels(curves["CIE 1931 2 Degree Standard Observer"], "xyz")
+    columns(folder, "cie1931_1nm.csv", comments, fine, first=360, last=830, step=1, digits=10)
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    lights(folder)
+    observers(folder)
+
+
+if __name__ == "__main__":
+    main()
