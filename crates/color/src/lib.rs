@@ -4,6 +4,7 @@ mod fluorophore;
 mod lights;
 mod names;
 mod observers;
+pub mod read;
 mod reradiation;
 mod resample;
 mod rgb;
@@ -11,6 +12,7 @@ mod spectrum;
 mod srgb;
 mod table;
 pub mod units;
+pub mod write;
 
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use lights::{LightInfo, light, lights};

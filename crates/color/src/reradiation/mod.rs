@@ -15,6 +15,7 @@ mod tests;
 use crate::spectrum::{SAMPLES, Spectrum};
 
 pub use energy::EnergyReport;
+pub(crate) use measured::MOST_BANDS;
 pub use measured::MeasuredError;
 
 /// A Donaldson matrix: the spectral radiance factor from each wavelength of incidence to each of
