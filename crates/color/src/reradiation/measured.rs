@@ -11,15 +11,17 @@
 //!   many.
 //!
 //! What a material emits within the very band that excites it cannot be told from reflection by such an
-//! instrument. It stays with the diagonal, so the emission is taken to be 0 on it; interpolated, the
-//! emission of the neighbouring bands then touches the diagonal from one side.
+//! instrument. It stays with the diagonal, so the emission is taken to be 0 on it. What the interpolation
+//! of the neighbouring bands then puts on the diagonal of the finer grid is moved up by one sample: the
+//! diagonal is the reflectance and nothing else.
 //!
 //! Along the emission, and for the diagonal, the interpolation is cubic, since a line between coarse
 //! samples widens every peak and edge: with lines XYZ of measured materials move by up to 1.3 %. Along
 //! the excitation it is linear, which shares every measured column out to the light around it with
 //! weights that are never negative and sum to 1: a line of light between two measured wavelengths
-//! excites by the mean of both. Where a cubic falls below 0 it is cut, and the column scaled so that its
-//! sum is as before.
+//! excites by the mean of both. Where a cubic falls below 0 it is cut. Then the column is scaled to the
+//! energy that was measured: the sum of all bands on the grid, each as wide as the way between the middles to
+//! its neighbours, those at the ends whole, as all samples are in a sum over the grid.
 //!
 //! Outside of the measured wavelengths the matrix is 0: nothing is known there, so nothing is claimed.
 
@@ -27,7 +29,7 @@ use thiserror::Error;
 
 use super::Reradiation;
 use super::axis::{Axis, Weights};
-use crate::spectrum::{SAMPLES, STEP_NM, Spectrum, lambda_nm};
+use crate::spectrum::{FIRST_NM, LAST_NM, SAMPLES, STEP_NM, Spectrum, lambda_nm};
 
 /// Measured values may be as far below 0 by noise: those of the BFC-450 reach −0.05. They are cut to 0.
 const NOISE: f64 = 0.1;
@@ -122,7 +124,12 @@ impl Reradiation {
         let reflectance = take_diagonal(out_nm, in_nm, &mut emission)?;
         let columns = excite(in_nm, &emission, STEP_NM / band_nm);
         let rows: Vec<Weights> = (0..SAMPLES).map(|out| Axis::new(out_nm).cubic(lambda_nm(out))).collect();
-        let columns: Vec<[f64; SAMPLES]> = columns.iter().map(|column| emit(column, &rows)).collect();
+        let widths = widths(out_nm, band_nm);
+        let mut columns: Vec<[f64; SAMPLES]> =
+            columns.iter().map(|column| emit(column, &rows, &widths)).collect();
+        for (input, column) in columns.iter_mut().enumerate().take(SAMPLES - 1) {
+            column[input + 1] += core::mem::take(&mut column[input]);
+        }
         Ok(Self::from_fn(|out, input| {
             let reflected = if out == input { reflectance[out] } else { 0.0 };
             reflected + columns[input][out]
@@ -157,13 +164,27 @@ fn excite(in_nm: &[f64], emission: &[f64], scale: f64) -> Vec<Vec<f64>> {
     (0..SAMPLES).map(column).collect()
 }
 
-/// The emission at the grid's wavelengths, without values below 0 and with the sum that it has with them.
-fn emit(column: &[f64], rows: &[Weights]) -> [f64; SAMPLES] {
-    let cubic: [f64; SAMPLES] = core::array::from_fn(|out| sum(&rows[out], |index| column[index]));
-    let kept = cubic.map(|value| value.max(0.0));
-    let (before, after): (f64, f64) = (cubic.iter().sum(), kept.iter().sum());
-    let scale = if after > 0.0 { before.max(0.0) / after } else { 0.0 };
+/// The emission at the grid's wavelengths, never below 0 and with the energy that was measured.
+fn emit(column: &[f64], rows: &[Weights], widths: &[f64]) -> [f64; SAMPLES] {
+    let kept: [f64; SAMPLES] = core::array::from_fn(|out| sum(&rows[out], |index| column[index]).max(0.0));
+    let energy: f64 = column.iter().zip(widths).map(|(value, width)| value * width).sum();
+    let total: f64 = kept.iter().sum();
+    let scale = if total > 0.0 { energy / total } else { 0.0 };
     kept.map(|value| value * scale)
+}
+
+/// How wide the band of each wavelength of emission is, in samples of the grid; 0 beyond the grid.
+fn widths(out_nm: &[f64], band_nm: f64) -> Vec<f64> {
+    let step = |left: usize| match out_nm.get(left..left + 2) {
+        Some([a, b]) => Some(b - a),
+        _ => None,
+    };
+    let width = |(index, nm): (usize, &f64)| {
+        let left = index.checked_sub(1).and_then(step).or(step(index)).unwrap_or(band_nm);
+        let right = step(index).unwrap_or(left);
+        if (FIRST_NM..=LAST_NM).contains(nm) { 0.5 * (left + right) / STEP_NM } else { 0.0 }
+    };
+    out_nm.iter().enumerate().map(width).collect()
 }
 
 fn sum(weights: &Weights, value: impl Fn(usize) -> f64) -> f64 {

@@ -78,7 +78,7 @@ fn light_between_two_measured_wavelengths_excites_by_the_mean_of_both() {
 }
 
 #[test]
-fn noise_below_zero_is_cut_and_the_sum_of_a_column_kept() {
+fn noise_below_zero_is_cut_and_the_energy_of_a_column_kept() {
     let (out_nm, in_nm) = (steps(400.0, 500.0, 10.0), [350.0]);
     let mut values = [0.0; 11];
     (values[5], values[9]) = (0.2, -0.04);
