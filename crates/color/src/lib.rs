@@ -5,6 +5,7 @@ pub mod chromaticity;
 pub mod cri;
 pub mod difference;
 pub mod dominant;
+mod fluorophore;
 mod ior;
 mod lights;
 mod linear;
@@ -16,6 +17,7 @@ mod names;
 mod observers;
 mod paper_notes;
 pub mod photometry;
+pub mod read;
 mod reflectances;
 mod reradiation;
 mod resample;
@@ -26,8 +28,11 @@ mod table;
 pub mod temperature;
 pub mod units;
 pub mod upsample;
+pub mod write;
 
 pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
+
+pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
 pub use names::UnknownName;
@@ -37,7 +42,7 @@ pub use observers::{
 };
 pub use paper_notes::{PaperNote, paper_notes};
 pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
-pub use reradiation::Reradiation;
+pub use reradiation::{EnergyReport, MeasuredError, Reradiation};
 pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
 pub use spectrum::{FIRST_NM, LAST_NM, SAMPLES, STEP_NM, Spectrum, lambda_nm};
