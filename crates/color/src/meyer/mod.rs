@@ -1,7 +1,7 @@
 //! Meyer's four samples: light and reflectance at four wavelengths instead of all.
 //!
 //! **Formula.** A, C1, C2 are sums of weighted samples at 456.4, 490.9, 557.7 and 631.4 nm, XYZ follow by the
-//! inverse of [`XYZ_TO_AC1C2`](crate::models::XYZ_TO_AC1C2), divided by 1.057863 so that the constant
+//! inverse of [`XYZ_TO_AC1C2`], divided by 1.057863 so that the constant
 //! spectrum 1 has Y = 1.
 //!
 //! **Where the numbers come from.** The nodes are those of the Gauss quadrature whose weight functions are the
