@@ -1,5 +1,7 @@
 //! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
+#[cfg(feature = "exr")]
+pub mod exr;
 mod fluorophore;
 mod lights;
 mod names;
