@@ -17,7 +17,7 @@ mod channels;
 mod pixels;
 mod read;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod write;
 
 pub use read::{MAX_PICTURE_BYTES, read_spectral_exr};

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::{Fluorophore, Spectrum};
 
-fn bytes_of(image: SpectralImage) -> Vec<u8> {
+pub(crate) fn bytes_of(image: SpectralImage) -> Vec<u8> {
     let mut file = Cursor::new(Vec::new());
     write_spectral_exr(&mut file, image).unwrap();
     file.into_inner()
