@@ -5,6 +5,8 @@ pub mod chromaticity;
 pub mod cri;
 pub mod difference;
 pub mod dominant;
+#[cfg(feature = "exr")]
+pub mod exr;
 mod fluorophore;
 mod ior;
 mod lights;

@@ -142,7 +142,8 @@ impl Reader<'_> {
     /// The end of a part. That a file tells a wrong number of samples is no harm, but may mean that it
     /// was cut.
     fn end(&mut self) {
-        if let (Part::Data, Some((told, found))) = (self.part, self.sets.take())
+        if self.part == Part::Data
+            && let Some((told, found)) = self.sets.take()
             && told != found as f64
         {
             note(&mut self.notes, format!("NUMBER_OF_SETS is {told}, but there are {found} samples"));

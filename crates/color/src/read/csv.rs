@@ -167,13 +167,23 @@ fn columns<'a>(
     body: impl Iterator<Item = (usize, &'a str)> + Clone,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let (line, first) = body.clone().next().unwrap_or((0, ""));
-    let head: Vec<&str> =
-        header.map(|(_, text)| fields(text, Separator::of(text)).collect()).unwrap_or_default();
-    let count = fields(first, source.separator).count().max(head.len()).saturating_sub(1);
+    let found = fields(first, source.separator).count();
+    let header = header.map_or("", |(_, text)| text);
+    let head: Vec<&str> = fields(header, Separator::of(header)).collect();
+    // A line of other fields than the table has is a title: it holds for all columns.
+    let by_blanks = source.separator == Separator::Blanks;
+    let fits = head.len() == found && Separator::of(header) == Separator::Blanks;
+    let is_title = head.len() < 2 || (by_blanks && !fits);
+    let (count, scale) = match is_title {
+        true => (found.saturating_sub(1), Scale::of(header)),
+        false => (head.len() - 1, Scale::of(head[0])),
+    };
     source.check_count(count, line)?;
-    let scale = Scale::of(head.first().copied().unwrap_or(""));
-    let columns: Vec<Column> =
-        (0..count).map(|i| Column::of(head.get(i + 1).copied().unwrap_or(""))).collect();
+    let column = |index: usize| match is_title {
+        true => Column { name: String::new(), ..Column::of(header) },
+        false => Column::of(head[index + 1]),
+    };
+    let columns: Vec<Column> = (0..count).map(column).collect();
     let mut spectra: Vec<NamedSpectrum> = columns
         .iter()
         .enumerate()

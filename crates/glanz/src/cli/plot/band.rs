@@ -54,7 +54,7 @@ pub fn below(picture: &mut Picture, axes: &Axes) {
     while nm < to {
         let (left, right) = (axes.at(nm, 0.0).0, axes.at((nm + 1.0).min(to), 0.0).0);
         // Each piece reaches under the next: no gap shows between them.
-        let width = (right - left + 0.5).min(axes.rect.right() - left);
+        let width = (right - left + 1.0).min(axes.rect.right() - left);
         picture.fill(Rect { x: left, y: axes.rect.bottom(), width, height: HEIGHT }, color(nm + 0.5));
         nm += 1.0;
     }
@@ -73,7 +73,7 @@ pub fn beside(picture: &mut Picture, axes: &Axes) {
     let mut nm = from;
     while nm < to {
         let (bottom, top) = (axes.at(0.0, nm).1, axes.at(0.0, (nm + 1.0).min(to)).1);
-        let y = (top - 0.5).max(axes.rect.y);
+        let y = (top - 1.0).max(axes.rect.y);
         picture.fill(Rect { x, y, width: HEIGHT, height: bottom - y }, color(nm + 0.5));
         nm += 1.0;
     }
@@ -88,7 +88,7 @@ pub fn under(picture: &mut Picture, axes: &Axes, value: impl Fn(f64) -> f64) {
         let next = (nm + 1.0).min(to);
         let (left, right) = (axes.at(nm, value(nm)), axes.at(next, value(next)));
         let ground = axes.at(nm, 0.0).1;
-        let right_edge = (right.0 + 0.3).min(axes.rect.right());
+        let right_edge = (right.0 + 1.0).min(axes.rect.right());
         let corners = [(left.0, ground), left, (right_edge, right.1), (right_edge, ground)];
         picture.area(corners, color(nm + 0.5));
         nm += 1.0;
