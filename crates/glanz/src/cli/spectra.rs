@@ -22,7 +22,7 @@ use super::print;
 const MAX_BYTES: u64 = (16 << 20) + 1;
 
 /// Endings by which a word is known to be a file's name, whether or not the file exists.
-const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
+const ENDINGS: [&str; 8] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc"];
 
 /// Values of a surface exceed 1 only where it glows, and then hardly by more.
 const GREATEST_SHARE: f64 = 1.5;
