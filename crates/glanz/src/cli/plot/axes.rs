@@ -25,11 +25,7 @@ pub struct Axis {
 impl Axis {
     /// An axis over exactly this range, with about so many round numbers.
     pub fn exact(label: impl Into<String>, range: (f64, f64), about: usize) -> Self {
-        let step = round_step((range.1 - range.0) / about.max(1) as f64);
-        let first = (range.0 / step - 1e-9).ceil();
-        let count = ((range.1 / step + 1e-9).floor() - first).max(0.0) as usize;
-        let ticks = (0..=count).map(|i| (first + i as f64) * step).collect();
-        Self { label: label.into(), range, log: false, ticks, decimals: decimals(step) }
+        Self::stepped(label, range, round_step((range.1 - range.0) / about.max(1) as f64))
     }
 
     /// An axis over this range, widened to round numbers.
@@ -37,7 +33,15 @@ impl Axis {
         let high = if high > low { high } else { low + 1.0 };
         let step = round_step((high - low) / about.max(1) as f64);
         let range = ((low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step);
-        Self::exact(label, range, about)
+        Self::stepped(label, range, step)
+    }
+
+    /// An axis with a number at each multiple of the step.
+    fn stepped(label: impl Into<String>, range: (f64, f64), step: f64) -> Self {
+        let first = (range.0 / step - 1e-9).ceil();
+        let count = ((range.1 / step + 1e-9).floor() - first).max(0.0) as usize;
+        let ticks = (0..=count).map(|i| (first + i as f64) * step).collect();
+        Self { label: label.into(), range, log: false, ticks, decimals: decimals(step) }
     }
 
     /// A logarithmic axis with numbers at these values.
