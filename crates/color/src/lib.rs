@@ -2,11 +2,15 @@
 
 #[cfg(feature = "exr")]
 pub mod exr;
+mod fluorescent;
 mod fluorophore;
+mod ior;
 mod lights;
 mod names;
 mod observers;
+mod paper_notes;
 pub mod read;
+mod reflectances;
 mod reradiation;
 mod resample;
 mod rgb;
@@ -16,13 +20,17 @@ mod table;
 pub mod units;
 pub mod write;
 
+pub use fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use names::UnknownName;
 pub use observers::{
     Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
     xyz_of_reflectance,
 };
+pub use paper_notes::{PaperNote, paper_notes};
+pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
 pub use reradiation::{EnergyReport, MeasuredError, Reradiation};
 pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
