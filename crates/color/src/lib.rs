@@ -7,6 +7,7 @@ pub mod difference;
 pub mod dominant;
 #[cfg(feature = "exr")]
 pub mod exr;
+mod fluorescent;
 mod fluorophore;
 mod ior;
 mod lights;
@@ -32,9 +33,9 @@ pub mod units;
 pub mod upsample;
 pub mod write;
 
-pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
-
+pub use fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
 pub use names::UnknownName;
