@@ -9,7 +9,6 @@ mod difference;
 mod efficiency;
 mod encode;
 mod failure;
-mod fluorescents;
 mod frames;
 mod judge;
 mod load;

@@ -10,12 +10,11 @@ use std::path::Path;
 use clap::ValueEnum;
 use glanz_color::read::{NamedSpectrum, Quantity, read_reradiation, read_spectra};
 use glanz_color::{
-    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, UnknownName, ior, iors, light, lights,
-    observer, observers, reflectance, reflectances,
+    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, UnknownName, fluorescent, fluorescents, ior,
+    iors, light, lights, observer, observers, reflectance, reflectances,
 };
 
 use super::failure::{Failure, Report, without_number};
-use super::fluorescents::{fluorescent, fluorescents};
 use super::print;
 
 /// The most that is read of a file: what the readers take, and one byte by which they see more.
@@ -73,7 +72,10 @@ pub fn source(word: &str, kind: Option<Kind>) -> Result<Source, Failure> {
         return Ok(source);
     }
     match open(word)? {
-        Some((bytes, file, column)) => from_file(&bytes, &file, column.as_deref(), kind),
+        Some(opened) => from_file(&opened, kind),
+        None if fluorescent(word).is_ok() => Err(Failure::Usage(format!(
+            "'{word}' is fluorescent: no reflectance tells its colour; see 'glanz color fluorescence'"
+        ))),
         None => Err(unknown("spectrum", word, &names())),
     }
 }
@@ -85,7 +87,7 @@ pub fn light_source(word: &str) -> Result<Source, Failure> {
         // Numbers that are not possible have their own message.
         Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
         Err(UnknownName::NotFound { .. }) => match open(word)? {
-            Some((bytes, file, column)) => from_file(&bytes, &file, column.as_deref(), Some(Kind::Light)),
+            Some(opened) => from_file(&opened, Some(Kind::Light)),
             None => Err(unknown("light", word, &lights().iter().map(|info| info.name).collect::<Vec<_>>())),
         },
     }
@@ -96,7 +98,7 @@ pub fn observer_source(word: &str) -> Result<Observer, Failure> {
     if let Ok(observer) = observer(word) {
         return Ok(observer);
     }
-    let Some((bytes, file, _)) = open(word)? else {
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
         return Err(unknown("observer", word, &observers().iter().map(|info| info.name).collect::<Vec<_>>()));
     };
     let mut channels = Vec::new();
@@ -109,17 +111,19 @@ pub fn observer_source(word: &str) -> Result<Observer, Failure> {
 
 /// The re-radiation matrix of that name, or of that file.
 pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
-    if let Some(matrix) = fluorescent(word) {
-        let info = fluorescents().into_iter().find(|info| same(info.name, word));
+    if let Ok(matrix) = fluorescent(word) {
+        let info = fluorescents().iter().find(|info| same(info.name, word));
         let title = info.map_or(String::new(), |info| info.title.to_owned());
         return Ok(FluorescentSource { name: word.to_owned(), title, matrix });
     }
-    let Some((bytes, file, _)) = open(word)? else {
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
         let names: Vec<_> = fluorescents().iter().map(|info| info.name).collect();
         return Err(unknown("fluorescent material", word, &names));
     };
     let read = read_reradiation(&bytes, &file).map_err(Failure::new)?;
-    read.notes.iter().for_each(|note| print::note(format_args!("note: {file}: {note}")));
+    if !read.notes.is_empty() {
+        print::note(format_args!("note: {file}: {}", read.notes.join("; ")));
+    }
     let matrix = read.to_reradiation().map_err(|error| Failure::new(format_args!("{file}: {error}")))?;
     Ok(FluorescentSource { name: read.name, title: file, matrix })
 }
@@ -215,8 +219,17 @@ fn unknown(what: &str, word: &str, known: &[&str]) -> Failure {
     Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
 }
 
-/// The bytes of a file, its name, and the column of it that is meant; none where the word is no file.
-fn open(word: &str) -> Result<Option<(Vec<u8>, String, Option<String>)>, Failure> {
+/// A file that was named.
+struct Opened {
+    bytes: Vec<u8>,
+    /// Its name.
+    file: String,
+    /// The column of it that is meant.
+    column: Option<String>,
+}
+
+/// Reads the file that is meant; none where the word is no file.
+fn open(word: &str) -> Result<Option<Opened>, Failure> {
     let whole = Path::new(word);
     let split = word.rsplit_once(':').filter(|(file, column)| !file.is_empty() && !column.is_empty());
     let (file, column) = match split {
@@ -225,7 +238,8 @@ fn open(word: &str) -> Result<Option<(Vec<u8>, String, Option<String>)>, Failure
         _ if has_ending(word) || word.contains(['/', '\\']) => (word, None),
         _ => return Ok(None),
     };
-    Ok(Some((read(Path::new(file))?, file.to_owned(), column.map(str::to_owned))))
+    let bytes = read(Path::new(file))?;
+    Ok(Some(Opened { bytes, file: file.to_owned(), column: column.map(str::to_owned) }))
 }
 
 fn has_ending(word: &str) -> bool {
@@ -247,9 +261,10 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn from_file(bytes: &[u8], file: &str, column: Option<&str>, kind: Option<Kind>) -> Result<Source, Failure> {
-    let spectra = read_spectra(bytes, file).map_err(Failure::new)?;
-    let named = pick(&spectra, file, column)?;
+fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
+    let file = opened.file.as_str();
+    let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
+    let named = pick(&spectra, file, opened.column.as_deref())?;
     let (kind, guessed) = match (kind, named.quantity) {
         (Some(kind), _) => (kind, false),
         (None, Quantity::Reflectance | Quantity::Transmittance) => (Kind::Surface, false),

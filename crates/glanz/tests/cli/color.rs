@@ -230,7 +230,7 @@ fn everything_has_a_name_in_the_lists() {
         ("observers", 8),
         ("reflectances", 54),
         ("metals", 12),
-        ("fluorescent", 2),
+        ("fluorescent", 6),
         ("models", 20),
     ] {
         let list = json(&["list", kind]);
@@ -290,7 +290,9 @@ fn every_plot_is_an_svg_with_its_words() {
         let svg = String::from_utf8(folder.read("a.svg")).unwrap();
         assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"), "{words:?}");
         assert!(svg.matches("<text ").count() > 10, "{words:?} has no words");
-        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{words:?}");
+        // The letters of an image within may spell anything.
+        let drawn = svg.lines().filter(|line| !line.starts_with("<image"));
+        assert!(!drawn.into_iter().any(|line| line.contains("NaN") || line.contains("inf")), "{words:?}");
     }
 }
 

@@ -61,9 +61,10 @@ fails! {
     a_parameter_that_is_no_number: ["bsdf", "albedo", "phong", "--set", "shininess=high"];
     a_direction_that_is_none: ["bsdf", "eval", "phong", "--wo", "0", "--wi", "0,0"];
     an_albedo_of_emission: ["bsdf", "albedo", "emission"];
-    an_unknown_light: ["color", "spectrum", "gold", "--under", "D56"];
+    an_unknown_light: ["color", "spectrum", "gold", "--under", "FL15"];
     an_unknown_spectrum: ["color", "spectrum", "glod"];
     an_unknown_spectrum_that_is_like_nothing: ["color", "spectrum", "marmalade"];
+    a_fluorescent_material_as_a_spectrum: ["color", "spectrum", "paper-note-pink"];
     a_light_that_is_not_possible: ["color", "spectrum", "D(100)"];
     a_missing_spectrum_file: ["color", "spectrum", "none.csv"];
     a_spectrum_that_is_a_folder: ["color", "spectrum", "./"];

@@ -17,8 +17,9 @@ pub const EXAMPLES: &str = "Examples:
   glanz color convert --from srgb --to lab 1,0.5,0
   glanz color convert --from lab --to oklch --format json -- 50,-20,30
 
-White is D65 in all models, and XYZ of white has Y = 1. 'glanz color list models' tells the numbers of each
-model and their ranges. A colour that a model cannot hold is an error, never another colour.";
+White is D65 in all models, and XYZ of white has Y = 1. 'glanz color list models' tells the
+numbers of each model and their ranges. A colour that a model cannot hold is an error, never
+another colour.";
 
 /// Options of `glanz color convert`.
 #[derive(Args, Debug)]

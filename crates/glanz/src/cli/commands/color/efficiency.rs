@@ -19,10 +19,11 @@ pub const EXAMPLES: &str = "Examples:
   glanz color efficiency --under D65,A --set samples --plot efficiency.png
   glanz color efficiency --set patches.csv --format json
 
-Each cell is the mean ΔE00 over the set, and the greatest in brackets, against sums over 300 to 780 nm by
-5 nm. Each way has its own white, the perfect diffuser computed that way. 'uniform, 300-780 nm' takes the
-wavelengths of --mode sampled:N; 'sRGB product' multiplies the light's linear sRGB by the surface's; 'Meyer'
-takes four wavelengths (Meyer 1988) with the published weights, or with weights solved for the light.";
+Each cell is the mean ΔE00 over the set, and the greatest in brackets, against sums over 300 to
+780 nm by 5 nm. Each way has its own white, the perfect diffuser computed that way. 'uniform,
+300-780 nm' takes the wavelengths of --mode sampled:N; 'sRGB product' multiplies the light's
+linear sRGB by the surface's; 'Meyer' takes four wavelengths (Meyer 1988) with the published
+weights, or with weights solved for the light.";
 
 /// The lights that `all` stands for.
 const ALL: &str = "E,D65,A,FL2,FL11,LED-B3";

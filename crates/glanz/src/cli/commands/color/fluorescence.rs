@@ -24,11 +24,12 @@ pub const EXAMPLES: &str = "Examples:
   glanz color fluorescence paper-note-pink --under D65,A,UV365
   glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
 
-XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is hardly
-seen, as that of a black light, they grow very large, and the chromaticity tells the colour. 'reflected' is
-the diagonal of the matrix alone: the same material without its glow. The total radiance factor is the light
-that leaves over the light that arrives, by wavelength. Files: Labsphere .BFC, and CSV with wavelengths of
-incidence in the first line and of emission in the first column.";
+XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is
+hardly seen, as that of a black light, they grow very large, and the chromaticity tells the
+colour. 'reflected' is the diagonal of the matrix alone: the same material without its glow. The
+total radiance factor is the light that leaves over the light that arrives, by wavelength. Files:
+Labsphere .BFC, and CSV with wavelengths of incidence in the first line and of emission in the
+first column.";
 
 /// The scale of X, Y, Z that are printed: Y of the perfect diffuser.
 const WHITE_Y: f64 = 100.0;

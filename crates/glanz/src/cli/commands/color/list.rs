@@ -4,11 +4,10 @@ use std::fmt::Write;
 
 use clap::{Args, ValueEnum};
 use glanz_color::models::{Limit, Model};
-use glanz_color::{IorKind, iors, lights, observers, reflectances};
+use glanz_color::{IorKind, fluorescents, iors, lights, observers, reflectances};
 use serde_json::{Value, json};
 
 use crate::cli::failure::Failure;
-use crate::cli::fluorescents::{FluorescentInfo, fluorescents};
 use crate::cli::print::{self, FormatArgs, number};
 
 /// Shown below the help.
@@ -76,6 +75,7 @@ impl Kind {
         match self {
             Self::Models => "numbers",
             Self::Observers => "channels",
+            Self::Fluorescent => "figures",
             _ => "nm",
         }
     }
@@ -200,14 +200,13 @@ fn metal_entries() -> Vec<Entry> {
 }
 
 fn fluorescent_entries() -> Vec<Entry> {
-    let entry = |info: &FluorescentInfo| Entry {
+    let entry = |info: &glanz_color::FluorescentInfo| Entry {
         name: info.name.to_owned(),
         title: info.title.to_owned(),
-        range: range(info.range_nm),
+        range: if info.measured { "measured" } else { "model" }.to_owned(),
         source: info.source.to_owned(),
         json: json!({
-            "name": info.name, "title": info.title, "source": info.source,
-            "range_nm": [info.range_nm.0, info.range_nm.1],
+            "name": info.name, "title": info.title, "source": info.source, "measured": info.measured,
         }),
     };
     fluorescents().iter().map(entry).collect()

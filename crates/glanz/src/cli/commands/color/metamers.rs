@@ -18,11 +18,11 @@ pub const EXAMPLES: &str = "Examples:
   glanz color metamers a.csv b.csv --under D65,A,FL11
   glanz color metamers pairs.csv:1 pairs.csv:2 --observer cie1964 --format json
 
-The index is the special metamerism index, change of illuminant, of CIE 15: the first light is the reference,
-and the index of another light is the ΔE*ab (CIE 1976) of the pair under it. If the pair does not match
-under the reference, X, Y and Z of the second surface under the other light are first multiplied by
-X1/X2, Y1/Y2 and Z1/Z2 of the reference, so that nothing but the change counts. The same with ΔE00 stands
-beside it.";
+The index is the special metamerism index, change of illuminant, of CIE 15: the first light is the
+reference, and the index of another light is the ΔE*ab (CIE 1976) of the pair under it. If the
+pair does not match under the reference, X, Y and Z of the second surface under the other light
+are first multiplied by X1/X2, Y1/Y2 and Z1/Z2 of the reference, so that nothing but the change
+counts. The same with ΔE00 stands beside it.";
 
 /// Options of `glanz color metamers`.
 #[derive(Args, Debug)]

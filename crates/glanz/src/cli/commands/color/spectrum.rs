@@ -26,12 +26,12 @@ pub const EXAMPLES: &str = "Examples:
   glanz color spectrum sample.csv --observer cie1964 --plot sample.svg
   glanz color spectrum 'blackbody(2700)' --csv lamp.csv --format json
 
-XYZ are relative: a light, and the perfect diffuser under --under, have Y = 100. Lab of a surface is relative
-to the light, that of a light to D65. sRGB of a surface is adapted from the light to D65 by Bradford; that of
-a light is as bright as a screen can be. Dominant wavelength, purity and colour temperature are those of the
-CIE 1931 observer, as they are defined; the white is the light for a surface, equal energy for a light.
-Files: CSV and other text tables, .spdx (IES TM-27), CGATS, CxF3. FILE:COLUMN chooses one of several
-spectra, by name or number from 1.";
+XYZ are relative: a light, and the perfect diffuser under --under, have Y = 100. Lab of a surface
+is relative to the light, that of a light to D65. sRGB of a surface is adapted from the light to
+D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
+colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
+for a surface, equal energy for a light. Files: CSV and other text tables, .spdx (IES TM-27),
+CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.";
 
 /// The scale of X, Y, Z that are printed: Y of the white.
 const WHITE_Y: f64 = 100.0;
