@@ -181,8 +181,8 @@ fn label(picture: &mut Picture, taken: &mut Vec<Rect>, at: (f64, f64), text: &st
     let places = [
         place(-0.5 * width, -9.0 - height),
         place(-0.5 * width, 9.0),
-        place(-10.0 - width, -0.4 * height),
-        place(10.0, -0.4 * height),
+        place(-10.0 - width, -0.25 * height),
+        place(10.0, -0.25 * height),
         place(10.0, 4.0),
         place(10.0, -4.0 - height),
     ];

@@ -23,8 +23,8 @@ Each cell is the mean ΔE00 over the set, and the greatest in brackets, against 
 780 nm by 5 nm. Each way has its own white, the perfect diffuser computed that way. 'uniform,
 300-780 nm' takes the wavelengths of --mode sampled:N; 'sRGB product' multiplies the light's
 linear sRGB by the surface's; 'Meyer' takes four wavelengths (Meyer 1988) with the published
-weights, or with weights solved for the light. In the plot, errors
-below 0.02 stand at the lower edge.";
+weights, or with weights solved for the light. In the plot, errors below 0.02 stand at the
+lower edge.";
 
 /// The lights that `all` stands for.
 const ALL: &str = "E,D65,A,FL2,FL11,LED-B3";
