@@ -7,10 +7,10 @@
 //! `sample 1 reflectance (%)`); lines above it are skipped, with a remark. A field without a value is a
 //! wavelength at which that spectrum was not measured.
 
-use super::error::excerpt;
+use super::error::{clean, excerpt};
 use super::named::{note, settle_percent};
 use super::text::{Separator, decode, expect_number, fields, lines, number};
-use super::units::{Column, LIKELY_NM, Scale, terahertz_per_nm};
+use super::units::{Column, LIKELY_NM, MAX_NAME, Scale, terahertz_per_nm};
 use super::{NamedSpectrum, Place, Quantity, ReadError};
 
 /// The most spectra of a file.
@@ -89,7 +89,7 @@ impl Source<'_> {
 pub(super) fn stem(file: &str) -> String {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    super::error::clean(stem, super::units::MAX_NAME)
+    clean(stem, MAX_NAME)
 }
 
 /// Whether a line holds a word and then wavelengths: the head of a table with a spectrum in each row.
@@ -125,32 +125,19 @@ fn rows<'a>(
     let nm: Vec<f64> =
         fields(head, separator).skip(1).filter_map(|field| wavelength(field, separator)).collect();
     let corner = Column::of(fields(head, separator).next().unwrap_or(""));
+    let mut notes = source.notes.clone();
+    if Scale::of(head) == Scale::Unknown
+        && !fields(head, separator).skip(1).any(|field| field.ends_with("nm"))
+    {
+        note(&mut notes, "no unit of wavelength given: taken as nm");
+    }
     let mut spectra = Vec::new();
     for (line, text) in body {
-        let mut parts = fields(text, separator);
-        let name = super::error::clean(parts.next().unwrap_or(""), super::units::MAX_NAME);
-        let name = if name.is_empty() { source.unnamed(spectra.len(), usize::MAX) } else { name };
-        let mut spectrum = NamedSpectrum {
-            name,
-            quantity: corner.quantity,
-            notes: source.notes.clone(),
-            ..Default::default()
-        };
-        for (index, field) in parts.enumerate() {
-            let Some(&nm) = nm.get(index) else {
-                let expected = format!("{} values, one for each wavelength", nm.len());
-                return Err(ReadError::malformed(source.file, Place::Line(line), expected, "more"));
-            };
-            if !field.is_empty() {
-                spectrum.nm.push(nm);
-                spectrum.values.push(source.number(field, line, index + 1)?);
-            }
+        let mut spectrum = row(source, &nm, line, text)?;
+        if spectrum.name.is_empty() {
+            spectrum.name = format!("{} {}", stem(source.file), spectra.len() + 1);
         }
-        if spectrum.nm.is_empty() {
-            let found = format!("none for {}", excerpt(&spectrum.name));
-            return Err(ReadError::malformed(source.file, Place::Line(line), "at least one value", found));
-        }
-        spectra.push(spectrum);
+        spectra.push(NamedSpectrum { quantity: corner.quantity, notes: notes.clone(), ..spectrum });
         source.check_count(spectra.len(), line)?;
     }
     if spectra.is_empty() {
@@ -160,59 +147,60 @@ fn rows<'a>(
     Ok(spectra)
 }
 
+/// Reads the spectrum of a row.
+fn row(source: &Source<'_>, nm: &[f64], line: usize, text: &str) -> Result<NamedSpectrum, ReadError> {
+    let malformed =
+        |expected: &str, found: &str| ReadError::malformed(source.file, Place::Line(line), expected, found);
+    let mut parts = fields(text, source.separator);
+    let name = clean(parts.next().unwrap_or(""), MAX_NAME);
+    let mut spectrum = NamedSpectrum { name, ..Default::default() };
+    for (index, field) in parts.enumerate() {
+        let Some(&nm) = nm.get(index) else {
+            return Err(malformed(&format!("{} values, one for each wavelength", nm.len()), "more"));
+        };
+        if !field.is_empty() {
+            spectrum.nm.push(nm);
+            spectrum.values.push(source.number(field, line, index + 1)?);
+        }
+    }
+    match spectrum.nm.is_empty() {
+        true => Err(malformed("at least one value", &format!("none for {}", excerpt(&spectrum.name)))),
+        false => Ok(spectrum),
+    }
+}
+
 /// Reads one spectrum per column.
 fn columns<'a>(
     source: &Source<'_>,
     header: Option<(usize, &str)>,
     body: impl Iterator<Item = (usize, &'a str)> + Clone,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let (line, first) = body.clone().next().unwrap_or((0, ""));
-    let found = fields(first, source.separator).count();
-    let header = header.map_or("", |(_, text)| text);
-    let head: Vec<&str> = fields(header, Separator::of(header)).collect();
-    // A line of other fields than the table has is a title: it holds for all columns.
-    let by_blanks = source.separator == Separator::Blanks;
-    let fits = head.len() == found && Separator::of(header) == Separator::Blanks;
-    let is_title = head.len() < 2 || (by_blanks && !fits);
-    let (count, scale) = match is_title {
-        true => (found.saturating_sub(1), Scale::of(header)),
-        false => (head.len() - 1, Scale::of(head[0])),
+    let first = body.clone().next().unwrap_or((0, ""));
+    let (scale, columns) = layout(source, header.map_or("", |(_, text)| text), first)?;
+    let spectrum = |(index, column): (usize, &Column)| NamedSpectrum {
+        name: match column.name.as_str() {
+            "" => source.unnamed(index, columns.len()),
+            name => name.to_owned(),
+        },
+        quantity: column.quantity,
+        unit: if column.is_percent() { String::new() } else { column.unit.clone() },
+        notes: source.notes.clone(),
+        ..Default::default()
     };
-    source.check_count(count, line)?;
-    let column = |index: usize| match is_title {
-        true => Column { name: String::new(), ..Column::of(header) },
-        false => Column::of(head[index + 1]),
-    };
-    let columns: Vec<Column> = (0..count).map(column).collect();
-    let mut spectra: Vec<NamedSpectrum> = columns
-        .iter()
-        .enumerate()
-        .map(|(index, column)| NamedSpectrum {
-            name: if column.name.is_empty() { source.unnamed(index, count) } else { column.name.clone() },
-            quantity: column.quantity,
-            unit: if column.is_percent() { String::new() } else { column.unit.clone() },
-            notes: source.notes.clone(),
-            ..Default::default()
-        })
-        .collect();
+    let mut spectra: Vec<NamedSpectrum> = columns.iter().enumerate().map(spectrum).collect();
     let mut order = Order::default();
     for (line, text) in body {
         let mut parts = fields(text, source.separator);
         let value = source.number(parts.next().unwrap_or(""), line, 0)?;
         let nm = scale.nm(value, source.file, || Place::Field { line, field: 1 })?;
         order.check(nm, source.file, line)?;
-        for (index, field) in parts.enumerate() {
-            match spectra.get_mut(index) {
-                _ if field.is_empty() => {}
-                Some(spectrum) => {
-                    spectrum.nm.push(nm);
-                    spectrum.values.push(source.number(field, line, index + 1)?);
-                }
-                None => {
-                    let expected = format!("at most {} fields", count + 1);
-                    return Err(ReadError::malformed(source.file, Place::Line(line), expected, "more"));
-                }
-            }
+        for (index, field) in parts.enumerate().filter(|(_, field)| !field.is_empty()) {
+            let Some(spectrum) = spectra.get_mut(index) else {
+                let expected = format!("at most {} fields", columns.len() + 1);
+                return Err(ReadError::malformed(source.file, Place::Line(line), expected, "more"));
+            };
+            spectrum.nm.push(nm);
+            spectrum.values.push(source.number(field, line, index + 1)?);
         }
     }
     for (spectrum, column) in spectra.iter_mut().zip(&columns) {
@@ -221,6 +209,28 @@ fn columns<'a>(
     drop_empty(&mut spectra, source.file)?;
     settle_percent(&mut spectra);
     Ok(spectra)
+}
+
+/// What the header and the first line of numbers say of the columns.
+fn layout(
+    source: &Source<'_>,
+    header: &str,
+    (line, first): (usize, &str),
+) -> Result<(Scale, Vec<Column>), ReadError> {
+    let found = fields(first, source.separator).count();
+    let head: Vec<&str> = fields(header, Separator::of(header)).collect();
+    // A line of other fields than the table has is a title: it holds for all columns.
+    let by_blanks = source.separator == Separator::Blanks;
+    let fits = head.len() == found && Separator::of(header) == Separator::Blanks;
+    let is_title = head.len() < 2 || (by_blanks && !fits);
+    let count = if is_title { found.saturating_sub(1) } else { head.len() - 1 };
+    source.check_count(count, line)?;
+    let column = |index: usize| match is_title {
+        true => Column { name: String::new(), ..Column::of(header) },
+        false => Column::of(head[index + 1]),
+    };
+    let scale = Scale::of(if is_title { header } else { head[0] });
+    Ok((scale, (0..count).map(column).collect()))
 }
 
 /// Brings the values of a column to shares and densities per nm, and into ascending order.

@@ -44,9 +44,16 @@ pub fn read_matrix_csv(bytes: &[u8], file: &str) -> Result<NamedReradiation, Rea
     for (line, text) in content {
         table.row(&mut matrix, line, text)?;
     }
+    settle(&mut matrix, &table, Column::of(corner).is_percent())?;
+    Ok(matrix)
+}
+
+/// Takes the width of a band from the emission, and brings per cent to shares.
+fn settle(matrix: &mut NamedReradiation, table: &Table<'_>, percent: bool) -> Result<(), ReadError> {
     let Some((band, even)) = step(&matrix.out_nm) else {
         let found = format!("{}", matrix.out_nm.len());
-        return Err(ReadError::malformed(file, Place::File, "at least 2 wavelengths of emission", found));
+        let expected = "at least 2 wavelengths of emission";
+        return Err(ReadError::malformed(table.file, Place::File, expected, found));
     };
     matrix.band_nm = band;
     if !even {
@@ -55,10 +62,10 @@ pub fn read_matrix_csv(bytes: &[u8], file: &str) -> Result<NamedReradiation, Rea
     if table.scale == Scale::Unknown {
         note(&mut matrix.notes, "no unit of wavelength given: taken as nm");
     }
-    if Column::of(corner).is_percent() {
+    if percent {
         matrix.values.iter_mut().for_each(|value| *value /= 100.0);
     }
-    Ok(matrix)
+    Ok(())
 }
 
 /// How the table is written.

@@ -55,7 +55,14 @@ pub fn read_spectra(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, Read
             end -= 1;
         }
         let head = &text[..end];
-        return if head.contains(spdx::ROOT) { read_spdx(bytes, file) } else { read_cxf(bytes, file) };
+        return match (head.contains(spdx::ROOT), head.contains(cxf::ROOT)) {
+            (true, _) => read_spdx(bytes, file),
+            (_, true) => read_cxf(bytes, file),
+            _ => {
+                let expected = "an element 'IESTM2714' or 'CxF' in XML, or a text table";
+                Err(ReadError::malformed(file, Place::File, expected, error::excerpt(head)))
+            }
+        };
     }
     if cgats::is_cgats(&text) { read_cgats(bytes, file) } else { read_csv(bytes, file) }
 }

@@ -96,6 +96,7 @@ fn a_csv_may_be_written_in_many_ways() {
     assert!((nm("m,reflectance\n5.5e-7,1\n5.6e-7,1\n")[0] - 550.0).abs() < 1e-9);
     let titled = spectra("Reflectance of a tile, wavelength in µm\n0.40 0.5\n0.41 0.25\n").remove(0);
     assert_eq!((titled.nm[0], titled.quantity), (400.0, Quantity::Reflectance));
+    assert_eq!(values("nm,a\n400,1,\n410,2,,\n"), [1.0, 2.0]);
     let bare = spectra("400,1,2\n410,3,4\n");
     assert_eq!((bare[0].name.as_str(), bare[1].name.as_str()), ("file 1", "file 2"));
     assert_eq!(bare[0].notes, ["no unit of wavelength given: taken as nm"]);
@@ -104,6 +105,8 @@ fn a_csv_may_be_written_in_many_ways() {
 #[test]
 fn a_csv_may_hold_a_spectrum_in_each_row() {
     let rows = spectra("name,400,410,420nm\nred,0.1,0.2,\nblue,0.3,0.4,0.5\n");
+    assert!(rows[0].notes.is_empty());
+    assert_eq!(spectra("x,400,410\nred,1,2\n")[0].notes, ["no unit of wavelength given: taken as nm"]);
     assert_eq!((rows[0].name.as_str(), &rows[0].nm[..]), ("red", &[400.0, 410.0][..]));
     assert_eq!((rows[1].name.as_str(), &rows[1].values[..]), ("blue", &[0.3, 0.4, 0.5][..]));
 }
@@ -213,7 +216,11 @@ fn errors_tell_place_and_expectation() {
         ("0.4,1\n", "f: line 1, field 1: expected wavelengths from 100 to 10000 nm, or another unit"),
         ("nm,a\n400,\n", "f: the file: expected at least one value, found none"),
         ("name,400,410\nred,,\n", "f: line 2: expected at least one value, found none for 'red'"),
-        ("<a/>", "f: line 1, column 1: expected an element 'CxF', found 'a'"),
+        (
+            "<a/>",
+            "f: the file: expected an element 'IESTM2714' or 'CxF' in XML, or a text table, found '<a/>'",
+        ),
+        ("<a CxF=\"\"/>", "f: line 1, column 1: expected an element 'CxF', found 'a'"),
         ("<CxF>", "f: line 1, column 1: expected well-formed XML"),
         ("<!DOCTYPE a [<!ENTITY b \"c\">]><CxF/>", "f: line 1, column 1: expected well-formed XML"),
         ("BEGIN_DATA_FORMAT\nnm400\n", "f: line 3: expected END_DATA_FORMAT, found the end of the file"),
@@ -262,7 +269,7 @@ fn absurd_files_are_refused_and_cost_little() {
     assert!(
         error_of(&format!("<CxF{attributes}/>")).contains("expected at most 256 attributes of an element")
     );
-    let deep = "<a>".repeat(500_000);
+    let deep = format!("<CxF>{}", "<a>".repeat(500_000));
     assert!(error_of(&deep).contains("expected"));
     let long = "x".repeat(1 << 20);
     assert!(error_of(&long).len() < 300);
