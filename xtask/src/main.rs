@@ -1,8 +1,9 @@
-//! Every chore of the house: `cargo xtask test`, `golden`, `gallery`, `bench`.
+//! Every chore of the house: `cargo xtask test`, `golden`, `gallery`, `bench`, `data`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
 mod bench;
+mod data;
 mod failure;
 mod gallery;
 mod golden;
@@ -39,6 +40,8 @@ Usage: cargo xtask <CHORE> [OPTIONS]
               --only-peers   the peers alone
               --quick        fewer frames
               --write        put the tables into docs/BENCHMARKS.md
+  data      Write the tables of crates/color/data from public packages (needs Python and a network)
+              --check        write nothing there, only say whether they are what the script writes
   help      Print this text
 
 Example: cargo xtask test --keep-going";
@@ -50,6 +53,7 @@ enum Chore {
     Golden { renew: bool },
     Gallery { only_readme: bool },
     Bench(bench::Options),
+    Data { check: bool },
     Help,
 }
 
@@ -78,6 +82,8 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Golden { renew: false } => golden::run(&house),
         Chore::Gallery { only_readme } => gallery::run(&house, *only_readme),
         Chore::Bench(options) => bench::run_all(&house, options),
+        Chore::Data { check: true } => data::check(&house),
+        Chore::Data { check: false } => data::renew(&house),
         Chore::Help => {
             println!("{HELP}");
             Ok(())
@@ -118,6 +124,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
             peers: take("peers"),
             write: take("write"),
         }),
+        Some("data") => Chore::Data { check: take("check") },
         None | Some("help") => Chore::Help,
         Some(other) => return Err(format!("there is no chore '{other}'").into()),
     };
@@ -147,6 +154,7 @@ mod tests {
         let only = Some("gold".to_owned());
         assert_eq!(parsed("test --only gold"), Ok(Chore::Test(test::Options { only, ..Default::default() })));
         assert!(parsed("golden --only gold").is_err());
+        assert_eq!(parsed("data --check"), Ok(Chore::Data { check: true }));
         assert_eq!(parsed("golden --renew"), Ok(Chore::Golden { renew: true }));
         assert_eq!(parsed("test --renew"), Err("this chore has no option '--renew'".to_owned()));
     }

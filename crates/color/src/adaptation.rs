@@ -130,6 +130,20 @@ mod tests {
     }
 
     #[test]
+    fn cat16_from_a_to_d65_is_the_matrix_of_colour_science() {
+        // colour-science 0.4.7, matrix_chromatic_adaptation_VonKries with "CAT16".
+        let printed = [
+            [0.950_689_405, -0.187_376_349, 0.262_790_607],
+            [-0.025_665_231, 1.032_306_743, -0.011_559_609],
+            [-0.002_740_639, 0.090_967_452, 2.812_626_498],
+        ];
+        let found = Adaptation::Cat16.matrix(A, D65).unwrap();
+        for (found, expected) in found.0.iter().flatten().zip(printed.iter().flatten()) {
+            assert!((found - expected).abs() < 1e-8, "{found} is not {expected}");
+        }
+    }
+
+    #[test]
     fn a_white_without_blue_is_refused() {
         let error = Adaptation::VonKries.matrix(Xyz([1.0, 1.0, 0.0]), D65).unwrap_err();
         assert!(error.to_string().contains("positive"));

@@ -1,21 +1,41 @@
 //! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
 
 pub mod adaptation;
+pub mod chromaticity;
+pub mod cri;
 pub mod difference;
+pub mod dominant;
+#[cfg(feature = "exr")]
+pub mod exr;
+mod fluorescent;
+mod fluorophore;
+mod ior;
 mod lights;
+mod linear;
 mod matrix;
+pub mod meyer;
 pub mod mixing;
 pub mod models;
 mod names;
 mod observers;
+mod paper_notes;
+pub mod photometry;
+pub mod read;
+mod reflectances;
 mod reradiation;
 mod resample;
 mod rgb;
 mod spectrum;
 mod srgb;
 mod table;
+pub mod temperature;
 pub mod units;
+pub mod upsample;
+pub mod write;
 
+pub use fluorescent::{FluorescentInfo, fluorescent, fluorescents};
+pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
+pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
 pub use names::UnknownName;
@@ -23,7 +43,9 @@ pub use observers::{
     Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,
     xyz_of_reflectance,
 };
-pub use reradiation::Reradiation;
+pub use paper_notes::{PaperNote, paper_notes};
+pub use reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
+pub use reradiation::{EnergyReport, MeasuredError, Reradiation};
 pub use resample::{Outside, TableError};
 pub use rgb::Rgb;
 pub use spectrum::{FIRST_NM, LAST_NM, SAMPLES, STEP_NM, Spectrum, lambda_nm};

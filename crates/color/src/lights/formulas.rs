@@ -66,10 +66,9 @@ pub(super) fn daylight(cct_k: f64) -> Spectrum {
     daylight_sum(m1, m2)
 }
 
-/// What the formula makes less than nothing (far in the ultraviolet at low temperatures) is nothing.
 fn daylight_sum(m1: f64, m2: f64) -> Spectrum {
     let [s0, s1, s2] = *DAYLIGHT;
-    (s0 + s1 * m1 + s2 * m2).map(|value| value.max(0.0) / 100.0)
+    (s0 + s1 * m1 + s2 * m2).map(|value| value / 100.0)
 }
 
 /// M1 and M2, the amounts of S1 and S2.

@@ -97,3 +97,13 @@ fn wrong_names_are_told() {
     }
     assert!(light(&["A"; 17].join("+")).is_err());
 }
+
+#[test]
+fn daylight_is_never_dark_and_has_no_steps() {
+    for hundreds in 40..250 {
+        let cct = f64::from(hundreds) * 100.0;
+        let (here, near) = (formulas::daylight(cct), formulas::daylight(cct + 1.0));
+        assert!(here.0.iter().all(|value| *value > 0.0), "{cct} K");
+        assert!(difference(here, near) < 1e-3, "{cct} K");
+    }
+}

@@ -67,8 +67,9 @@ fn white_has_no_colour_in_any_model() {
     assert_near(Xyz::WHITE.to::<Luv>().0, [100.0, 0.0, 0.0], 1e-12);
     assert_near(Xyz::WHITE.to::<Srgb>().0, [1.0; 3], 1e-12);
     assert_near(Xyz::WHITE.to::<AcesCg>().0, [1.0; 3], 1e-12);
-    assert_near(Xyz::WHITE.to::<Lms>().0, [1.0; 3], 1e-3);
-    assert_near(Xyz::WHITE.to::<Opponent>().0, [1.0, 0.0, 0.0], 1e-3);
+    // The matrix of the cones has five digits.
+    assert_near(Xyz::WHITE.to::<Lms>().0, [1.0; 3], 1e-5);
+    assert_near(Xyz::WHITE.to::<Opponent>().0, [1.0, 0.0, 0.0], 1e-5);
 }
 
 #[test]
@@ -105,10 +106,7 @@ proptest! {
     }
 
     #[test]
-    fn models_without_a_gamut_give_back_colours_outside_of_it(rgb in prop::array::uniform3(-1.0..4.0_f64)) {
-        let Xyz(expected) = LinearSrgb(rgb).to_xyz();
-        // Luv's u', v' have no meaning for light with negative luminance.
-        prop_assume!(expected.iter().all(|v| *v > 1e-3));
+    fn models_without_a_gamut_give_back_colours_outside_of_it(expected in prop::array::uniform3(1e-3..4.0_f64)) {
         for model in Model::ALL.iter().filter(|model| !model.info().srgb_only) {
             let Xyz(found) = model.to_xyz(model.from_xyz(Xyz(expected)));
             for (a, b) in found.iter().zip(expected) {

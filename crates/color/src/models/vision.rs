@@ -8,7 +8,8 @@ use crate::adaptation::HUNT_POINTER_ESTEVEZ_D65;
 const CONES_TO_XYZ: Matrix3 = HUNT_POINTER_ESTEVEZ_D65.inverse();
 
 /// The signals of the long, middle and short cones, by the matrix of Hunt, Pointer and Estevez scaled to
-/// D65 ([`HUNT_POINTER_ESTEVEZ_D65`]): white is 1, 1, 1 to 1e-3, as the table's digits and the white's allow.
+/// D65 ([`HUNT_POINTER_ESTEVEZ_D65`]): white is 1, 1, 1 to 1e-5, as
+/// the digits of the matrix allow.
 ///
 /// This is a map of CIE 1931 XYZ. Signals of the cones of Stockman and Sharpe (CIE 170-1, 2006) are no
 /// function of XYZ; they come from a spectrum and those observers.
@@ -46,7 +47,7 @@ const OPPONENT_TO_XYZ: Matrix3 = XYZ_TO_OPPONENT.inverse();
 ///
 /// With [`Lms`], whose white is 1, 1, 1: luminance = Y (0.361 L + 0.639 M), red − green = L − M, and
 /// yellow − blue = (L + M)/2 − S. The document gives no weights; these are the plain ones. Greys under D65
-/// have 0 in both differences, to the 1e-3 of [`Lms`].
+/// have 0 in both differences, to the 1e-5 of [`Lms`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opponent(pub [f64; 3]);
 

@@ -61,6 +61,29 @@ fails! {
     a_parameter_that_is_no_number: ["bsdf", "albedo", "phong", "--set", "shininess=high"];
     a_direction_that_is_none: ["bsdf", "eval", "phong", "--wo", "0", "--wi", "0,0"];
     an_albedo_of_emission: ["bsdf", "albedo", "emission"];
+    an_unknown_light: ["color", "spectrum", "gold", "--under", "FL15"];
+    an_unknown_spectrum: ["color", "spectrum", "glod"];
+    an_unknown_spectrum_that_is_like_nothing: ["color", "spectrum", "marmalade"];
+    a_fluorescent_material_as_a_spectrum: ["color", "spectrum", "paper-note-pink"];
+    a_light_that_is_not_possible: ["color", "spectrum", "D(100)"];
+    a_missing_spectrum_file: ["color", "spectrum", "none.csv"];
+    a_spectrum_that_is_a_folder: ["color", "spectrum", "./"];
+    a_spectrum_file_that_is_none: ["color", "spectrum", "scene.toml"];
+    an_unknown_observer: ["color", "spectrum", "D65", "--observer", "cie1932"];
+    an_unknown_color_model: ["color", "convert", "--from", "hsl", "--to", "lab", "1,2,3"];
+    a_color_with_too_few_numbers: ["color", "convert", "--from", "srgb", "--to", "lab", "1,2"];
+    a_color_that_a_model_cannot_hold: ["color", "convert", "--from", "xyz", "--to", "hls", "0.1,0.9,0.1"];
+    a_color_that_is_no_number: ["color", "convert", "--from", "srgb", "--to", "lab", "1,red,3"];
+    a_light_among_metamers: ["color", "metamers", "gold", "D65"];
+    metamers_for_an_observer_without_xyz: ["color", "metamers", "gold", "copper", "--observer", "lms2"];
+    an_empty_name_of_a_light: ["color", "metamers", "gold", "copper", "--under", "D65,,A"];
+    an_unknown_fluorescent_material: ["color", "fluorescence", "paper-note-blue"];
+    an_unknown_kind_of_list: ["color", "list", "light"];
+    an_unknown_set_of_surfaces: ["color", "efficiency", "--set", "colourchecker"];
+    a_plot_of_unknown_format: ["color", "plot", "cones", "-o", "a.pdf"];
+    a_plot_without_a_file: ["color", "plot", "cones"];
+    a_plot_folder_that_is_missing: ["color", "plot", "cones", "-o", "none/a.svg"];
+    a_csv_that_is_a_folder: ["color", "spectrum", "D65", "--csv", "."];
     an_unknown_shell: ["completions", "tcsh"];
 }
 

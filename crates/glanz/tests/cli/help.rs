@@ -3,7 +3,7 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 13] = [
+const COMMANDS: [&[&str]; 27] = [
     &[],
     &["render"],
     &["sweep"],
@@ -15,6 +15,20 @@ const COMMANDS: [&[&str]; 13] = [
     &["bsdf", "show"],
     &["bsdf", "eval"],
     &["bsdf", "albedo"],
+    &["color"],
+    &["color", "convert"],
+    &["color", "spectrum"],
+    &["color", "metamers"],
+    &["color", "fluorescence"],
+    &["color", "list"],
+    &["color", "efficiency"],
+    &["color", "plot"],
+    &["color", "plot", "spectra"],
+    &["color", "plot", "chromaticity"],
+    &["color", "plot", "cones"],
+    &["color", "plot", "meyer"],
+    &["color", "plot", "matrix"],
+    &["color", "plot", "efficiency"],
     &["schema"],
     &["completions"],
 ];
@@ -68,11 +82,11 @@ fn the_list_of_commands_above_is_complete() {
         let names = commands.lines().filter_map(|line| line.split_whitespace().next());
         names.filter(|name| *name != "help").map(str::to_owned).collect()
     };
-    for name in listed(&help(&[])) {
-        assert!(COMMANDS.contains(&[name.as_str()].as_slice()), "{name}");
-    }
-    for name in listed(&help(&["bsdf"])) {
-        assert!(COMMANDS.contains(&["bsdf", name.as_str()].as_slice()), "bsdf {name}");
+    for words in COMMANDS {
+        for name in listed(&help(words)) {
+            let longer = [words, &[name.as_str()]].concat();
+            assert!(COMMANDS.contains(&longer.as_slice()), "{}", longer.join(" "));
+        }
     }
 }
 

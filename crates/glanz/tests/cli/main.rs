@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod comparisons;
+mod color;
 mod errors;
 mod help;
 mod house;

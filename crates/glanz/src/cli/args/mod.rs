@@ -13,7 +13,7 @@ pub use input::InputArgs;
 pub use look::LookArgs;
 pub use picture::{BitDepth, DevelopArgs};
 pub use target::{Target, TargetArgs, check_folder};
-pub use values::{angles, assignment, size};
+pub use values::{angles, assignment, numbers, size};
 
 use clap::Args;
 

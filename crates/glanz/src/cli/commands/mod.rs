@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod bsdf;
+mod color;
 mod compare;
 mod compare_pictures;
 mod completions;
@@ -38,6 +39,12 @@ pub enum Command {
         after_help = "Examples:\n  glanz bsdf list\n  glanz bsdf eval phong --wo 30,0 --wi 45,180"
     )]
     Bsdf(bsdf::BsdfCommand),
+    /// Spectra, lights and colours, and their numbers
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  glanz color spectrum D65\n  glanz color convert --from hls --to ac1c2 210,0.4,0.8"
+    )]
+    Color(color::ColorCommand),
     /// Print the JSON Schema of scene files
     #[command(after_help = "Example:\n  glanz schema > scene.schema.json")]
     Schema,
@@ -58,6 +65,7 @@ impl Command {
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
+            Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Schema => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
         }
@@ -72,6 +80,7 @@ impl Command {
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),
+            Self::Color(command) => command.run(),
             Self::Schema => schema::run(),
             Self::Completions(args) => args.run(root()),
         }

@@ -1,0 +1,70 @@
+//! Spectral pictures in OpenEXR.
+//!
+//! The layout of Fichet, Pacanowski and Wilkie, "An OpenEXR Layout for Spectral Images", Journal of
+//! Computer Graphics Techniques 10(3), 2021, version 1.0: a channel for each wavelength, its name being
+//! the kind of value and the wavelength with a decimal comma, since a point would begin a group.
+//!
+//! * `S0.550,000000nm`: light. S1 to S3, its polarisation, are left out with a remark.
+//! * `T.550,000000nm`: the share of light that a surface gives back, or a medium lets through.
+//! * `T.380,000000nm.550,000000nm`: re-radiation, from an excitation to an emission; its diagonal is in `T`.
+//! * `R`, `G`, `B`: a preview for programs that know no spectra.
+//!
+//! Other units of wavelength and frequency are read, 16-bit and 32-bit channels too. Written are 32-bit floats,
+//! as ZIP.
+//! The attribute `emissiveUnits` is a text; by custom `W.m^-2.sr^-1` is said of radiance per nm.
+
+mod channels;
+mod pixels;
+mod read;
+#[cfg(test)]
+pub(crate) mod tests;
+mod write;
+
+pub use read::{MAX_PICTURE_BYTES, read_spectral_exr};
+pub use write::{ExrWriteError, write_spectral_exr};
+
+/// One wavelength of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// The wavelength in nm.
+    pub nm: f64,
+    /// The value of each pixel, by rows from the top.
+    pub values: Vec<f32>,
+}
+
+/// One pair of wavelengths of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReradiationBand {
+    /// The wavelength of excitation in nm.
+    pub in_nm: f64,
+    /// The wavelength of emission in nm.
+    pub out_nm: f64,
+    /// The value of each pixel, by rows from the top.
+    pub values: Vec<f32>,
+}
+
+/// A picture of spectra. Each of its parts may be empty.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpectralImage {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Light, by ascending wavelength.
+    pub emissive: Vec<Band>,
+    /// Reflectance or transmittance, by ascending wavelength; with `reradiation` its diagonal.
+    pub reflective: Vec<Band>,
+    /// Re-radiation to other wavelengths, ascending by excitation, then by emission.
+    pub reradiation: Vec<ReradiationBand>,
+    /// The preview: linear, sRGB primaries.
+    pub rgb: Option<[Vec<f32>; 3]>,
+    /// The unit of `emissive`; empty if the file does not say.
+    pub emissive_units: String,
+    /// The exposure with which the preview was made: RGB = 2^−EV times what the spectra give. 0 if the
+    /// file does not say.
+    pub exposure_ev: f32,
+    /// Further attributes that are text: names and values.
+    pub texts: Vec<(String, String)>,
+    /// What the reader left out, in words.
+    pub notes: Vec<String>,
+}

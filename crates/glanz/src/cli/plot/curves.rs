@@ -1,0 +1,154 @@
+//! Curves over wavelength: what spectra, cones and basis functions have in common.
+
+use super::axes::{Axes, Axis};
+use super::band;
+use super::picture::{Anchor, Picture, Rect};
+use super::style::{GRAY, INK, LABEL, NUMBER, Rgb8, TITLE};
+
+/// The size of the picture in points.
+const SIZE: (u32, u32) = (1040, 620);
+/// The width of a column of names to the right of the curves.
+const LEGEND: f64 = 200.0;
+/// Names longer than this are cut.
+const LONGEST_NAME: usize = 26;
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// What it is called in the legend.
+    pub name: String,
+    /// Wavelengths in nm and values, in order.
+    pub points: Vec<(f64, f64)>,
+    /// Its colour.
+    pub color: Rgb8,
+    /// Whether it is dashed.
+    pub dashed: bool,
+}
+
+/// A wavelength that is marked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marked {
+    /// The wavelength in nm.
+    pub nm: f64,
+    /// What stands above it.
+    pub label: String,
+}
+
+/// A picture of curves over wavelength.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// What is seen.
+    pub title: String,
+    /// More about it, in one line.
+    pub subtitle: String,
+    /// What the values are, with their unit.
+    pub label: String,
+    /// The wavelengths shown, in nm.
+    pub range_nm: (f64, f64),
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// Wavelengths that are marked.
+    pub marked: Vec<Marked>,
+}
+
+impl Curves {
+    /// The picture; what is under a curve that is alone is filled with the colours of the spectrum.
+    pub fn picture(&self) -> Picture {
+        let mut picture = Picture::new(SIZE.0, SIZE.1);
+        let alone = self.curves.len() == 1;
+        let legend = if alone { 28.0 } else { LEGEND };
+        let width = f64::from(SIZE.0) - 96.0 - legend;
+        let rect = Rect { x: 96.0, y: 96.0, width, height: f64::from(SIZE.1) - 96.0 - 84.0 };
+        title(&mut picture, rect.x, &self.title, &self.subtitle);
+        let axes = self.axes(rect);
+        if let ([curve], true) = (self.curves.as_slice(), alone) {
+            band::under(&mut picture, &axes, |nm| value_at(&curve.points, nm));
+        }
+        draw(&mut picture, &axes, &self.curves);
+        for marked in &self.marked {
+            let (x, top) = axes.at(marked.nm, axes.y.range.1);
+            picture.dashes(&[(x, top), (x, rect.bottom())], INK, 1.4, (5.0, 4.0));
+            picture.text(&marked.label, (x, top - 7.0), Anchor::Middle, NUMBER, INK);
+        }
+        if !alone {
+            names(&mut picture, (rect.right() + 22.0, rect.y + 12.0), &self.curves);
+        }
+        picture
+    }
+
+    fn axes(&self, rect: Rect) -> Axes {
+        let x = Axis::exact("wavelength in nm", self.range_nm, 10);
+        Axes { rect, x, y: Axis::round(&self.label, extent(&self.curves), 6), gap: band::HEIGHT }
+    }
+}
+
+/// Draws curves over wavelength in these axes, with the band of the spectrum.
+pub fn draw(picture: &mut Picture, axes: &Axes, curves: &[Curve]) {
+    axes.grid(picture);
+    if axes.y.range.0 < 0.0 {
+        let zero = [axes.at(axes.x.range.0, 0.0), axes.at(axes.x.range.1, 0.0)];
+        picture.line(zero, GRAY, 1.2);
+    }
+    band::below(picture, axes);
+    for curve in curves {
+        let shown = curve.points.iter().filter(|(nm, _)| (axes.x.range.0..=axes.x.range.1).contains(nm));
+        let points: Vec<_> = shown.map(|(nm, value)| axes.at(*nm, *value)).collect();
+        match curve.dashed {
+            true => picture.dashes(&points, curve.color, 2.4, (9.0, 6.0)),
+            false => picture.line(points, curve.color, 2.4),
+        }
+    }
+    axes.frame(picture);
+}
+
+/// The least and the greatest value, and 0.
+pub fn extent(curves: &[Curve]) -> (f64, f64) {
+    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|(_, value)| *value));
+    (values().fold(0.0, f64::min), values().fold(0.0, f64::max))
+}
+
+/// Writes the title, and what there is to say more.
+pub fn title(picture: &mut Picture, x: f64, title: &str, subtitle: &str) {
+    picture.text(title, (x, 40.0), Anchor::Start, TITLE, INK);
+    picture.text(subtitle, (x, 66.0), Anchor::Start, LABEL, GRAY);
+}
+
+/// Writes the names of curves below each other, each beside a piece of its curve.
+pub fn names(picture: &mut Picture, (x, y): (f64, f64), curves: &[Curve]) {
+    for (index, curve) in curves.iter().enumerate() {
+        let y = y + 24.0 * index as f64;
+        let piece = [(x, y), (x + 26.0, y)];
+        match curve.dashed {
+            true => picture.dashes(&piece, curve.color, 2.8, (7.0, 5.0)),
+            false => picture.line(piece, curve.color, 2.8),
+        }
+        let mut name: String = curve.name.chars().take(LONGEST_NAME).collect();
+        if curve.name.chars().nth(LONGEST_NAME).is_some() {
+            name.push('…');
+        }
+        picture.text(name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
+    }
+}
+
+/// The value at a wavelength, linear between points; 0 outside of them.
+fn value_at(points: &[(f64, f64)], nm: f64) -> f64 {
+    let after = points.partition_point(|point| point.0 < nm);
+    match (points.get(after.wrapping_sub(1)), points.get(after)) {
+        (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (nm - a.0) / (b.0 - a.0),
+        (None, Some(first)) if first.0 == nm => first.1,
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_between_points_are_linear_and_outside_there_are_none() {
+        let points = [(400.0, 1.0), (410.0, 3.0)];
+        for (nm, value) in [(400.0, 1.0), (405.0, 2.0), (410.0, 3.0), (399.0, 0.0), (411.0, 0.0)] {
+            assert_eq!(value_at(&points, nm), value, "{nm}");
+        }
+    }
+}

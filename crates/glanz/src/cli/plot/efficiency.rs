@@ -1,0 +1,94 @@
+//! The efficiency of representations: the error of colour over the number of samples.
+
+use super::axes::{Axes, Axis};
+use super::curves::title;
+use super::letters;
+use super::picture::{Anchor, Picture, Rect};
+use super::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8};
+
+/// Panels beside each other.
+const COLUMNS: usize = 3;
+/// The size of a panel with its numbers, in points.
+const PANEL: (f64, f64) = (400.0, 330.0);
+/// The errors shown, in ΔE00.
+const ERRORS: (f64, f64) = (0.02, 50.0);
+/// The numbers of samples shown.
+const SAMPLES: (f64, f64) = (2.7, 36.0);
+
+/// What is shown of a way to represent spectra.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// What it is called.
+    pub name: String,
+    /// Numbers of samples and mean errors in ΔE00, in order; a single one is a point.
+    pub points: Vec<(usize, f64)>,
+}
+
+/// The ways under one light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Efficiency {
+    /// The light.
+    pub light: String,
+    /// The ways, in the same order under all lights.
+    pub lines: Vec<Line>,
+}
+
+/// The plot: a panel for each light.
+pub fn efficiency(subtitle: &str, lights: &[Efficiency]) -> Picture {
+    let columns = lights.len().clamp(1, COLUMNS);
+    let rows = lights.len().div_ceil(columns).max(1);
+    let width = 60.0 + columns.max(2) as f64 * PANEL.0;
+    let height = 156.0 + rows as f64 * PANEL.1;
+    let mut picture = Picture::new(width as u32, height as u32);
+    title(&mut picture, 86.0, "Efficiency of representations", subtitle);
+    legend(&mut picture, lights);
+    for (index, light) in lights.iter().enumerate() {
+        let (column, row) = (index % columns, index / columns);
+        let rect = Rect {
+            x: 86.0 + column as f64 * PANEL.0,
+            y: 156.0 + row as f64 * PANEL.1,
+            width: PANEL.0 - 80.0,
+            height: PANEL.1 - 88.0,
+        };
+        panel(&mut picture, rect, light);
+    }
+    picture
+}
+
+fn color(index: usize) -> Rgb8 {
+    CURVES[index % CURVES.len()]
+}
+
+fn legend(picture: &mut Picture, lights: &[Efficiency]) {
+    let mut x = 86.0;
+    for (index, line) in lights.first().map_or(&[][..], |light| &light.lines).iter().enumerate() {
+        let y = 98.0;
+        match line.points.len() {
+            1 => picture.disc((x + 13.0, y), 5.5, color(index)),
+            _ => picture.line([(x, y), (x + 26.0, y)], color(index), 2.8),
+        }
+        picture.text(&line.name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
+        x += 34.0 + letters::width(&line.name, NUMBER) + 26.0;
+    }
+}
+
+fn panel(picture: &mut Picture, rect: Rect, light: &Efficiency) {
+    let x = Axis::log("number of samples", SAMPLES, &[3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0]);
+    let y = Axis::log("mean ΔE₀₀", ERRORS, &[0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
+    let axes = Axes { rect, x, y, gap: 0.0 };
+    picture.text(&light.light, (rect.x, rect.y - 9.0), Anchor::Start, LABEL, INK);
+    axes.grid(picture);
+    // What an eye just tells apart, by convention.
+    let just = [axes.at(SAMPLES.0, 1.0), axes.at(SAMPLES.1, 1.0)];
+    picture.dashes(&just, GRAY, 1.4, (5.0, 4.0));
+    for (index, line) in light.lines.iter().enumerate() {
+        let points: Vec<_> =
+            line.points.iter().map(|(count, error)| axes.at(*count as f64, *error)).collect();
+        let alone = points.len() == 1;
+        for point in &points {
+            picture.disc(*point, if alone { 5.5 } else { 2.4 }, color(index));
+        }
+        picture.line(points, color(index), 2.0);
+    }
+    axes.frame(picture);
+}

@@ -1,0 +1,139 @@
+//! A re-radiation matrix as a heat map, and what it makes of lights.
+
+use glanz_color::{FIRST_NM, LAST_NM, Reradiation, SAMPLES};
+
+use super::axes::{Axes, Axis};
+use super::band;
+use super::curves::{Curve, draw, extent, names, title};
+use super::picture::{Anchor, Picture, Raster, Rect};
+use super::spectra::NamedCurve;
+use super::style::{GRAY, INK, NUMBER, Rgb8, curve};
+
+/// The values at the ends of the scale of colours; below it is white.
+const RANGE: (f64, f64) = (1e-3, 1.0);
+
+/// The scale "magma" of S. van der Walt and N. Smith (2015, CC0) from its light end, at even steps.
+const SCALE: [Rgb8; 8] = [
+    [0xfc, 0xfd, 0xbf],
+    [0xfe, 0xc2, 0x87],
+    [0xfa, 0x7f, 0x5e],
+    [0xe0, 0x4c, 0x67],
+    [0xa8, 0x32, 0x7d],
+    [0x6b, 0x1d, 0x81],
+    [0x2c, 0x11, 0x5f],
+    [0x00, 0x00, 0x04],
+];
+
+/// The matrix alone.
+pub fn matrix(name: &str, matrix: &Reradiation) -> Picture {
+    let mut picture = Picture::new(790, 740);
+    heat_map(&mut picture, name, matrix);
+    picture
+}
+
+/// The matrix, and beside it the total radiance factor under each light.
+pub fn reradiation(name: &str, matrix: &Reradiation, factors: &[NamedCurve]) -> Picture {
+    let mut picture = Picture::new(1460, 740);
+    heat_map(&mut picture, name, matrix);
+    let curves: Vec<_> = factors
+        .iter()
+        .enumerate()
+        .map(|(index, factor)| Curve {
+            name: factor.name.clone(),
+            points: factor.spectrum.points().collect(),
+            color: curve(index),
+            dashed: false,
+        })
+        .collect();
+    let rect = Rect { x: 860.0, y: 96.0, width: 430.0, height: 560.0 };
+    let x = Axis::exact("wavelength in nm", (FIRST_NM, LAST_NM), 5);
+    let y = Axis::round("light leaving / light arriving", (0.0, extent(&curves).1), 6);
+    let axes = Axes { rect, x, y, gap: band::HEIGHT };
+    picture.text("Total radiance factor", (rect.x, 66.0), Anchor::Start, super::style::LABEL, GRAY);
+    draw(&mut picture, &axes, &curves);
+    names(&mut picture, (rect.right() + 20.0, rect.y + 12.0), &curves);
+    picture
+}
+
+fn heat_map(picture: &mut Picture, name: &str, matrix: &Reradiation) {
+    let rect = Rect { x: 116.0, y: 96.0, width: 560.0, height: 560.0 };
+    title(
+        picture,
+        96.0,
+        name,
+        "Re-radiation: share of the light of each wavelength that leaves at each other, per 5 nm",
+    );
+    let axis = |label: &str| Axis::exact(label, (FIRST_NM, LAST_NM), 5);
+    let (x, y) = (axis("wavelength of incidence in nm"), axis(""));
+    let axes = Axes { rect, x, y, gap: band::HEIGHT };
+    picture.rasters.push(cells(matrix, rect));
+    // The numbers of y stand beside the band.
+    Axes { y: Axis { ticks: Vec::new(), ..axes.y.clone() }, ..axes.clone() }.frame(picture);
+    band::below(picture, &axes);
+    band::beside(picture, &axes);
+    for tick in &axes.y.ticks {
+        let at = axes.at(axes.x.range.0, *tick);
+        let at = (at.0 - band::HEIGHT - 6.0, at.1 + 0.36 * NUMBER);
+        picture.text(format!("{tick}"), at, Anchor::End, NUMBER, GRAY);
+    }
+    let middle = (46.0, rect.y + 0.5 * rect.height);
+    picture.text_upwards("wavelength of emission in nm", middle, super::style::LABEL, INK);
+    scale_bar(picture, Rect { x: rect.right() + 24.0, width: 18.0, ..rect });
+}
+
+/// A cell per entry, emission upwards.
+fn cells(matrix: &Reradiation, rect: Rect) -> Raster {
+    let rgb =
+        (0..SAMPLES).rev().flat_map(|out| (0..SAMPLES).flat_map(move |input| color(matrix.get(out, input))));
+    Raster { rect, columns: SAMPLES, rows: SAMPLES, rgb: rgb.collect() }
+}
+
+fn color(value: f64) -> Rgb8 {
+    if value < RANGE.0 || value.is_nan() {
+        return [0xff; 3];
+    }
+    let part = libm::log(value / RANGE.0) / libm::log(RANGE.1 / RANGE.0);
+    let position = part.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
+    let left = (position as usize).min(SCALE.len() - 2);
+    let t = position - left as f64;
+    core::array::from_fn(|i| {
+        let (a, b) = (f64::from(SCALE[left][i]), f64::from(SCALE[left + 1][i]));
+        (a + (b - a) * t).round() as u8
+    })
+}
+
+/// The colours with their values.
+fn scale_bar(picture: &mut Picture, rect: Rect) {
+    let decades = libm::log10(RANGE.1 / RANGE.0);
+    let rows = rect.height as usize;
+    let value = |part: f64| RANGE.0 * libm::exp10(decades * part);
+    let rgb = (0..rows).rev().flat_map(|row| color(value((row as f64 + 0.5) / rows as f64)));
+    picture.rasters.push(Raster { rect, columns: 1, rows, rgb: rgb.collect() });
+    picture.outline(rect, GRAY, 1.2);
+    for decade in 0..=decades.round() as i32 {
+        let y = rect.bottom() - rect.height * f64::from(decade) / decades;
+        picture.line([(rect.right(), y), (rect.right() + 5.0, y)], GRAY, 1.2);
+        let text = format!("{}", RANGE.0 * libm::exp10(f64::from(decade)));
+        picture.text(
+            &text[..text.len().min(6)],
+            (rect.right() + 9.0, y + 0.36 * NUMBER),
+            Anchor::Start,
+            NUMBER,
+            GRAY,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn greater_entries_are_darker_and_nothing_is_white() {
+        assert_eq!(color(0.0), [0xff; 3]);
+        assert_eq!(color(f64::NAN), [0xff; 3]);
+        assert_eq!((color(RANGE.0), color(2.0)), (SCALE[0], SCALE[7]));
+        let sum = |value| color(value).into_iter().map(u32::from).sum::<u32>();
+        assert!(sum(1e-3) > sum(1e-2) && sum(1e-2) > sum(1e-1));
+    }
+}

@@ -1,0 +1,359 @@
+//! Spectra, lights, observers and re-radiation: by name, or from a file.
+//!
+//! A name comes first; a file of the same name is found as `./name`. `FILE:COLUMN` is one spectrum of a file
+//! that holds several, by its name or its number from 1.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use clap::ValueEnum;
+use glanz_color::read::{NamedSpectrum, Quantity, read_reradiation, read_spectra};
+use glanz_color::{
+    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, UnknownName, fluorescent, fluorescents, ior,
+    iors, light, lights, observer, observers, reflectance, reflectances,
+};
+
+use super::failure::{Failure, Report, without_number};
+use super::print;
+
+/// The most that is read of a file: what the readers take, and one byte by which they see more.
+const MAX_BYTES: u64 = (16 << 20) + 1;
+
+/// Endings by which a word is known to be a file's name, whether or not the file exists.
+const ENDINGS: [&str; 8] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc"];
+
+/// Values of a surface exceed 1 only where it glows, and then hardly by more.
+const GREATEST_SHARE: f64 = 1.5;
+
+/// The most suggestions made.
+const MOST_SUGGESTIONS: usize = 3;
+
+/// What a spectrum is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Power by wavelength
+    Light,
+    /// The share of light that comes back, or passes
+    Surface,
+}
+
+/// A spectrum that the command line named.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Its name.
+    pub name: String,
+    /// What it is, in a few words, and where it comes from.
+    pub title: String,
+    /// What it is of.
+    pub kind: Kind,
+    /// The values on the grid.
+    pub spectrum: Spectrum,
+    /// The unit of the values as the file gives it; empty if there is none.
+    pub unit: String,
+}
+
+/// A re-radiation matrix that the command line named.
+#[derive(Clone, Debug)]
+pub struct FluorescentSource {
+    /// Its name.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// The matrix on the grid.
+    pub matrix: Reradiation,
+}
+
+/// The spectrum of that name, or of that file. `kind` is what the user says it is of.
+///
+/// What is assumed of a file is told on stderr.
+pub fn source(word: &str, kind: Option<Kind>) -> Result<Source, Failure> {
+    if let Some(source) = named(word)? {
+        return Ok(source);
+    }
+    match open(word)? {
+        Some(opened) => from_file(&opened, kind),
+        None if fluorescent(word).is_ok() => Err(Failure::Usage(format!(
+            "'{word}' is fluorescent: no reflectance tells its colour; see 'glanz color fluorescence'"
+        ))),
+        None => Err(unknown("spectrum", word, &names())),
+    }
+}
+
+/// The light of that name, or of that file.
+pub fn light_source(word: &str) -> Result<Source, Failure> {
+    match light(word) {
+        Ok(_) => source(word, Some(Kind::Light)),
+        // Numbers that are not possible have their own message.
+        Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
+        Err(UnknownName::NotFound { .. }) => match open(word)? {
+            Some(opened) => from_file(&opened, Some(Kind::Light)),
+            None => Err(unknown("light", word, &lights().iter().map(|info| info.name).collect::<Vec<_>>())),
+        },
+    }
+}
+
+/// The observer of that name, or the sensor whose channels are the columns of that file.
+pub fn observer_source(word: &str) -> Result<Observer, Failure> {
+    if let Ok(observer) = observer(word) {
+        return Ok(observer);
+    }
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
+        return Err(unknown("observer", word, &observers().iter().map(|info| info.name).collect::<Vec<_>>()));
+    };
+    let mut channels = Vec::new();
+    for named in read_spectra(&bytes, &file).map_err(Failure::new)? {
+        let sensitivity = on_grid(&named, Some(Outside::Zero))?;
+        channels.push(Channel { name: named.name, sensitivity });
+    }
+    Ok(Observer::from_channels(file, channels))
+}
+
+/// The re-radiation matrix of that name, or of that file.
+pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
+    if let Ok(matrix) = fluorescent(word) {
+        let info = fluorescents().iter().find(|info| same(info.name, word));
+        let title = info.map_or(String::new(), |info| info.title.to_owned());
+        return Ok(FluorescentSource { name: word.to_owned(), title, matrix });
+    }
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
+        let names: Vec<_> = fluorescents().iter().map(|info| info.name).collect();
+        return Err(unknown("fluorescent material", word, &names));
+    };
+    let read = read_reradiation(&bytes, &file).map_err(Failure::new)?;
+    if !read.notes.is_empty() {
+        print::note(format_args!("note: {file}: {}", read.notes.join("; ")));
+    }
+    let matrix = read.to_reradiation().map_err(|error| Failure::new(format_args!("{file}: {error}")))?;
+    Ok(FluorescentSource { name: read.name, title: file, matrix })
+}
+
+/// All surfaces of a file.
+pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
+    let spectra = read_spectra(&read(Path::new(file))?, file).map_err(Failure::new)?;
+    spectra.iter().map(|named| on_grid(named, Some(Outside::Hold))).collect()
+}
+
+/// Words between commas; commas in brackets, as in `gaussian(530, 30)`, do not count.
+pub fn words(text: &str) -> Result<Vec<String>, String> {
+    let mut words = vec![String::new()];
+    let mut depth = 0_usize;
+    for c in text.chars() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if c == ',' && depth == 0 {
+            words.push(String::new());
+        } else if let Some(word) = words.last_mut() {
+            word.push(c);
+        }
+    }
+    words.iter_mut().for_each(|word| *word = word.trim().to_owned());
+    match words.iter().any(String::is_empty) {
+        true => Err("expected names between commas, such as D65,A,FL11".to_owned()),
+        false => Ok(words),
+    }
+}
+
+/// A spectrum that comes with the library.
+fn named(word: &str) -> Result<Option<Source>, Failure> {
+    let source = |title: String, kind, spectrum| {
+        Ok(Some(Source { name: word.to_owned(), title, kind, spectrum, unit: String::new() }))
+    };
+    match light(word) {
+        Ok(spectrum) => {
+            let info = lights().iter().find(|info| same(info.name, word));
+            return source(info.map_or("light", |info| info.title).to_owned(), Kind::Light, spectrum);
+        }
+        Err(error @ UnknownName::Parameter { .. }) => return Err(Failure::Usage(error.to_string())),
+        Err(UnknownName::NotFound { .. }) => {}
+    }
+    if let Ok(spectrum) = reflectance(word) {
+        let info = reflectances().iter().find(|info| same(info.name, word));
+        return source(info.map_or("", |info| info.title).to_owned(), Kind::Surface, spectrum);
+    }
+    if let Ok(found) = ior(word) {
+        let info = iors().iter().find(|info| info.name == found.name);
+        let what = match info.map(|info| info.kind) {
+            Some(IorKind::Dielectric) => "one face",
+            _ => "polished metal",
+        };
+        let title = info.map_or("", |info| info.title);
+        let title = format!("{title}, reflectance of {what} in air at normal incidence");
+        return source(title, Kind::Surface, found.normal_reflectance());
+    }
+    Ok(None)
+}
+
+/// All names that [`source`] knows.
+fn names() -> Vec<&'static str> {
+    let iors = iors().iter().flat_map(|info| [info.name, info.title]);
+    let reflectances = reflectances().iter().map(|info| info.name);
+    lights().iter().map(|info| info.name).chain(reflectances).chain(iors).collect()
+}
+
+fn plain(name: &str) -> String {
+    name.trim().to_lowercase().replace([' ', '_'], "-")
+}
+
+fn same(a: &str, b: &str) -> bool {
+    plain(a) == plain(b)
+}
+
+/// The failure for a word that is neither a name nor a file.
+fn unknown(what: &str, word: &str, known: &[&str]) -> Failure {
+    let wanted = plain(word);
+    let distance = |name: &str| strsim::damerau_levenshtein(&wanted, &plain(name));
+    let mut near: Vec<_> = known.iter().map(|name| (distance(name), *name)).collect();
+    near.retain(|(distance, name)| wanted.len() <= 60 && distance * 2 <= name.chars().count());
+    near.sort();
+    let least = near.first().map_or(0, |(distance, _)| *distance);
+    let near: Vec<_> =
+        near.iter().take_while(|(d, _)| *d == least).take(MOST_SUGGESTIONS).map(|(_, name)| *name).collect();
+    let suggestion = match near.as_slice() {
+        [] => String::new(),
+        names => format!("; did you mean '{}'?", names.join("' or '")),
+    };
+    Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
+}
+
+/// A file that was named.
+struct Opened {
+    bytes: Vec<u8>,
+    /// Its name.
+    file: String,
+    /// The column of it that is meant.
+    column: Option<String>,
+}
+
+/// Reads the file that is meant; none where the word is no file.
+fn open(word: &str) -> Result<Option<Opened>, Failure> {
+    let whole = Path::new(word);
+    let split = word.rsplit_once(':').filter(|(file, column)| !file.is_empty() && !column.is_empty());
+    let (file, column) = match split {
+        _ if whole.exists() => (word, None),
+        Some((file, column)) if Path::new(file).exists() || has_ending(file) => (file, Some(column)),
+        _ if has_ending(word) || word.contains(['/', '\\']) => (word, None),
+        _ => return Ok(None),
+    };
+    let bytes = read(Path::new(file))?;
+    Ok(Some(Opened { bytes, file: file.to_owned(), column: column.map(str::to_owned) }))
+}
+
+fn has_ending(word: &str) -> bool {
+    let ending = Path::new(word).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending))
+}
+
+/// Reads a file, but not more than the readers take.
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let failed = |error: std::io::Error| {
+        let error = without_number(&error.to_string());
+        Failure::new(format_args!("cannot read '{}': {error}", path.display()))
+    };
+    if path.is_dir() {
+        return Err(Failure::new(format_args!("cannot read '{}': it is a folder", path.display())));
+    }
+    let mut bytes = Vec::new();
+    File::open(path).map_err(failed)?.take(MAX_BYTES).read_to_end(&mut bytes).map_err(failed)?;
+    Ok(bytes)
+}
+
+fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
+    let file = opened.file.as_str();
+    let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
+    let named = pick(&spectra, file, opened.column.as_deref())?;
+    let (kind, guessed) = match (kind, named.quantity) {
+        (Some(kind), _) => (kind, false),
+        (None, Quantity::Reflectance | Quantity::Transmittance) => (Kind::Surface, false),
+        (None, Quantity::Light | Quantity::Relative) => (Kind::Light, false),
+        (None, Quantity::Absorptance) => {
+            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
+            return Err(Report::new(message).help("say what it stands for with --as").into());
+        }
+        (None, Quantity::Unknown) => {
+            let shares = named.values.iter().all(|value| (-0.1..=GREATEST_SHARE).contains(value));
+            (if shares { Kind::Surface } else { Kind::Light }, true)
+        }
+    };
+    if guessed {
+        let taken = if kind == Kind::Surface { "the reflectance of a surface" } else { "light" };
+        print::note(format_args!(
+            "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
+            named.name
+        ));
+    }
+    let outside = if kind == Kind::Surface { Outside::Hold } else { Outside::Zero };
+    let spectrum = on_grid(named, Some(outside))?;
+    Ok(Source {
+        name: named.name.clone(),
+        title: format!("from {file}"),
+        kind,
+        spectrum,
+        unit: named.unit.clone(),
+    })
+}
+
+/// The spectrum on the grid; what had to be assumed is told on stderr.
+fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, Failure> {
+    let (spectrum, notes) = named
+        .to_spectrum(outside)
+        .map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
+    named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
+    Ok(spectrum)
+}
+
+/// The spectrum that is meant: the only one, or that of the column.
+fn pick<'a>(
+    spectra: &'a [NamedSpectrum],
+    file: &str,
+    column: Option<&str>,
+) -> Result<&'a NamedSpectrum, Failure> {
+    let list = || spectra.iter().map(|one| one.name.as_str()).take(12).collect::<Vec<_>>().join(", ");
+    let found = match column {
+        None => match spectra {
+            [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
+            [only] => Some(only),
+            [first, ..] => {
+                let count = spectra.len();
+                let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
+                let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
+                return Err(report.help(help).into());
+            }
+        },
+        Some(column) => {
+            let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+            let by_name = spectra.iter().find(|one| same(&one.name, column));
+            by_name.or_else(|| number.and_then(|index| spectra.get(index)))
+        }
+    };
+    found.ok_or_else(|| {
+        let column = column.unwrap_or_default();
+        Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_in_brackets_do_not_part_words() {
+        assert_eq!(words("D65, gaussian(530, 30) ,A").unwrap(), ["D65", "gaussian(530, 30)", "A"]);
+        assert!(words("D65,,A").is_err() && words("").is_err());
+    }
+
+    #[test]
+    fn metals_go_by_either_name() {
+        let (gold, au) = (source("gold", None).unwrap(), source("Au", None).unwrap());
+        assert_eq!((gold.kind, &gold.spectrum), (Kind::Surface, &au.spectrum));
+    }
+
+    #[test]
+    fn endings_tell_files_from_names() {
+        assert!(has_ending("a/b.CSV") && has_ending("b.bfc"));
+        assert!(!has_ending("FL3.1") && !has_ending("neutral-6.5"));
+    }
+}
