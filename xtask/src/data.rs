@@ -43,12 +43,18 @@ fn write(house: &House, folder: &Path) -> Result<()> {
     run_quietly(house.command(python(house)?).arg(SCRIPT).arg(folder)).map(drop)
 }
 
-/// A Python with all that the script needs, made where it is missing or out of date.
+/// A Python with all that the script needs.
 fn python(house: &House) -> Result<PathBuf> {
-    let home = house.target().join("data-python");
+    python_with(house, "data-python", REQUIREMENTS)
+}
+
+/// A Python in a folder of the target folder, with the packages of a file; made where it is missing or out of
+/// date.
+pub fn python_with(house: &House, folder: &str, requirements: &str) -> Result<PathBuf> {
+    let home = house.target().join(folder);
     let (folder, name) = if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
     let python = home.join(folder).join(name);
-    let wanted = house.path(REQUIREMENTS);
+    let wanted = house.path(requirements);
     let wanted = std::fs::read(&wanted).map_err(Failure::during(wanted.display()))?;
     let done = home.join("installed.txt");
     if std::fs::read(&done).is_ok_and(|installed| installed == wanted) {
@@ -56,7 +62,7 @@ fn python(house: &House) -> Result<PathBuf> {
     }
     let system = if cfg!(windows) { "python" } else { "python3" };
     run(house.command(system).args(["-m", "venv"]).arg(&home))?;
-    run(house.command(&python).args(["-m", "pip", "install", "--quiet", "-r", REQUIREMENTS]))?;
+    run(house.command(&python).args(["-m", "pip", "install", "--quiet", "-r", requirements]))?;
     std::fs::write(&done, wanted).map_err(Failure::during(done.display()))?;
     Ok(python)
 }

@@ -1,8 +1,8 @@
 //! Every check of the house, one after the other.
 
-use crate::house::{House, run, works};
+use crate::house::{House, Profile, run, works};
 use crate::steps::{Outcome, Steps};
-use crate::{Result, gallery, golden, reference, tour, wasm};
+use crate::{Result, data, gallery, golden, reference, tour, wasm};
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +30,7 @@ fn checks(house: &House, options: &Options) -> Steps {
         return steps;
     }
     steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
+    steps.run("colours against colour-science", || oracle(house));
     steps.run("examples", || gallery::try_examples(house));
     steps.run("what the README shows", || tour::run(house));
     steps.run("reference of the scene file", || reference::check(house));
@@ -49,6 +50,20 @@ fn format(house: &House) -> Result<()> {
         run(&mut house.cargo(&format!("fmt --manifest-path {package}/Cargo.toml -- --check")))?;
     }
     Ok(())
+}
+
+/// The colours of the command against an independent implementation, where there is a Python.
+fn oracle(house: &House) -> Outcome {
+    if !works(house.command("python3").arg("--version")) {
+        return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
+    }
+    let test = || {
+        let python = data::python_with(house, "oracle-python", "tests/python/requirements.txt")?;
+        let glanz = house.glanz(Profile::Dev)?;
+        let arguments = ["-W", "ignore", "-m", "unittest", "tests/python/test_colors.py"];
+        run(house.command(python).args(arguments).env("GLANZ", glanz))
+    };
+    test().into()
 }
 
 /// The tests, with nextest; it is installed where it is missing.

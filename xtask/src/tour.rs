@@ -45,7 +45,7 @@ fn smaller<'a>(words: &[&'a str]) -> Vec<&'a str> {
         let instead = result.last().and_then(|option| SMALLER.iter().find(|(name, _)| name == option));
         result.push(instead.map_or(word, |(_, value)| value));
     }
-    if matches!(words.first(), Some(&("render" | "shade-compare"))) {
+    if matches!(words.first(), Some(&("render" | "shade-compare" | "modes" | "relight"))) {
         if !words.contains(&"--size") {
             result.extend(["--size", "160x120"]);
         }

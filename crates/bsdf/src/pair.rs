@@ -47,6 +47,13 @@ impl<R: Real> Pair<R> {
         half + half - self.cos_io
     }
 
+    /// wo·h, where h is the half vector: the cosine of the angle of reflection at a facet that mirrors
+    /// the light to the viewer. √((1 + wo·wi) / 2).
+    #[inline(always)]
+    pub fn cos_view_half(&self) -> R {
+        ((self.cos_io.one() + self.cos_io) * self.cos_io.lit(0.5)).clamp(0.0, 1.0).sqrt()
+    }
+
     /// n·h, where h is the half vector: (n·wi + n·wo) / |wi + wo|.
     #[inline(always)]
     pub fn cos_half(&self) -> R {

@@ -1,4 +1,8 @@
-//! Colour for Glanz: spectra, lights, observers, linear RGB with the sRGB primaries, the sRGB transfer.
+//! Colour for Glanz: spectra, lights, observers, surfaces, colour models, and the numbers that are made of
+//! them.
+//!
+//! One grid for all spectra, 300 to 780 nm by 5 nm ([`Spectrum`]); f64 throughout; only pure-Rust functions,
+//! so that numbers are the same on every machine.
 
 pub mod adaptation;
 pub mod chromaticity;
@@ -25,6 +29,7 @@ mod reflectances;
 mod reradiation;
 mod resample;
 mod rgb;
+pub mod rgb_spectra;
 mod spectrum;
 mod srgb;
 mod table;
@@ -33,11 +38,13 @@ pub mod units;
 pub mod upsample;
 pub mod write;
 
+pub use adaptation::{Adaptation, AdaptationError};
 pub use fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use lights::{LightInfo, light, lights};
 pub use matrix::Matrix3;
+pub use models::Xyz;
 pub use names::UnknownName;
 pub use observers::{
     Channel, Observer, ObserverInfo, ObserverKind, cie1931_by_1_nm, observer, observers, xyz_of_light,

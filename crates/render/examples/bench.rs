@@ -5,6 +5,7 @@
 
 #![expect(clippy::print_stdout, reason = "its output is its purpose")]
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use fearless_simd::{Level, Simd};
@@ -13,11 +14,11 @@ use glanz_bsdf::{MODELS, Pair, Part, Shape};
 use glanz_color::Rgb;
 use glanz_math::{Lanes, at_level};
 use glanz_render::cpu::Renderer;
-use glanz_render::{Develop, DrawOptions, PrepareOptions, Prepared, View, prepare};
+use glanz_render::{Develop, DrawOptions, Observation, PrepareOptions, Prepared, View, prepare};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
-    Attenuation, Background, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
-    Material, Object, Projection, Scene, Shading, Space,
+    Attenuation, Background, Camera, ClassicMaterial, ColorMode, Interpolation, Light, LightColor,
+    LightColors, LightKind, Lobe, Material, Object, Projection, Scene, Shading, Space, Tint, White,
 };
 
 const WIDTH: u32 = 1920;
@@ -28,9 +29,9 @@ const SILHOUETTE: f64 = 0.7;
 fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Scene {
     let sphere = Builtin::Sphere { radius: 1.0, slices, stacks };
     let material = ClassicMaterial {
-        ambient: Rgb([0.05, 0.01, 0.01]),
-        diffuse: Rgb([0.8, 0.1, 0.1]),
-        specular: Rgb::gray(0.6),
+        ambient: Rgb([0.05, 0.01, 0.01]).into(),
+        diffuse: Rgb([0.8, 0.1, 0.1]).into(),
+        specular: Rgb::gray(0.6).into(),
         ..ClassicMaterial::default()
     };
     let mut scene = Scene {
@@ -99,11 +100,19 @@ fn main() {
     }
     let frames = frames_asked.unwrap_or(if quick { 100 } else { 500 });
     if only.is_empty() || only == "paired" {
-        let scene = sphere_scene(64, 32, 4, Shading::Phong);
-        let prepared = || prepare(&scene, &PrepareOptions::default()).expect("a sound scene");
-        let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
-        // A scene against itself: how far from 1 a ratio must be to mean anything.
-        paired("64x32 sphere, 4 lights: rgb / rgb", [&prepared(), &prepared()], &view, frames, level);
+        for lights in [1, 4] {
+            let scene = sphere_scene(64, 32, lights, Shading::Phong);
+            let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
+            let [rgb, same] = [ColorMode::Rgb; 2].map(|mode| Side::new(&scene, mode));
+            let spectral = Side::new(&scene, ColorMode::Spectral);
+            // A scene against itself: how far from 1 a ratio must be to mean anything.
+            let name = |what: &str| format!("64x32 sphere, {lights} lights: {what}");
+            paired(&name("rgb / rgb"), [&rgb, &same], &view, frames, level);
+            paired(&name("spectral / rgb"), [&spectral, &rgb], &view, frames, level);
+        }
+    }
+    if only.is_empty() || only == "tables" {
+        tables(if quick { 20 } else { 100 });
     }
     if only.is_empty() || only == "models" {
         models(quick, level);
@@ -115,7 +124,8 @@ fn frame_times(scene: &Scene, frames: usize, level: Level) -> Vec<f64> {
     let prepared = prepare(scene, &PrepareOptions::default()).expect("a sound scene");
     let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
     let mut bench = FrameBench::new(level);
-    let mut times: Vec<f64> = (0..frames + WARM_UP).map(|_| bench.time(&prepared, &view)).collect();
+    let mut times: Vec<f64> =
+        (0..frames + WARM_UP).map(|_| bench.time(&prepared, &Develop::default(), &view)).collect();
     times.drain(..WARM_UP);
     times.sort_by(f64::total_cmp);
     times
@@ -139,17 +149,73 @@ impl FrameBench {
     }
 
     /// Draws a frame; milliseconds.
-    fn time(&mut self, prepared: &Prepared, view: &View) -> f64 {
+    fn time(&mut self, prepared: &Prepared, develop: &Develop, view: &View) -> f64 {
         let start = Instant::now();
-        self.renderer.draw_rgba8(prepared, view, &self.options, &Develop::default(), &mut self.out);
+        self.renderer.draw_rgba8(prepared, view, &self.options, develop, &mut self.out);
         start.elapsed().as_secs_f64() * 1e3
     }
+}
+
+/// A scene in a colour mode, and how its frames become sRGB.
+struct Side {
+    prepared: Prepared,
+    develop: Develop,
+}
+
+impl Side {
+    fn new(scene: &Scene, mode: ColorMode) -> Self {
+        let observation = Observation::new(mode, None).expect("the standard observer");
+        let to_screen = observation.to_screen(scene, White::D65).expect("daylight is white");
+        let develop = Develop { to_screen: to_screen.and_then(|map| map.rows()), ..Develop::default() };
+        let options = PrepareOptions { observation, ..PrepareOptions::default() };
+        Self { prepared: prepare(scene, &options).expect("a sound scene"), develop }
+    }
+}
+
+/// How long the tint table takes to fill: 64 lights and 64 materials, half of which fluoresce.
+fn tables(times: usize) {
+    let mut scene = sphere_scene(16, 8, 64, Shading::Phong);
+    let lamps = ["D65", "A", "FL2", "FL11", "HP1", "LED-B3", "D50", "UV365"];
+    for (light, name) in scene.lights.iter_mut().zip(lamps.iter().cycle()) {
+        let spectrum = glanz_color::light(name).expect("a name from the list");
+        light.colors = LightColors::all(LightColor::unit(&spectrum).expect("light"));
+    }
+    let dyes = ["quinine", "day-glow-orange", "highlighter-yellow", "paper-brightened"];
+    let dyes = dyes.map(|name| Arc::new(glanz_color::fluorescent(name).expect("a name from the list")));
+    let plain = scene.materials[0].clone();
+    scene.materials = (0..64)
+        .map(|i| {
+            let mut material = plain.clone();
+            if i % 2 == 0 {
+                material.lobes[1].tint = Tint::Reradiation(dyes[i / 2 % dyes.len()].clone());
+            }
+            material
+        })
+        .collect();
+    let observation = Observation::new(ColorMode::Spectral, None).expect("the standard observer");
+    let options = PrepareOptions { observation, ..PrepareOptions::default() };
+    let prepared = prepare(&scene, &options).expect("a sound scene");
+    let mut spent: Vec<f64> = (0..times)
+        .map(|_| {
+            let start = Instant::now();
+            std::hint::black_box(prepared.refilled(&scene, &options).expect("a sound scene"));
+            start.elapsed().as_secs_f64() * 1e3
+        })
+        .collect();
+    spent.sort_by(f64::total_cmp);
+    println!(
+        "{{\"table\":\"Filling the tint table anew, in full spectra, ms\",\"name\":\"64 lights, 64 materials, 32 of \
+         them fluorescent\",\"median\":{:.2},\"min\":{:.2},\"max\":{:.2}}}",
+        spent[times / 2],
+        spent[0],
+        spent[times - 1]
+    );
 }
 
 /// How much longer a frame of the first scene takes than one of the second. They take turns, so that
 /// whatever else the machine does falls on both: the median of the ratios of neighbouring frames, and
 /// between which values half of them lie.
-fn paired(name: &str, scenes: [&Prepared; 2], view: &View, frames: usize, level: Level) {
+fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: Level) {
     let mut bench = FrameBench::new(level);
     let mut ratios = Vec::with_capacity(frames);
     for pair in 0..frames + WARM_UP {
@@ -157,7 +223,8 @@ fn paired(name: &str, scenes: [&Prepared; 2], view: &View, frames: usize, level:
         let order = if pair % 2 == 0 { [0, 1] } else { [1, 0] };
         let mut times = [0.0; 2];
         for scene in order {
-            times[scene] = bench.time(scenes[scene], view);
+            let Side { prepared, develop } = scenes[scene];
+            times[scene] = bench.time(prepared, develop, view);
         }
         if pair >= WARM_UP {
             ratios.push(times[0] / times[1]);
@@ -181,7 +248,7 @@ fn models(quick: bool, level: Level) {
     for info in MODELS.iter().filter(|info| matches!(info.part, Part::Diffuse | Part::Specular)) {
         let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
         let shape = Shape::named(info.name, &[]).expect("a name from the list");
-        let lobe = Lobe { shape: shape.clone(), tint: Rgb::gray(0.5), textured: false };
+        let lobe = Lobe { shape: shape.clone(), tint: Rgb::gray(0.5).into(), textured: false };
         scene.materials = vec![Material::of_lobes(info.name, vec![lobe])];
         // A quad that fills the picture: all of it is shading.
         scene.meshes = vec![Builtin::Quad.mesh().expect("a quad")];

@@ -34,6 +34,13 @@ pub enum Show {
     Lit,
 }
 
+impl Show {
+    /// Whether the view shows light, in the channels of the observer; the others show red, green and blue.
+    pub fn is_light(self) -> bool {
+        matches!(self, Self::Shaded | Self::Ambient | Self::Diffuse | Self::Specular | Self::Wireframe)
+    }
+}
+
 /// Which planes a frame has beside colour and alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Layers {

@@ -1,5 +1,7 @@
 //! The linear picture.
 
+use crate::ToScreen;
+
 /// A drawn picture before development: linear channels of the observer, one plane after the other.
 ///
 /// Every plane holds `width · height` values in rows from the top. Colours are premultiplied with
@@ -10,8 +12,10 @@ pub struct Frame {
     pub width: usize,
     /// Height in pixels.
     pub height: usize,
-    /// Linear red, green, blue.
+    /// The first three channels: linear red, green and blue in mode RGB, else those of the observer.
     pub rgb: [Vec<f32>; 3],
+    /// The other channels of an observer with more than three.
+    pub more: Vec<Vec<f32>>,
     /// How much of the pixel is covered.
     pub alpha: Vec<f32>,
     /// Distance from the eye plane in metres, infinite where nothing is; empty if not asked for.
@@ -24,6 +28,19 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The same picture in linear sRGB.
+    pub fn on_screen(self, to_screen: &ToScreen) -> Self {
+        let mut frame = self;
+        let [mut x, mut y, mut z] = core::mem::take(&mut frame.rgb);
+        let more = core::mem::take(&mut frame.more);
+        for i in 0..x.len() {
+            let channels = [x[i], y[i], z[i]].into_iter().chain(more.iter().map(|plane| plane[i]));
+            [x[i], y[i], z[i]] = to_screen.apply(channels);
+        }
+        frame.rgb = [x, y, z];
+        frame
+    }
+
     /// The colour and alpha of a pixel.
     pub fn pixel(&self, x: usize, y: usize) -> [f32; 4] {
         let i = y * self.width + x;

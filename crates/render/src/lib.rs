@@ -9,12 +9,18 @@ pub mod cpu;
 mod develop;
 mod draw;
 mod frame;
+mod observe;
 pub mod output;
 mod prepare;
 mod view;
 
-pub use develop::{Develop, DevelopKernel, ToneMap, develop, develop_with, develop16, develop16_with};
+pub use develop::{
+    Develop, DevelopKernel, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
+};
 pub use draw::{DrawOptions, Layers, Show, draw, draw_rgba8};
 pub use frame::Frame;
-pub use prepare::{PrepareError, PrepareOptions, Prepared, prepare};
+pub use observe::draw_observed;
+pub use prepare::{
+    Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2, prepare,
+};
 pub use view::{View, ViewError};

@@ -183,8 +183,13 @@ fn the_simd_level_changes_no_bit() {
 fn pictures_developed_while_drawing_are_the_bytes_of_developed_frames() {
     let settings = [
         Develop::default(),
-        Develop { ev: 0.7, tone_map: ToneMap::Aces, dither: false },
-        Develop { ev: -0.3, tone_map: ToneMap::Agx, dither: true },
+        Develop { ev: 0.7, tone_map: ToneMap::Aces, ..Develop::default() },
+        Develop { ev: -0.3, tone_map: ToneMap::Agx, dither: true, to_screen: None },
+        Develop {
+            ev: 0.2,
+            to_screen: Some([[3.2, -1.5, -0.5], [-1.0, 1.9, 0.04], [0.06, -0.2, 1.1]]),
+            ..Develop::default()
+        },
     ];
     for (what, scene, options) in variants() {
         let (prepared, view) = (prepared(&scene), view(&scene));

@@ -20,7 +20,7 @@ pub fn add_default_lights(scene: &mut Scene) {
     scene.lights.push(Light {
         name: "ambient".to_owned(),
         kind: LightKind::Ambient,
-        colors: LightColors { ambient: Rgb::gray(0.15), ..LightColors::all(Rgb::BLACK) },
+        colors: LightColors::ambient(Rgb::gray(0.15)),
         space: Space::World,
     });
     scene.lights.push(lamp("key", DVec3::new(1.0, -1.2, -1.6), 0.8));
@@ -40,9 +40,9 @@ mod tests {
         let received = scene.lights.iter().map(|light| match light.kind {
             LightKind::Directional { direction } => {
                 let cosine = -direction.normalize().dot(normal);
-                f64::from(light.colors.diffuse.luminance()) * cosine.max(0.0)
+                light.colors.diffuse.strength() * cosine.max(0.0)
             }
-            _ => f64::from(light.colors.ambient.luminance()),
+            _ => light.colors.ambient.strength(),
         });
         let value: f64 = received.sum();
         assert!((0.8..1.0).contains(&value), "{value}");

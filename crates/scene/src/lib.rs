@@ -5,6 +5,7 @@
 
 pub mod builtin;
 mod camera;
+mod color_mode;
 mod default_lights;
 pub mod file;
 mod light;
@@ -16,10 +17,12 @@ mod scene;
 mod subdivide;
 mod tangents;
 mod texture;
+mod tint;
 mod topology;
 
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
+pub use color_mode::{COLOR_MODES, ColorMode, White};
 pub use default_lights::add_default_lights;
 pub use light::{Attenuation, Light, LightColors, LightKind, Space};
 pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, TextureUse};
@@ -28,3 +31,4 @@ pub use normals::Normals;
 pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene, Shading};
 pub use subdivide::SubdivideError;
 pub use texture::{Texture, TextureFilter, Wrap};
+pub use tint::{LightColor, Tint};

@@ -1,7 +1,7 @@
 //! Lights, after documents 000 and 003.
 
+use crate::LightColor;
 use glam::DVec3;
-use glanz_color::Rgb;
 
 /// The space in which a light's position and direction are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,24 +32,37 @@ impl Attenuation {
 }
 
 /// What a light sends to the three kinds of lobe.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LightColors {
     /// To ambient lobes: unattenuated, from no direction.
-    pub ambient: Rgb,
+    pub ambient: LightColor,
     /// To diffuse lobes.
-    pub diffuse: Rgb,
+    pub diffuse: LightColor,
     /// To specular lobes.
-    pub specular: Rgb,
+    pub specular: LightColor,
 }
 
 impl LightColors {
     /// The same for all three.
-    pub const fn all(color: Rgb) -> Self {
-        Self { ambient: color, diffuse: color, specular: color }
+    pub fn all(color: impl Into<LightColor>) -> Self {
+        let color = color.into();
+        Self { ambient: color.clone(), diffuse: color.clone(), specular: color }
     }
     /// For diffuse and specular lobes; nothing ambient.
-    pub const fn direct(color: Rgb) -> Self {
-        Self { ambient: Rgb::BLACK, diffuse: color, specular: color }
+    pub fn direct(color: impl Into<LightColor>) -> Self {
+        Self { ambient: LightColor::BLACK, ..Self::all(color) }
+    }
+    /// For ambient lobes alone.
+    pub fn ambient(color: impl Into<LightColor>) -> Self {
+        Self { ambient: color.into(), diffuse: LightColor::BLACK, specular: LightColor::BLACK }
+    }
+    /// The same colours, more or less of them.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            ambient: self.ambient.scaled(factor),
+            diffuse: self.diffuse.scaled(factor),
+            specular: self.specular.scaled(factor),
+        }
     }
 }
 

@@ -3,13 +3,15 @@
 use glanz_bsdf::{ParamError, Part, Shape};
 use glanz_color::Rgb;
 
+use crate::Tint;
+
 /// One term of a material: a shape times a tint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lobe {
     /// The directional part.
     pub shape: Shape,
     /// The coloured part. For an emission lobe: the light sent out.
-    pub tint: Rgb,
+    pub tint: Tint,
     /// Whether the base colour texture and vertex colours multiply the tint.
     pub textured: bool,
 }
@@ -89,9 +91,9 @@ impl Material {
     /// The material of objects that name none: light grey, with a weak highlight.
     pub fn default_gray() -> Self {
         ClassicMaterial {
-            ambient: Rgb::gray(0.7),
-            diffuse: Rgb::gray(0.7),
-            specular: Rgb::gray(0.2),
+            ambient: Rgb::gray(0.7).into(),
+            diffuse: Rgb::gray(0.7).into(),
+            specular: Rgb::gray(0.2).into(),
             ..ClassicMaterial::default()
         }
         .build("default")
@@ -103,13 +105,13 @@ impl Material {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassicMaterial {
     /// Tint of the ambient lobe.
-    pub ambient: Rgb,
+    pub ambient: Tint,
     /// Tint of the Lambert lobe.
-    pub diffuse: Rgb,
+    pub diffuse: Tint,
     /// Tint of the highlight.
-    pub specular: Rgb,
+    pub specular: Tint,
     /// Light of its own.
-    pub emission: Rgb,
+    pub emission: Tint,
     /// Exponent of the highlight.
     pub shininess: f64,
     /// The model of the highlight: `phong`, `blinn-phong`, …; or `lambert` for none.
@@ -119,10 +121,10 @@ pub struct ClassicMaterial {
 impl Default for ClassicMaterial {
     fn default() -> Self {
         Self {
-            ambient: Rgb::BLACK,
-            diffuse: Rgb::BLACK,
-            specular: Rgb::BLACK,
-            emission: Rgb::BLACK,
+            ambient: Tint::BLACK,
+            diffuse: Tint::BLACK,
+            specular: Tint::BLACK,
+            emission: Tint::BLACK,
             shininess: 32.0,
             model: "phong".to_owned(),
         }
@@ -134,17 +136,17 @@ impl ClassicMaterial {
     pub fn build(&self, name: impl Into<String>) -> Result<Material, ParamError> {
         let highlight = self.highlight()?;
         let has_highlight = highlight.info().part == Part::Specular;
-        let specular = if has_highlight { self.specular } else { Rgb::BLACK };
+        let specular = if has_highlight { self.specular.clone() } else { Tint::BLACK };
         let plain = |shape: &str| Shape::named(shape, &[]);
         let terms = [
-            (plain("ambient")?, self.ambient, true),
-            (plain("lambert")?, self.diffuse, true),
+            (plain("ambient")?, self.ambient.clone(), true),
+            (plain("lambert")?, self.diffuse.clone(), true),
             (highlight, specular, false),
-            (plain("emission")?, self.emission, false),
+            (plain("emission")?, self.emission.clone(), false),
         ];
         let lobes = terms
             .into_iter()
-            .filter(|(_, tint, _)| *tint != Rgb::BLACK)
+            .filter(|(_, tint, _)| !tint.is_black())
             .map(|(shape, tint, textured)| Lobe { shape, tint, textured })
             .collect();
         Ok(Material::of_lobes(name, lobes))

@@ -1,9 +1,9 @@
 //! The whole of a scene.
 
 use glam::DMat4;
-use glanz_color::Rgb;
+use glanz_color::{Observer, Rgb};
 
-use crate::{Bounds, Camera, Light, Material, Mesh, Texture};
+use crate::{Bounds, Camera, ColorMode, Light, Material, Mesh, Texture, White};
 
 /// Where the illumination model is evaluated, and what is interpolated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -72,6 +72,10 @@ pub struct RenderSettings {
     pub shading: Shading,
     /// For objects that name none.
     pub interpolation: Interpolation,
+    /// How colour is treated.
+    pub mode: ColorMode,
+    /// The white that becomes the screen's.
+    pub white: White,
 }
 
 /// A mesh put into the scene.
@@ -110,6 +114,10 @@ pub struct Scene {
     pub image: Image,
     /// How to draw.
     pub render: RenderSettings,
+    /// Who looks, where the colour mode leaves a choice; `None` for the standard observer.
+    pub observer: Option<Observer>,
+    /// Whether light is in photometric units: 1 in a frame is then 1 cd/m², else the classic unit.
+    pub photometric: bool,
 }
 
 impl Scene {

@@ -75,6 +75,16 @@ pub fn iors() -> &'static [IorInfo] {
 }
 
 impl Ior {
+    /// A medium of one index at all wavelengths, which does not absorb.
+    pub fn constant(eta: f64) -> Self {
+        Self {
+            name: format!("{eta}"),
+            eta: Spectrum::constant(eta),
+            k: Spectrum::ZERO,
+            source: "given as a number".to_owned(),
+        }
+    }
+
     /// The reflectance in air at normal incidence: ((η − 1)² + k²) / ((η + 1)² + k²).
     pub fn normal_reflectance(&self) -> Spectrum {
         Spectrum(core::array::from_fn(|i| {

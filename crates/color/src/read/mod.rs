@@ -8,6 +8,7 @@
 //! | CxF3 `.cxf` | [`read_cxf`] | – |
 //! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
 //! | text tables of re-radiation | [`read_matrix_csv`] | [`write_matrix_csv`](crate::write::write_matrix_csv) |
+//! | spectral OpenEXR | module `exr`, feature `exr` | module `exr` |
 //!
 //! All take bytes and a file's name for messages, and open nothing themselves. A reader is total: it
 //! returns what the file holds or one error that names file, place and what was expected. Its memory and
@@ -67,16 +68,47 @@ pub fn read_spectra(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, Read
     if cgats::is_cgats(&text) { read_cgats(bytes, file) } else { read_csv(bytes, file) }
 }
 
-/// Reads a re-radiation matrix in whichever format the bytes are: `.BFC` or a text table.
+/// Reads a re-radiation matrix in whichever format the bytes are: `.BFC`, a text table, or a bispectral
+/// OpenEXR picture, of which the pixel in the middle is taken (with the feature `exr`).
 ///
 /// # Errors
 ///
 /// [`ReadError`] of that format's reader.
 pub fn read_reradiation(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
+    #[cfg(feature = "exr")]
+    if bytes.starts_with(&EXR_MAGIC) {
+        return read_middle(bytes, file);
+    }
     let head = &bytes[..bytes.len().min(SNIFFED)];
     if head.windows(7).any(|part| part == b"BFC-450") {
         read_bfc(bytes, file)
     } else {
         read_matrix_csv(bytes, file)
     }
+}
+
+/// How an OpenEXR file begins.
+#[cfg(feature = "exr")]
+const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
+/// The most bytes that a bispectral picture may take in memory.
+#[cfg(feature = "exr")]
+const MAX_MATRIX_PICTURE: u64 = 1 << 30;
+
+/// The matrix of the pixel in the middle of a bispectral picture.
+#[cfg(feature = "exr")]
+fn read_middle(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
+    let image = crate::exr::read_spectral_exr(bytes, file, MAX_MATRIX_PICTURE)?;
+    let (x, y) = (image.width / 2, image.height / 2);
+    let mut matrix = image.reradiation_at(x, y).ok_or_else(|| {
+        ReadError::malformed(
+            file,
+            Place::File,
+            "channels of re-radiation such as T.380,000000nm.550,000000nm",
+            "a picture without them",
+        )
+    })?;
+    matrix.name = file.rsplit(['/', '\\']).next().unwrap_or(file).to_owned();
+    matrix.notes.push(format!("the matrix of pixel {x}, {y} of {}x{} is taken", image.width, image.height));
+    Ok(matrix)
 }

@@ -59,6 +59,11 @@ impl Reradiation {
         Self::from_fn(|out, input| if out == input { 0.0 } else { self.entries[out][input] })
     }
 
+    /// More or less of everything that comes back.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self::from_fn(|out, input| self.entries[out][input] * factor)
+    }
+
     /// The light that comes back: L(out) = Σ M\[out, in\] E(in).
     pub fn apply(&self, light: &Spectrum) -> Spectrum {
         Spectrum(core::array::from_fn(|out| {

@@ -2,6 +2,7 @@
 
 use std::io::{Cursor, Seek, Write};
 
+use glanz_color::exr::{SpectralImage, write_spectral_exr};
 use glanz_render::output::{
     Animation, Effort, Format, Metadata, OutputError, write_apng, write_atomically, write_exr, write_gif,
     write_png8, write_png16,
@@ -10,7 +11,7 @@ use glanz_render::output::{
 use super::args::Target;
 use super::canvas::Canvas;
 use super::failure::Failure;
-use super::pipeline::Picture;
+use super::pipeline::{Picture, Plan};
 use super::print;
 
 /// How long a picture alone is shown in a format that moves.
@@ -37,6 +38,11 @@ pub fn metadata(hash: u64) -> Metadata {
     Metadata { scene_hash: Some(format!("{hash:016x}")), ..Metadata::default() }
 }
 
+/// What a picture tells about its scene, and about how its colours came to be.
+pub fn metadata_of(hash: u64, plan: &Plan) -> Metadata {
+    Metadata { entries: plan.facts(), ..metadata(hash) }
+}
+
 /// Writes a picture as it was drawn.
 pub fn write(
     out: impl Write + Seek,
@@ -55,8 +61,20 @@ pub fn write(
         (Picture::Codes16 { width, height, rgba }, _) => {
             write_png16(out, (width, height), &rgba, Effort::Fast, metadata)
         }
-        (Picture::Light(frame), _) => write_exr(out, frame, metadata),
+        (Picture::Spectrum(image), _) => write_spectrum(out, image, metadata),
+        (Picture::Light(light), _) => write_exr(out, light.screen, light.channels, metadata),
     }
+}
+
+/// Writes the spectrum of each pixel, and what the picture tells about its scene.
+fn write_spectrum(
+    out: impl Write + Seek,
+    mut image: SpectralImage,
+    metadata: &Metadata,
+) -> Result<(), OutputError> {
+    image.texts = metadata.pairs().map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
+    write_spectral_exr(out, image)
+        .map_err(|error| OutputError::Encode { format: "OpenEXR", message: error.to_string() })
 }
 
 fn still(canvas: &Canvas) -> Animation {

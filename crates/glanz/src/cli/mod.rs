@@ -3,8 +3,10 @@
 
 mod args;
 mod canvas;
+mod colors;
 mod commands;
 mod csv;
+mod delta;
 mod difference;
 mod efficiency;
 mod encode;

@@ -26,7 +26,12 @@ impl Progress {
 
     /// One more is done.
     pub fn step(&mut self) {
-        self.done += 1;
+        self.set(self.done + 1);
+    }
+
+    /// So many are done.
+    pub fn set(&mut self, done: usize) {
+        self.done = done;
         if self.bar.is_none()
             && self.total > 1
             && self.start.elapsed() > PATIENCE

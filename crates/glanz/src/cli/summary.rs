@@ -4,13 +4,13 @@ use std::fmt::Write;
 use std::path::Path;
 
 use glam::DVec3;
-use glanz_color::Rgb;
 use glanz_scene::{
     AlphaMode, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Material, Mesh, Projection,
     Space,
 };
 use serde_json::{Value, json};
 
+use super::colors;
 use super::load::Input;
 use super::print::number;
 
@@ -141,10 +141,6 @@ fn vector(v: DVec3) -> String {
     v.to_array().map(number).join(", ")
 }
 
-fn color(Rgb(channels): Rgb) -> String {
-    format!("({})", channels.map(|channel| number(f64::from(channel))).join(", "))
-}
-
 fn bounds_text(bounds: &Bounds) -> String {
     match bounds.is_empty() {
         true => "empty".to_owned(),
@@ -194,7 +190,7 @@ fn lobe_text(lobe: &Lobe) -> String {
     let info = lobe.shape.info();
     let params = info.params.iter().zip(lobe.shape.params());
     let params: String = params.map(|(param, value)| format!(" {} {}", param.name, number(value))).collect();
-    format!("{}{params} × {}", info.name, color(lobe.tint))
+    format!("{}{params} × {}", info.name, colors::tint_text(&lobe.tint))
 }
 
 fn maps(material: &Material) -> Vec<&'static str> {
@@ -229,7 +225,7 @@ fn material_json(material: &Material) -> Value {
         let params = info.params.iter().zip(lobe.shape.params());
         let params: serde_json::Map<_, Value> =
             params.map(|(param, value)| (param.name.to_owned(), value.into())).collect();
-        json!({ "shape": info.name, "params": params, "tint": lobe.tint })
+        json!({ "shape": info.name, "params": params, "tint": colors::tint_json(&lobe.tint) })
     });
     let alpha_mode = match material.alpha_mode {
         AlphaMode::Opaque => "opaque",
@@ -267,12 +263,12 @@ fn light_text(light: &Light) -> String {
         ),
     };
     let sent = match light.kind {
-        LightKind::Ambient => light.colors.ambient,
-        _ => light.colors.diffuse,
+        LightKind::Ambient => &light.colors.ambient,
+        _ => &light.colors.diffuse,
     };
     let camera = if light.space == Space::Camera { ", moves with the camera" } else { "" };
     let prefix = if light.name.is_empty() { String::new() } else { format!("{}: ", light.name) };
-    format!("{prefix}{kind}, color {}{camera}", color(sent))
+    format!("{prefix}{kind}, color {}{camera}", colors::light_text(sent))
 }
 
 fn light_json(light: &Light) -> Value {
@@ -291,9 +287,9 @@ fn light_json(light: &Light) -> Value {
         }),
     };
     value["name"] = json!(light.name);
-    value["ambient"] = json!(light.colors.ambient);
-    value["diffuse"] = json!(light.colors.diffuse);
-    value["specular"] = json!(light.colors.specular);
+    value["ambient"] = colors::light_json(&light.colors.ambient);
+    value["diffuse"] = colors::light_json(&light.colors.diffuse);
+    value["specular"] = colors::light_json(&light.colors.specular);
     value["attached_to"] = json!(if light.space == Space::Camera { "camera" } else { "world" });
     value
 }

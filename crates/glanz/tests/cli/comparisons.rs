@@ -28,7 +28,7 @@ fn exr(light: impl Fn(usize, usize) -> f32) -> Vec<u8> {
     let rgb = [plane.clone(), plane.clone(), plane];
     let frame = Frame { width, height, rgb, alpha: vec![1.0; width * height], ..Frame::default() };
     let mut file = Cursor::new(Vec::new());
-    write_exr(&mut file, frame, &Metadata::default()).unwrap();
+    write_exr(&mut file, frame, Vec::new(), &Metadata::default()).unwrap();
     file.into_inner()
 }
 

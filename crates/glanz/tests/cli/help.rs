@@ -3,12 +3,14 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 27] = [
+const COMMANDS: [&[&str]; 29] = [
     &[],
     &["render"],
     &["sweep"],
     &["shade-compare"],
     &["compare"],
+    &["modes"],
+    &["relight"],
     &["info"],
     &["bsdf"],
     &["bsdf", "list"],

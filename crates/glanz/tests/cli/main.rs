@@ -2,10 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-mod comparisons;
 mod color;
+mod comparisons;
 mod errors;
 mod help;
 mod house;
 mod models;
 mod pictures;
+mod spectra;

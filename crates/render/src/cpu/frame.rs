@@ -6,7 +6,7 @@ use glanz_scene::{AlphaMode, Interpolation, Shading};
 use super::eye::{Eye, EyeLight};
 use super::polygons::PolygonView;
 use super::samples;
-use crate::prepare::{Attributes, DirectLobe, PreparedMaterial, PreparedObject};
+use crate::prepare::{Attributes, Curve, DirectLobe, MixTints, PreparedMaterial, PreparedObject};
 use crate::{DrawOptions, Prepared, Show, View};
 
 /// How a triangle of an object takes part.
@@ -40,6 +40,9 @@ pub(crate) struct ObjectView {
 pub(crate) struct Layout {
     /// Light of the second kind ([`super::reflect::Reflected::plain`]), Gouraud or flat with texture.
     pub plain: Option<usize>,
+    /// The first of two groups with light through the second and third spectrum that texels mix; the first
+    /// spectrum is in group 0. Gouraud or flat with texture, where texels mix spectra.
+    pub mix: Option<usize>,
     pub uv: Option<usize>,
     pub color: Option<usize>,
     pub tangent: Option<usize>,
@@ -59,6 +62,8 @@ pub(crate) struct FrameView<'a> {
     pub options: &'a DrawOptions,
     pub samples: &'static [[i32; 2]],
     pub any_gouraud: bool,
+    /// Whether any vertex needs light through three spectra.
+    pub any_mix: bool,
 }
 
 impl<'a> FrameView<'a> {
@@ -72,8 +77,11 @@ impl<'a> FrameView<'a> {
             .map(|object| ObjectView::new(object, &materials, &lights, &eye, options.show))
             .collect();
         let any_gouraud = objects.iter().any(|object| object.shading == Shading::Gouraud);
+        let is_mixed =
+            |object: &ObjectView| object.shading == Shading::Gouraud && object.layout.mix.is_some();
+        let any_mix = objects.iter().any(is_mixed);
         let samples = samples::positions(options.samples);
-        Self { prepared, eye, lights, materials, objects, options, samples, any_gouraud }
+        Self { prepared, eye, lights, materials, objects, options, samples, any_gouraud, any_mix }
     }
 }
 
@@ -125,11 +133,13 @@ impl Layout {
         let textured = has_uv && maps.iter().any(Option::is_some);
         let bent = per_pixel && has_uv && has_tangent && material.normal_map.is_some();
         let plain = group(!per_pixel && textured);
+        let mix = group(!per_pixel && textured && material.mix.is_some());
+        group(mix.is_some());
         let uv = group(textured || has_uv && show == Show::Uv);
         let color = group(per_pixel && has_color);
         let tangent = group(bent);
         let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
-        Self { plain, uv, color, tangent, extra, ..layout }
+        Self { plain, mix, uv, color, tangent, extra, ..layout }
     }
 }
 
@@ -151,16 +161,21 @@ fn shown_materials(prepared: &Prepared, show: Show) -> std::borrow::Cow<'_, [Pre
 fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
     let mut material = material.clone();
     let lobes = material.lobes.len().max(1);
-    for (i, tint) in material.tints.iter_mut().enumerate() {
-        if material.lobes[i % lobes].part != part {
-            *tint = [0.0; 3];
-        }
+    let mixes = material.mix.is_some();
+    let left_out = |i: usize| material.lobes[i % lobes].part != part;
+    let mut mix = material.mix.take().unwrap_or_default();
+    for i in (0..material.tints.len()).filter(|i| left_out(*i)) {
+        material.tints[i] = [0.0; 3];
+        mix.tints.get_mut(i).into_iter().for_each(|tint| *tint = Default::default());
+        material.curves.get_mut(i).into_iter().for_each(|curve| *curve = Curve::default());
     }
     if part != Part::Ambient {
         material.ambient = Default::default();
         material.spot_ambient.clear();
         material.emission = [0.0; 3];
+        *mix = MixTints { tints: mix.tints, ..MixTints::default() };
     }
+    material.mix = mixes.then_some(mix);
     material
 }
 
@@ -168,11 +183,13 @@ fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
 fn lit_test(material: &PreparedMaterial, lights: usize) -> PreparedMaterial {
     let shape = Shape::named("lambert", &[]).expect("lambert is in the list of models");
     PreparedMaterial {
-        lobes: vec![DirectLobe { shape, part: Part::Diffuse, textured: false }],
+        lobes: vec![DirectLobe { shape, part: Part::Diffuse, textured: false, curved: false }],
         tints: vec![[1.0; 3]; lights],
+        curves: Vec::new(),
         ambient: Default::default(),
         spot_ambient: Vec::new(),
         emission: [0.0; 3],
+        mix: None,
         base_color: None,
         emission_map: None,
         ..material.clone()

@@ -7,7 +7,7 @@ use super::bins::Bins;
 use super::clip::Extra;
 use super::eye::Eye;
 use super::frame::{FrameView, ObjectView};
-use super::gouraud::{self, Lit};
+use super::gouraud::{self, VertexLight};
 use super::inlined;
 use super::points::Point;
 use super::samples::SUBPIXEL;
@@ -54,7 +54,7 @@ pub(crate) fn process<S: Simd>(
     frame: &FrameView,
     range: core::ops::Range<usize>,
     screen: &mut [Screen],
-    lit: &mut [Lit],
+    mut lit: VertexLight,
     output: &mut ChunkOutput,
 ) {
     let geometry = &frame.prepared.geometry;
@@ -72,7 +72,7 @@ pub(crate) fn process<S: Simd>(
         let own = &mut screen[start..start + count];
         let clipped = project(simd, frame, cluster, object, own, &mut local);
         if object.shading == glanz_scene::Shading::Gouraud {
-            gouraud::shade(simd, frame, cluster, &mut lit[start..start + count]);
+            gouraud::shade(simd, frame, cluster, lit.part(start..start + count));
         }
         sort(simd, frame, number, object, &local, own, clipped, output);
     }

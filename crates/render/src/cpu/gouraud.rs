@@ -6,20 +6,37 @@ use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::Eye;
 use super::frame::FrameView;
-use super::reflect::{Point, Reflected, reflect_lanes};
+use super::reflect::{Point, reflect_lanes};
 use crate::prepare::Cluster;
 
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
 pub(crate) type Lit = [[[f32; 3]; 2]; 2];
 
+/// The light of vertices, and of those whose texels mix spectra the light through the second and third
+/// spectrum in place of textured and plain; empty where no object has such.
+pub(crate) struct VertexLight<'a> {
+    pub lit: &'a mut [Lit],
+    pub mix: &'a mut [Lit],
+}
+
+impl VertexLight<'_> {
+    /// The part of some vertices.
+    pub fn part(&mut self, range: core::ops::Range<usize>) -> VertexLight<'_> {
+        let mix = if self.mix.is_empty() { &mut [] } else { &mut self.mix[range.clone()] };
+        VertexLight { lit: &mut self.lit[range], mix }
+    }
+}
+
 /// Evaluates the illumination model at a cluster's vertices.
 #[inline(always)]
-pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, lit: &mut [Lit]) {
+pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vertices: VertexLight) {
+    let VertexLight { lit, mix } = vertices;
     let geometry = &frame.prepared.geometry;
     let object = &frame.prepared.objects[cluster.object as usize];
+    let view = &frame.objects[cluster.object as usize];
     let material = &frame.materials[object.material];
     let offset = frame.eye.offset(object);
-    let sides = if frame.objects[cluster.object as usize].cull_back { 1 } else { 2 };
+    let sides = if view.cull_back { 1 } else { 2 };
     for row in (0..lit.len()).step_by(16) {
         let first = cluster.first_vertex as usize + row;
         let position = |axis: usize| {
@@ -31,17 +48,36 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, lit:
         let position = at + splat(simd, shift);
         let normal = normals(simd, &geometry.normals[first..first + 16]);
         let wo = to_viewer(simd, &frame.eye, position);
+        let colors = object.attributes.color.then(|| &geometry.colors[first..first + 16]);
         for side in 0..sides {
             let normal = match (side, material.two_sided) {
                 (0, _) => normal,
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let reflected = reflect_lanes(simd, &frame.lights, material, &Point { position, normal, wo });
-            store(&reflected, side, &mut lit[row..row + 16]);
+            let point = Point { position, normal, wo };
+            let own = &mut lit[row..row + 16];
+            if material.mix.is_none() {
+                let reflected = reflect_lanes(simd, &frame.lights, material, &point, None);
+                store([reflected.textured, reflected.plain], side, own);
+                continue;
+            }
+            let one = position.x.one();
+            let [r, g, b] = colors.map_or([one; 3], |colors| columns(simd, colors));
+            if view.layout.mix.is_none() {
+                let reflected = reflect_lanes(simd, &frame.lights, material, &point, Some([r, g, b]));
+                store([reflected.textured, reflected.plain], side, own);
+                continue;
+            }
+            let zero = one.zero();
+            let through = |texel| reflect_lanes(simd, &frame.lights, material, &point, Some(texel));
+            let reflected = through([r, zero, zero]);
+            store([reflected.textured, reflected.plain], side, own);
+            let more = [through([zero, g, zero]).textured, through([zero, zero, b]).textured];
+            store(more, side, &mut mix[row..row + 16]);
         }
-        if object.attributes.color {
-            tint(&geometry.colors[first..first + 16], &mut lit[row..row + 16]);
+        if let (Some(colors), None) = (colors, &material.mix) {
+            tint(colors, &mut lit[row..row + 16]);
         }
     }
 }
@@ -59,6 +95,13 @@ pub(crate) fn unit<R: Real>(n: Vec3<R>) -> Vec3<R> {
 
 #[inline(always)]
 fn normals<S: Simd>(simd: S, rows: &[[f32; 3]]) -> Vec3<Lanes<S>> {
+    let [x, y, z] = columns(simd, rows);
+    unit(Vec3::new(x, y, z))
+}
+
+/// The first three numbers of sixteen rows.
+#[inline(always)]
+fn columns<S: Simd, const N: usize>(simd: S, rows: &[[f32; N]]) -> [Lanes<S>; 3] {
     let mut columns = [[0.0f32; 16]; 3];
     for (lane, n) in rows.iter().enumerate() {
         for c in 0..3 {
@@ -66,7 +109,7 @@ fn normals<S: Simd>(simd: S, rows: &[[f32; 3]]) -> Vec3<Lanes<S>> {
         }
     }
     let [x, y, z] = &columns;
-    unit(Vec3::new(Lanes::load(simd, x), Lanes::load(simd, y), Lanes::load(simd, z)))
+    [Lanes::load(simd, x), Lanes::load(simd, y), Lanes::load(simd, z)]
 }
 
 #[inline(always)]
@@ -78,9 +121,9 @@ fn to_viewer<S: Simd>(simd: S, eye: &Eye, position: Vec3<Lanes<S>>) -> Vec3<Lane
 }
 
 #[inline(always)]
-fn store<S: Simd>(reflected: &Reflected<Lanes<S>>, side: usize, lit: &mut [Lit]) {
+fn store<S: Simd>(parts: [[Lanes<S>; 3]; 2], side: usize, lit: &mut [Lit]) {
     let mut lanes = [0.0f32; 16];
-    for (part, values) in [reflected.textured, reflected.plain].into_iter().enumerate() {
+    for (part, values) in parts.into_iter().enumerate() {
         for (c, value) in values.into_iter().enumerate() {
             value.store(&mut lanes);
             for (vertex, value) in lit.iter_mut().zip(lanes) {

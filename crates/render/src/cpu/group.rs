@@ -7,7 +7,7 @@ use glanz_scene::{Interpolation, Shading};
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::unit;
 use super::records::{GROUP, Record, Records};
-use super::reflect::{Point, Reflected, reflect_lanes};
+use super::reflect::{Point, Reflected, mixed, reflect_lanes};
 use super::runs::Run;
 use super::{inlined, nine, three};
 use super::{show, texturing};
@@ -232,12 +232,13 @@ impl<'a, S: Simd> Group<'a, S> {
     fn shade(&self, out: &mut Shaded<S>) {
         let rows = self.gather(0);
         let place = self.place(&rows, self.px, self.py);
-        let mut values = [self.attribute(0, &place), [self.px.zero(); 3]];
+        let mut values = [[self.px.zero(); 3]; 4];
+        values[0] = self.attribute(0, &place);
         let layout = &self.object.layout;
         let material = &self.frame.materials[self.object.material];
         if is_simple(self.object, self.frame.options.show) {
-            let light =
-                |point: &Point<Lanes<S>>| reflect_lanes(self.simd, &self.frame.lights, material, point);
+            let lights = &self.frame.lights;
+            let light = |point: &Point<Lanes<S>>| reflect_lanes(self.simd, lights, material, point, None);
             let (rgb, normal) = self.simple(material, &place, values[0], light);
             let alpha = self.px.lit(f64::from(material.alpha));
             *out = Shaded { rgb, alpha, distance: place.distance, normal };
@@ -247,6 +248,10 @@ impl<'a, S: Simd> Group<'a, S> {
         extra.read(self, layout, material, &place, &rows);
         if let Some(plain) = layout.plain {
             values[1] = self.attribute(plain, &place);
+        }
+        if let Some(mix) = layout.mix {
+            values[2] = self.attribute(mix, &place);
+            values[3] = self.attribute(mix + 1, &place);
         }
         if let Some(polygons) = &self.object.polygons {
             texturing::scanline(self, polygons, &mut values, &mut extra);
@@ -296,26 +301,45 @@ impl<'a, S: Simd> Group<'a, S> {
         &self,
         material: &PreparedMaterial,
         place: &Place<S>,
-        values: [[Lanes<S>; 3]; 2],
+        values: [[Lanes<S>; 3]; 4],
         extra: &texturing::Extra<S>,
         rows: &[Lanes<S>; GROUP],
     ) -> Shaded<S> {
         let mut point = self.point(place, values[0]);
-        let [mut textured, mut plain] = values;
+        let [mut textured, mut plain, second, third] = values;
+        if self.object.layout.mix.is_some() {
+            let [r, g, b] = extra.base;
+            let first = textured;
+            textured = three(
+                [0, 1, 2],
+                #[inline(always)]
+                |c| first[c] * r + second[c] * g + third[c] * b,
+            );
+        }
         if self.object.shading == Shading::Phong {
             point.normal = extra.bend(material, point.normal);
-            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point);
+            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point, Some(extra.base));
             textured = light.textured;
             plain = light.plain;
         }
-        let mut rgb = three(
-            [0, 1, 2],
-            #[inline(always)]
-            |c| {
-                let emitted = self.px.lit(f64::from(material.emission[c])) * extra.emission[c];
-                textured[c] * extra.base[c] + plain[c] + emitted
-            },
-        );
+        let mut rgb = match &material.mix {
+            Some(mix) => {
+                let emitted = mixed(&mix.emission, &extra.emission);
+                three(
+                    [0, 1, 2],
+                    #[inline(always)]
+                    |c| textured[c] + plain[c] + emitted[c],
+                )
+            }
+            None => three(
+                [0, 1, 2],
+                #[inline(always)]
+                |c| {
+                    let emitted = self.px.lit(f64::from(material.emission[c])) * extra.emission[c];
+                    textured[c] * extra.base[c] + plain[c] + emitted
+                },
+            ),
+        };
         let mut alpha = self.px.lit(f64::from(material.alpha)) * extra.alpha;
         show::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
         Shaded { rgb, alpha, distance: place.distance, normal: point.normal }

@@ -13,8 +13,11 @@ use super::reflect::{Point, reflect};
 use crate::prepare::{Polygons, PreparedMaterial, PreparedObject};
 
 /// The values that are interpolated at a corner: normal or light, plain light, texture coordinates,
-/// colour with alpha.
-pub(crate) type Corner = [f32; 12];
+/// colour with alpha, light through the second and third spectrum that texels mix.
+pub(crate) type Corner = [f32; CORNER];
+
+/// The numbers of a corner.
+pub(crate) const CORNER: usize = 18;
 
 /// An object's polygons as seen from the eye.
 #[derive(Clone, Debug)]
@@ -107,6 +110,7 @@ fn corner(
     let [x, y, z] = polygons.normals[i];
     let normal = Vec3::new(x, y, z) * side;
     let [r, g, b, alpha] = polygons.colors[i];
+    let mut more = [[0.0; 3]; 2];
     let (first, plain) = match shading {
         Shading::Gouraud => {
             let wo = if eye.perspective {
@@ -115,11 +119,31 @@ fn corner(
                 Vec3::new(eye.back[0], eye.back[1], eye.back[2])
             };
             let point = Point { position, normal: unit(normal), wo };
-            let reflected = reflect(lights, material, &point);
-            ((Rgb(reflected.textured) * Rgb([r, g, b])).0, reflected.plain)
+            match (&material.mix, material.base_color) {
+                (None, _) => {
+                    let reflected = reflect(lights, material, &point, None);
+                    ((Rgb(reflected.textured) * Rgb([r, g, b])).0, reflected.plain)
+                }
+                (Some(_), None) => {
+                    let reflected = reflect(lights, material, &point, Some([r, g, b]));
+                    (reflected.textured, reflected.plain)
+                }
+                (Some(_), Some(_)) => {
+                    let through = |texel| reflect(lights, material, &point, Some(texel));
+                    let first = through([r, 0.0, 0.0]);
+                    more = [[0.0, g, 0.0], [0.0, 0.0, b]].map(|texel| through(texel).textured);
+                    (first.textured, first.plain)
+                }
+            }
         }
         _ => ([normal.x, normal.y, normal.z], [0.0; 3]),
     };
     let [u, v] = polygons.uvs[i];
-    [first[0], first[1], first[2], plain[0], plain[1], plain[2], u, v, r, g, b, alpha]
+    let [second, third] = more;
+    let mut corner = [0.0; CORNER];
+    corner[..12]
+        .copy_from_slice(&[first[0], first[1], first[2], plain[0], plain[1], plain[2], u, v, r, g, b, alpha]);
+    corner[12..15].copy_from_slice(&second);
+    corner[15..].copy_from_slice(&third);
+    corner
 }

@@ -12,8 +12,9 @@ use super::frame::{FrameView, Layout};
 use super::geometry::{ChunkOutput, Screen};
 use super::gouraud::{Lit, unit};
 use super::raster::Triangle;
-use super::reflect::{Point, reflect};
+use super::reflect::{Point, Reflected, reflect};
 use super::{inlined, three};
+use crate::prepare::PreparedMaterial;
 
 /// Floats of a group of three attributes, and of the part that comes before the groups.
 pub(crate) const GROUP: usize = 9;
@@ -22,6 +23,9 @@ pub(crate) const GROUP: usize = 9;
 pub(crate) struct Projected<'a> {
     pub screen: &'a [Screen],
     pub lit: &'a [Lit],
+    /// Of objects whose texels mix spectra: light through the second and the third, in place of textured
+    /// and plain.
+    pub lit_mix: &'a [Lit],
     pub chunks: &'a [ChunkOutput],
 }
 
@@ -130,18 +134,20 @@ impl Records {
                     Some(_) => {
                         self.group(corners, |v| lit(v)[0]);
                         self.group(corners, |v| lit(v)[1]);
+                        if layout.mix.is_some() {
+                            self.group(corners, |v| projected.lit_mix[v][side][0]);
+                            self.group(corners, |v| projected.lit_mix[v][side][1]);
+                        }
                     }
                     None => self.group(corners, |v| sum(lit(v))),
                 }
             }
             Shading::Flat => {
-                let light = flat(frame, record);
-                match layout.plain {
-                    Some(_) => {
-                        self.constant(light[0]);
-                        self.constant(light[1]);
-                    }
-                    None => self.constant(sum(light)),
+                let lit = flat(frame, record);
+                match (layout.plain, layout.mix) {
+                    (Some(_), Some(_)) => lit.mixed().into_iter().for_each(|light| self.constant(light)),
+                    (Some(_), None) => lit.plain().into_iter().for_each(|light| self.constant(light)),
+                    (None, _) => self.constant(sum(lit.plain())),
                 }
             }
         }
@@ -223,11 +229,20 @@ pub(crate) fn barycentric<R: Real>([a, b, c]: &[[R; 3]; 3]) -> ([R; GROUP], R::M
     (rows, area.zero().lt(area))
 }
 
-/// The light of a facet: evaluated once, at its centroid with its own normal.
-fn flat(frame: &FrameView, record: &Record) -> [[f32; 3]; 2] {
+/// A facet as it is lit: at its centroid, with its own normal.
+struct FlatFacet<'a> {
+    frame: &'a FrameView<'a>,
+    material: &'a PreparedMaterial,
+    point: Point<f32>,
+    /// The facet's colour; white where it has none.
+    color: [f32; 3],
+}
+
+/// The facet of a record; none where there are no facets, which are there wherever shading is flat.
+fn flat<'a>(frame: &'a FrameView, record: &Record) -> FlatFacet<'a> {
     let prepared = &frame.prepared.objects[record.object as usize];
     let material = &frame.materials[prepared.material];
-    let Some(facets) = &prepared.facets else { return [[0.0; 3]; 2] };
+    let facets = prepared.facets.as_ref().expect("objects that are shaded flat have their facets prepared");
     let facet = record.facet as usize;
     let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
     let sign = match (record.back, material.two_sided) {
@@ -239,12 +254,32 @@ fn flat(frame: &FrameView, record: &Record) -> [[f32; 3]; 2] {
     let eye = &frame.eye;
     let wo = if eye.perspective { unit(-position) } else { vector(eye.back) };
     let normal = vector(facets.normals[facet]) * sign;
-    let reflected = reflect(&frame.lights, material, &Point { position, normal, wo });
-    let mut textured = reflected.textured;
-    if let Some(color) = facets.colors.get(facet) {
-        for c in 0..3 {
-            textured[c] *= color[c];
-        }
+    let color = facets.colors.get(facet).map_or([1.0; 3], |color| [color[0], color[1], color[2]]);
+    FlatFacet { frame, material, point: Point { position, normal, wo }, color }
+}
+
+impl FlatFacet<'_> {
+    fn reflect(&self, texel: Option<[f32; 3]>) -> Reflected<f32> {
+        reflect(&self.frame.lights, self.material, &self.point, texel)
     }
-    [textured, reflected.plain]
+
+    /// What textures multiply, and what they do not.
+    fn plain(&self) -> [[f32; 3]; 2] {
+        let mixes = self.material.mix.is_some();
+        let reflected = self.reflect(mixes.then_some(self.color));
+        let mut textured = reflected.textured;
+        if !mixes {
+            textured.iter_mut().zip(self.color).for_each(|(light, color)| *light *= color);
+        }
+        [textured, reflected.plain]
+    }
+
+    /// What texels mix: through the first spectrum, then what textures do not touch, then through the second
+    /// and third.
+    fn mixed(&self) -> [[f32; 3]; 4] {
+        let [r, g, b] = self.color;
+        let first = self.reflect(Some([r, 0.0, 0.0]));
+        let [second, third] = [[0.0, g, 0.0], [0.0, 0.0, b]].map(|texel| self.reflect(Some(texel)).textured);
+        [first.textured, first.plain, second, third]
+    }
 }

@@ -36,48 +36,84 @@ struct Incident<R> {
 }
 
 /// All light that `material` sends from `point` to the viewer, without its own emission.
+///
+/// With a texel and a material that mixes spectra, the textured part is already what the texel makes of
+/// it; else it is what is still to be multiplied with the texel.
 #[inline(always)]
 pub(crate) fn reflect<R: Real>(
     lights: &[EyeLight],
     material: &PreparedMaterial,
     point: &Point<R>,
+    texel: Option<[R; 3]>,
 ) -> Reflected<R> {
     let like = point.normal.x;
+    let mix = material.mix.as_deref().zip(texel);
     let mut sum = Reflected {
-        textured: three(
-            material.ambient[0],
-            #[inline(always)]
-            |c| like.lit(f64::from(c)),
-        ),
-        plain: three(
-            material.ambient[1],
-            #[inline(always)]
-            |c| like.lit(f64::from(c)),
-        ),
+        textured: match &mix {
+            Some((mix, texel)) => mixed(&mix.ambient, texel),
+            None => literal(like, &material.ambient[0]),
+        },
+        plain: literal(like, &material.ambient[1]),
     };
     let cos_o = point.normal.dot(point.wo);
     let lobes = &material.lobes[..];
     for (number, light) in lights.iter().enumerate() {
         let incident = arrive(light, point);
         if let (Some(cone), Some(row)) = (incident.cone, material.spot_ambient.get(number)) {
-            add(&mut sum.textured, cone, &row[0]);
-            add(&mut sum.plain, cone, &row[1]);
+            let textured = match &mix {
+                Some((mix, texel)) => mixed(&mix.spot_ambient[number], texel),
+                None => literal(like, &row[0]),
+            };
+            add(&mut sum.textured, cone, textured);
+            add(&mut sum.plain, cone, literal(like, &row[1]));
         }
         let cos_i = point.normal.dot(incident.wi);
         if !R::any(like.zero().lt(cos_i)) {
             continue;
         }
         let pair = Pair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
-        let row = &material.tints[number * lobes.len()..][..lobes.len()];
+        let first = number * lobes.len();
+        let row = &material.tints[first..][..lobes.len()];
         // A factor of 1 rather than none: the compiler multiplies in either case, and where there is
         // none with what happens to be in memory, which is slow where that is a denormal number.
         let reach = incident.reach.unwrap_or(like.one());
-        for (lobe, tint) in lobes.iter().zip(row) {
+        for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
             let value = lobe.shape.f_cos(&pair) * reach;
+            let tint = match &mix {
+                _ if lobe.curved => material.curves[first + k].at(pair.cos_view_half()),
+                Some((mix, texel)) if lobe.textured => mixed(&mix.tints[first + k], texel),
+                _ => literal(like, tint),
+            };
             add(if lobe.textured { &mut sum.textured } else { &mut sum.plain }, value, tint);
         }
     }
     sum
+}
+
+/// What a texel makes of three spectra.
+#[inline(always)]
+pub(crate) fn mixed<R: Real>(basis: &[[f32; 3]; 3], texel: &[R; 3]) -> [R; 3] {
+    let [r, g, b] = *texel;
+    three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c: usize| {
+            let lit = inlined(
+                #[inline(always)]
+                |spectrum: usize| r.lit(f64::from(basis[spectrum][c])),
+            );
+            r * lit(0) + g * lit(1) + b * lit(2)
+        },
+    )
+}
+
+#[inline(always)]
+fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
+    three(
+        *tint,
+        #[inline(always)]
+        |c| like.lit(f64::from(c)),
+    )
 }
 
 /// [`reflect`] for sixteen pixels, as a function of its own: it is by far the largest piece of code
@@ -88,17 +124,18 @@ pub(crate) fn reflect_lanes<S: Simd>(
     lights: &[EyeLight],
     material: &PreparedMaterial,
     point: &Point<Lanes<S>>,
+    texel: Option<[Lanes<S>; 3]>,
 ) -> Reflected<Lanes<S>> {
     simd.vectorize(
         #[inline(always)]
-        || reflect(lights, material, point),
+        || reflect(lights, material, point, texel),
     )
 }
 
 #[inline(always)]
-fn add<R: Real>(sum: &mut [R; 3], value: R, tint: &[f32; 3]) {
+fn add<R: Real>(sum: &mut [R; 3], value: R, tint: [R; 3]) {
     for c in 0..3 {
-        sum[c] = sum[c] + value * value.lit(f64::from(tint[c]));
+        sum[c] = sum[c] + value * tint[c];
     }
 }
 

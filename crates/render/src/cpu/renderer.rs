@@ -8,7 +8,7 @@ use glanz_math::at_level;
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::frame::FrameView;
 use super::geometry::{self, ChunkOutput, Screen};
-use super::gouraud::Lit;
+use super::gouraud::{Lit, VertexLight};
 use super::records::Projected;
 use super::target::{Band, Codes, PlaneBand, empty_block};
 use super::tile::{self, TilePlace, TileScratch};
@@ -21,6 +21,7 @@ use glanz_scene::Background;
 pub struct Renderer {
     screen: Vec<Screen>,
     lit: Vec<Lit>,
+    lit_mix: Vec<Lit>,
     chunks: Vec<ChunkOutput>,
     tiles: Vec<Mutex<TileScratch>>,
 }
@@ -77,6 +78,7 @@ impl Renderer {
         let vertices = geometry.position[0].len();
         self.screen.resize(vertices, [0.0; 4]);
         self.lit.resize(if frame.any_gouraud { vertices } else { 0 }, Lit::default());
+        self.lit_mix.resize(if frame.any_mix { vertices } else { 0 }, Lit::default());
         let clusters = geometry.clusters.len();
         let wanted = threads() * CHUNKS_PER_THREAD;
         let size = clusters.div_ceil(wanted).max(8);
@@ -86,6 +88,7 @@ impl Renderer {
             geometry.clusters.get(cluster).map_or(vertices, |cluster| cluster.first_vertex as usize)
         };
         let (mut screen, mut lit) = (&mut self.screen[..], &mut self.lit[..]);
+        let mut lit_mix = &mut self.lit_mix[..];
         let mut tasks = Vec::with_capacity(count);
         for (number, output) in self.chunks.iter_mut().enumerate() {
             let range = number * size..((number + 1) * size).min(clusters);
@@ -94,7 +97,9 @@ impl Renderer {
             screen = rest;
             let (own_lit, rest) = lit.split_at_mut(length.min(lit.len()));
             lit = rest;
-            tasks.push((range, own, own_lit, output));
+            let (own_mix, rest) = lit_mix.split_at_mut(length.min(lit_mix.len()));
+            lit_mix = rest;
+            tasks.push((range, own, VertexLight { lit: own_lit, mix: own_mix }, output));
         }
         let level = frame.options.level;
         for_each(tasks, |(range, screen, lit, output)| {
@@ -109,7 +114,8 @@ impl Renderer {
     /// The second pass.
     fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
         self.tiles.resize_with(threads() + 1, Mutex::default);
-        let projected = Projected { screen: &self.screen, lit: &self.lit, chunks: &self.chunks };
+        let projected =
+            Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
         let columns = frame.eye.width.div_ceil(TILE_WIDTH);
         let level = frame.options.level;
         let tasks: Vec<_> = bands.into_iter().enumerate().collect();
@@ -130,7 +136,7 @@ fn process(
     frame: &FrameView,
     range: core::ops::Range<usize>,
     screen: &mut [Screen],
-    lit: &mut [Lit],
+    lit: VertexLight,
     output: &mut ChunkOutput,
 ) {
     at_level!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
@@ -156,6 +162,7 @@ fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
         width,
         height,
         rgb: core::array::from_fn(|_| plane(true)),
+        more: Vec::new(),
         alpha: plane(true),
         depth: plane(layers.depth),
         normal: core::array::from_fn(|_| plane(layers.normal)),

@@ -110,7 +110,7 @@ fn colors<S: Simd>(
             &located,
             value,
             #[inline(always)]
-            |point| reflect(&frame.lights, material, point),
+            |point| reflect(&frame.lights, material, point, None),
         )
         .0
 }

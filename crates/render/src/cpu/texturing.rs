@@ -7,7 +7,7 @@ use glanz_scene::{AlphaMode, TextureUse};
 use super::frame::Layout;
 use super::gouraud::unit;
 use super::group::{Group, Place};
-use super::polygons::PolygonView;
+use super::polygons::{CORNER, PolygonView};
 use super::records::GROUP;
 use super::{inlined, three};
 use crate::prepare::{Mipmap, PreparedMaterial};
@@ -161,10 +161,10 @@ fn lookup(texture: &Mipmap, map: &TextureUse, uv: &[[f32; 16]; 2], footprint: &[
 pub(crate) fn scanline<S: Simd>(
     group: &Group<S>,
     polygons: &PolygonView,
-    values: &mut [[Lanes<S>; 3]; 2],
+    values: &mut [[Lanes<S>; 3]; 4],
     extra: &mut Extra<S>,
 ) {
-    let mut columns = [[0.0f32; 16]; 12];
+    let mut columns = [[0.0f32; 16]; CORNER];
     let (mut px, mut py) = ([0.0; 16], [0.0; 16]);
     group.px.store(&mut px);
     group.py.store(&mut py);
@@ -193,6 +193,11 @@ pub(crate) fn scanline<S: Simd>(
         });
         if layout.plain.is_some() {
             values[1] = three([0, 1, 2], |c| lanes(3 + c, plain[c]));
+        }
+        if layout.mix.is_some() {
+            let (second, third) = (values[2], values[3]);
+            values[2] = three([0, 1, 2], |c| lanes(12 + c, second[c]));
+            values[3] = three([0, 1, 2], |c| lanes(15 + c, third[c]));
         }
     }
     if layout.color.is_some() {

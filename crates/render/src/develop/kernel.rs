@@ -9,6 +9,8 @@ use super::{Develop, ToneMap, dither, encode, pack, tone_map};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DevelopKernel {
     gain: f32,
+    /// From channels to linear sRGB, exposure included; none where exposure is all there is.
+    to_screen: Option<[[f32; 3]; 3]>,
     tone_map: ToneMap,
     dither: bool,
 }
@@ -16,8 +18,10 @@ pub struct DevelopKernel {
 impl DevelopKernel {
     /// Works out the factor of exposure.
     pub fn new(develop: &Develop) -> Self {
+        let gain = libm::exp2(f64::from(develop.ev)) as f32;
         Self {
-            gain: libm::exp2(f64::from(develop.ev)) as f32,
+            gain,
+            to_screen: develop.to_screen.map(|rows| rows.map(|row| row.map(|entry| entry * gain))),
             tone_map: develop.tone_map,
             dither: develop.dither,
         }
@@ -26,11 +30,7 @@ impl DevelopKernel {
     /// The 8-bit codes of red, green and blue where alpha is 1, before dithering and rounding.
     #[inline(always)]
     pub fn opaque<R: Real>(&self, mut rgb: [R; 3]) -> [R; 3] {
-        // Loops over the channels here and below, not three copies: the compiler unrolls them where
-        // it pays, and without SIMD instructions a copy is hundreds of operations.
-        for c in &mut rgb {
-            *c = *c * c.lit(f64::from(self.gain));
-        }
+        rgb = self.exposed(rgb);
         self.encoded(tone_map::tone_map(self.tone_map, rgb))
     }
 
@@ -117,6 +117,27 @@ impl DevelopKernel {
         [r, g, b, alpha * alpha.lit(65535.0)]
     }
 
+    /// Linear sRGB of the channels, at the exposure.
+    #[inline(always)]
+    fn exposed<R: Real>(&self, mut rgb: [R; 3]) -> [R; 3] {
+        // Loops over the channels here and below, not three copies: the compiler unrolls them where
+        // it pays, and without SIMD instructions a copy is hundreds of operations.
+        match &self.to_screen {
+            Some(rows) => {
+                let [x, y, z] = rgb;
+                for (c, [a, b, d]) in rgb.iter_mut().zip(rows) {
+                    *c = x * x.lit(f64::from(*a)) + y * x.lit(f64::from(*b)) + z * x.lit(f64::from(*d));
+                }
+            }
+            None => {
+                for c in &mut rgb {
+                    *c = *c * c.lit(f64::from(self.gain));
+                }
+            }
+        }
+        rgb
+    }
+
     #[inline(always)]
     fn encoded<R: Real>(&self, mut rgb: [R; 3]) -> [R; 3] {
         for c in &mut rgb {
@@ -128,9 +149,7 @@ impl DevelopKernel {
     /// Exposure and tone map; the latter out of line, so that the loops this is part of stay small.
     #[inline(always)]
     fn graded_lanes<S: Simd>(&self, mut rgb: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
-        for c in &mut rgb {
-            *c = *c * c.lit(f64::from(self.gain));
-        }
+        rgb = self.exposed(rgb);
         if self.tone_map != ToneMap::None {
             tone_map_lanes(self.tone_map, &mut rgb);
         }
@@ -174,7 +193,7 @@ mod tests {
     use super::*;
 
     fn kernel(ev: f32, tone_map: ToneMap) -> DevelopKernel {
-        DevelopKernel::new(&Develop { ev, tone_map, dither: false })
+        DevelopKernel::new(&Develop { ev, tone_map, ..Develop::default() })
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! From linear channels to display codes.
 //!
-//! The steps, in this order: straight colour from premultiplied, exposure, tone map, clip to 0 … 1,
+//! The steps, in this order: straight colour from premultiplied, the way from the observer's channels to
+//! linear sRGB, exposure, tone map, clip to 0 … 1,
 //! sRGB encoding, ordered dithering if asked for, rounding. They are written once, generic over
 //! [`Real`](glanz_math::Real): the rasteriser runs [`DevelopKernel`] on 16 pixels while they are in
 //! registers, [`develop()`] runs the same text over a whole frame, so both give the same bytes.
@@ -13,8 +14,10 @@ mod kernel;
 mod pack;
 mod picture;
 mod settings;
+mod to_screen;
 mod tone_map;
 
 pub use kernel::DevelopKernel;
 pub use picture::{develop, develop_with, develop16, develop16_with};
 pub use settings::{Develop, ToneMap};
+pub use to_screen::ToScreen;

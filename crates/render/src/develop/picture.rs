@@ -132,9 +132,9 @@ mod tests {
     }
 
     fn settings() -> impl Iterator<Item = Develop> {
-        ToneMap::ALL
-            .into_iter()
-            .flat_map(|(tone_map, _)| [false, true].map(|dither| Develop { ev: 0.3, tone_map, dither }))
+        ToneMap::ALL.into_iter().flat_map(|(tone_map, _)| {
+            [false, true].map(|dither| Develop { ev: 0.3, tone_map, dither, ..Develop::default() })
+        })
     }
 
     #[test]

@@ -47,6 +47,8 @@ pub struct Develop {
     pub tone_map: ToneMap,
     /// Ordered dithering before rounding to 8 bits; 16-bit codes need none.
     pub dither: bool,
+    /// From the frame's channels to linear sRGB, row by row; none where they are linear sRGB already.
+    pub to_screen: Option<[[f32; 3]; 3]>,
 }
 
 #[cfg(test)]

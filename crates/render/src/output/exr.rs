@@ -25,20 +25,26 @@ const SRGB: Chromaticities = Chromaticities {
     white: Vec2(0.3127, 0.3290),
 };
 
-/// Writes the frame's colour and alpha and what else it holds. Takes the frame, so that its planes
-/// need not be copied. Alpha is left out where the whole picture is opaque.
+/// Writes the frame's colour, in linear sRGB, and alpha and what else it holds, and `more` planes under
+/// their names. Takes the frame, so that its planes need not be copied. Alpha is left out where the whole picture is opaque.
 ///
 /// The format goes back to fill in a table: for a stream write to a `Cursor<Vec<u8>>` first.
-pub fn write_exr(out: impl Write + Seek, frame: Frame, metadata: &Metadata) -> Result<(), OutputError> {
+pub fn write_exr(
+    out: impl Write + Seek,
+    frame: Frame,
+    more: Vec<(String, Vec<f32>)>,
+    metadata: &Metadata,
+) -> Result<(), OutputError> {
     let (width, height) = (frame.width, frame.height);
     if width == 0 || height == 0 {
         let message = format!("both sides must be at least 1 pixel, but are {width}×{height}");
         return Err(OutputError::Encode { format: "OpenEXR", message });
     }
     let mut channels = SmallVec::new();
-    for (name, samples) in planes(frame) {
+    let own = planes(frame).map(|(name, samples)| (name.to_owned(), samples));
+    for (name, samples) in own.chain(more) {
         check_size(width, height, 1, samples.len())?;
-        channels.push(AnyChannel::new(name, FlatSamples::F32(samples)));
+        channels.push(AnyChannel::new(text(&name)?, FlatSamples::F32(samples)));
     }
     let encoding = Encoding {
         compression: Compression::ZIP16,
@@ -107,6 +113,7 @@ mod tests {
             depth: (0..12).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect(),
             normal: [plane(0.01), plane(0.02), plane(0.03)],
             object: (0..12).map(|i| i * 1000).collect(),
+            more: Vec::new(),
         }
     }
 
@@ -114,7 +121,7 @@ mod tests {
 
     fn round_trip(frame: Frame, metadata: &Metadata) -> Flat {
         let mut file = Cursor::new(Vec::new());
-        write_exr(&mut file, frame, metadata).unwrap();
+        write_exr(&mut file, frame, Vec::new(), metadata).unwrap();
         let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers();
         reader.all_attributes().non_parallel().from_buffered(Cursor::new(file.into_inner())).unwrap()
     }
@@ -178,8 +185,10 @@ mod tests {
     fn a_malformed_frame_is_an_error() {
         let mut short = frame(1.0);
         short.rgb[1].pop();
-        let error = write_exr(Cursor::new(Vec::new()), short, &Metadata::default()).unwrap_err();
+        let error = write_exr(Cursor::new(Vec::new()), short, Vec::new(), &Metadata::default()).unwrap_err();
         assert!(error.to_string().contains("needs 12 values, but there are 11"), "{error}");
-        assert!(write_exr(Cursor::new(Vec::new()), Frame::default(), &Metadata::default()).is_err());
+        assert!(
+            write_exr(Cursor::new(Vec::new()), Frame::default(), Vec::new(), &Metadata::default()).is_err()
+        );
     }
 }

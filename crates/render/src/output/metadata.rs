@@ -26,7 +26,7 @@ impl Metadata {
     pub const SCENE_HASH: &'static str = "Scene-Hash";
 
     /// The scene's hash, if there is one, and the other entries.
-    pub(super) fn pairs(&self) -> impl Iterator<Item = (&str, &str)> {
+    pub fn pairs(&self) -> impl Iterator<Item = (&str, &str)> {
         let hash = self.scene_hash.iter().map(|hash| (Self::SCENE_HASH, hash.as_str()));
         hash.chain(self.entries.iter().map(|(key, value)| (key.as_str(), value.as_str())))
     }

@@ -1,7 +1,7 @@
 //! Light geometry, and the checks on it.
 
 use glam::DVec3;
-use glanz_scene::{Attenuation, LightKind, Scene, Space};
+use glanz_scene::{Attenuation, Light, LightKind, Scene, Space};
 
 use super::PrepareError;
 
@@ -66,7 +66,7 @@ pub struct PreparedLight {
 pub(super) fn prepare(scene: &Scene) -> Result<Vec<PreparedLight>, PrepareError> {
     let mut lights = Vec::new();
     for (number, light) in scene.lights.iter().enumerate() {
-        let colors = [light.colors.ambient, light.colors.diffuse, light.colors.specular];
+        let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
         if !colors.iter().all(|color| color.is_finite()) {
             return Err(error(number, "colors must be finite numbers"));
         }
@@ -77,9 +77,9 @@ pub(super) fn prepare(scene: &Scene) -> Result<Vec<PreparedLight>, PrepareError>
     Ok(lights)
 }
 
-/// The numbers of the scene's lights that [`prepare`] keeps: all but ambient ones.
-pub(super) fn directed(scene: &Scene) -> impl Iterator<Item = &glanz_scene::Light> {
-    scene.lights.iter().filter(|light| light.kind != LightKind::Ambient)
+/// Whether [`prepare`] keeps a light: all but ambient ones.
+pub(super) fn is_directed(light: &Light) -> bool {
+    light.kind != LightKind::Ambient
 }
 
 fn error(number: usize, what: &str) -> PrepareError {

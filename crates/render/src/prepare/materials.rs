@@ -1,14 +1,11 @@
-//! Materials and the tint table.
-//!
-//! A colour mode is a way to fill the numbers in this file and nothing else. In RGB:
-//! T\[l, k, c\] = π · light_l,c · tint_k,c, where π turns a classic light of 1 into radiance units.
+//! Materials with their rows of the tint table.
 
 use glanz_bsdf::{Part, Shape};
-use glanz_color::Rgb;
-use glanz_math::PI;
-use glanz_scene::{AlphaMode, Light, LightKind, Lobe, Material, Scene, TextureUse};
+use glanz_scene::{AlphaMode, Lobe, Material, TextureUse, Tint};
 
-use super::{PrepareError, lights, with_model};
+use super::curve::Curve;
+use super::tints::{Entry, Table, is_curved, part_of};
+use super::{PrepareError, with_model};
 
 /// A lobe that answers to lights with a direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +16,8 @@ pub struct DirectLobe {
     pub part: Part,
     /// Whether base colour texture and vertex colours multiply it.
     pub textured: bool,
+    /// Whether its tint depends on the cosine between viewer and half vector.
+    pub curved: bool,
 }
 
 /// A material with its rows of the tint table.
@@ -28,6 +27,8 @@ pub struct PreparedMaterial {
     pub lobes: Vec<DirectLobe>,
     /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
     pub tints: Vec<[f32; 3]>,
+    /// The entries of curved lobes, with the same numbers; empty if there are none.
+    pub curves: Vec<Curve>,
     /// Ambient light from everywhere times the ambient tints, and light of its own: what textures
     /// multiply, then the ambient light that they do not.
     pub ambient: [[f32; 3]; 2],
@@ -36,6 +37,8 @@ pub struct PreparedMaterial {
     pub spot_ambient: Vec<[[f32; 3]; 2]>,
     /// Light of its own.
     pub emission: [f32; 3],
+    /// How textures and vertex colours mix the table, where they do more than multiply channels.
+    pub mix: Option<Box<MixTints>>,
     /// Whether the normal is turned to the viewer.
     pub two_sided: bool,
     /// Whether back faces are not drawn.
@@ -52,36 +55,44 @@ pub struct PreparedMaterial {
     pub alpha_mode: AlphaMode,
 }
 
-/// Fills a material's rows of the tint table in RGB.
+/// The table for texels that mix three spectra: for each entry that textures multiply, what its lobe
+/// gives through each of them. Their sum is the entry itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MixTints {
+    /// As [`PreparedMaterial::tints`].
+    pub tints: Vec<[[f32; 3]; 3]>,
+    /// As the first of [`PreparedMaterial::ambient`].
+    pub ambient: [[f32; 3]; 3],
+    /// As the first of each of [`PreparedMaterial::spot_ambient`].
+    pub spot_ambient: Vec<[[f32; 3]; 3]>,
+    /// As [`PreparedMaterial::emission`].
+    pub emission: [[f32; 3]; 3],
+}
+
+/// Fills a material's rows of the tint table.
 pub(super) fn prepare(
     material: &Material,
-    scene: &Scene,
+    table: &Table,
     model: Option<&str>,
 ) -> Result<PreparedMaterial, PrepareError> {
-    if let Some(lobe) = material.lobes.iter().find(|lobe| !lobe.tint.is_finite()) {
-        let what = format!("material '{}': the tint {:?} must be finite numbers", material.name, lobe.tint.0);
+    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) {
+        let what = format!("material '{}': tints must be finite numbers", material.name);
         return Err(PrepareError::Scene { what });
     }
-    // A model without a highlight takes the highlights away rather than making matte lobes of them.
-    let target = model.map(glanz_bsdf::models::info_named).transpose()?;
-    let matte = target.is_some_and(|info| info.part != Part::Specular);
-    let direct: Vec<&Lobe> = material
-        .lobes
-        .iter()
-        .filter(|lobe| is_direct(part_of(lobe)) && !(matte && part_of(lobe) == Part::Specular))
-        .collect();
+    let direct = direct_lobes(material, model)?;
     let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
-    let mut ambient = ambient_of(material, scene.lights.iter().filter(|light| !is_spot(light)));
+    let terms = Terms::new(material);
+    let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
-    ambient[0] = (Rgb(ambient[0]) + emission_of(material, true)).0;
-    let tints =
-        lights::directed(scene).flat_map(|light| direct.iter().map(move |lobe| tint(light, lobe))).collect();
+    add(&mut ambient[0], table.emission(&terms.textured_emission, None));
     Ok(PreparedMaterial {
         lobes,
-        tints,
+        tints: table.direct(&direct, None),
+        curves: table.curves(&direct),
         ambient,
-        spot_ambient: spot_ambient(material, scene),
-        emission: emission_of(material, false).0,
+        spot_ambient: spot_ambient(table, &terms),
+        emission: table.emission(&terms.emission, None),
+        mix: table.mixes_spectra().then(|| Box::new(mix_tints(table, &direct, &terms))),
         two_sided: material.two_sided,
         cull_back: material.cull_back,
         base_color: material.base_color,
@@ -92,16 +103,17 @@ pub(super) fn prepare(
     })
 }
 
-fn part_of(lobe: &Lobe) -> Part {
-    lobe.shape.info().part
-}
-
-fn is_direct(part: Part) -> bool {
-    matches!(part, Part::Diffuse | Part::Specular)
-}
-
-fn is_spot(light: &Light) -> bool {
-    matches!(light.kind, LightKind::Spot { .. })
+/// The lobes for lights with a direction. A model without a highlight takes the highlights away rather
+/// than making matte lobes of them.
+fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&'a Lobe>, PrepareError> {
+    let target = model.map(glanz_bsdf::models::info_named).transpose()?;
+    let matte = target.is_some_and(|info| info.part != Part::Specular);
+    let kept = |lobe: &&Lobe| match part_of(lobe) {
+        Part::Diffuse => true,
+        Part::Specular => !matte,
+        Part::Ambient | Part::Emission => false,
+    };
+    Ok(material.lobes.iter().filter(kept).collect())
 }
 
 fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
@@ -110,41 +122,61 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         Some(name) if part == Part::Specular => with_model(&lobe.shape, name)?,
         _ => lobe.shape.clone(),
     };
-    Ok(DirectLobe { shape, part, textured: lobe.textured })
+    Ok(DirectLobe { shape, part, textured: lobe.textured, curved: is_curved(lobe) })
 }
 
-/// One entry of the tint table.
-fn tint(light: &Light, lobe: &Lobe) -> [f32; 3] {
-    let color = match part_of(lobe) {
-        Part::Diffuse => light.colors.diffuse,
-        _ => light.colors.specular,
-    };
-    core::array::from_fn(|c| (PI * f64::from(color.0[c]) * f64::from(lobe.tint.0[c])) as f32)
+/// The tints of a material's lobes that no light with a direction touches.
+struct Terms<'a> {
+    textured_ambient: Vec<&'a Tint>,
+    plain_ambient: Vec<&'a Tint>,
+    textured_emission: Vec<&'a Tint>,
+    emission: Vec<&'a Tint>,
 }
 
-/// Σ ambient light × Σ ambient tints; textured lobes first, then the others.
-fn ambient_of<'a>(material: &Material, lights: impl Iterator<Item = &'a Light>) -> [[f32; 3]; 2] {
-    let light = lights.fold(Rgb::BLACK, |sum, light| sum + light.colors.ambient);
-    [true, false].map(|textured| {
-        let tint = material
-            .lobes
-            .iter()
-            .filter(|lobe| part_of(lobe) == Part::Ambient && lobe.textured == textured)
-            .fold(Rgb::BLACK, |sum, lobe| sum + lobe.tint);
-        (light * tint).0
-    })
+impl<'a> Terms<'a> {
+    fn new(material: &'a Material) -> Self {
+        let of = |part: Part, textured: bool| {
+            let lobes = material.lobes.iter();
+            lobes.filter(|l| part_of(l) == part && l.textured == textured).map(|l| &l.tint).collect()
+        };
+        Self {
+            textured_ambient: of(Part::Ambient, true),
+            plain_ambient: of(Part::Ambient, false),
+            textured_emission: of(Part::Emission, true),
+            emission: of(Part::Emission, false),
+        }
+    }
+
+    fn ambient(&self, textured: bool) -> &[&'a Tint] {
+        if textured { &self.textured_ambient } else { &self.plain_ambient }
+    }
 }
 
-/// Σ of the light of its own that textures multiply, or of that which they do not.
-fn emission_of(material: &Material, textured: bool) -> Rgb {
-    let own =
-        material.lobes.iter().filter(|lobe| part_of(lobe) == Part::Emission && lobe.textured == textured);
-    own.fold(Rgb::BLACK, |sum, lobe| sum + lobe.tint)
-}
-
-fn spot_ambient(material: &Material, scene: &Scene) -> Vec<[[f32; 3]; 2]> {
-    let rows: Vec<_> = lights::directed(scene)
-        .map(|light| ambient_of(material, is_spot(light).then_some(light).into_iter()))
-        .collect();
+fn spot_ambient(table: &Table, terms: &Terms) -> Vec<[Entry; 2]> {
+    let textured = table.spot_ambient(terms.ambient(true), None);
+    let plain = table.spot_ambient(terms.ambient(false), None);
+    let rows: Vec<_> = textured.into_iter().zip(plain).map(|(t, p)| [t, p]).collect();
     if rows.iter().any(|row| *row != [[0.0; 3]; 2]) { rows } else { Vec::new() }
+}
+
+fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
+    const BASIS: [Option<usize>; 3] = [Some(0), Some(1), Some(2)];
+    let by_entry = |columns: [Vec<Entry>; 3]| {
+        let [a, b, c] = columns;
+        a.into_iter().zip(b).zip(c).map(|((a, b), c)| [a, b, c]).collect()
+    };
+    MixTints {
+        tints: by_entry(BASIS.map(|b| table.direct(direct, b))),
+        ambient: BASIS.map(|b| {
+            let mut sum = table.ambient(terms.ambient(true), b);
+            add(&mut sum, table.emission(&terms.textured_emission, b));
+            sum
+        }),
+        spot_ambient: by_entry(BASIS.map(|b| table.spot_ambient(terms.ambient(true), b))),
+        emission: BASIS.map(|b| table.emission(&terms.emission, b)),
+    }
+}
+
+fn add(sum: &mut Entry, value: Entry) {
+    sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
 }

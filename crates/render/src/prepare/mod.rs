@@ -3,12 +3,16 @@
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
 mod closed;
+mod curve;
 mod facets;
 mod geometry;
 mod lights;
 mod materials;
+mod observation;
 mod polygons;
+mod sampling;
 mod textures;
+mod tints;
 
 use std::sync::Arc;
 
@@ -17,11 +21,14 @@ use glanz_bsdf::{MODELS, ParamError, Shape};
 use glanz_scene::{Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
 
+pub use curve::Curve;
 pub use facets::Facets;
 pub use geometry::{Cluster, Geometry};
 pub use lights::{Falloff, LightShape, PreparedLight};
-pub use materials::{DirectLobe, PreparedMaterial};
+pub use materials::{DirectLobe, MixTints, PreparedMaterial};
+pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
 pub use polygons::Polygons;
+use sampling::Sampling;
 pub use textures::Mipmap;
 
 /// What to change of a scene on the way.
@@ -33,6 +40,10 @@ pub struct PrepareOptions {
     pub interpolation: Option<Interpolation>,
     /// Model for all highlights (the shape of every specular lobe), keeping their shininess.
     pub model: Option<String>,
+    /// Colour mode and observer.
+    pub observation: Observation,
+    /// The first of the three channels of the observation that frames get.
+    pub first_channel: usize,
 }
 
 /// Why a scene cannot be drawn.
@@ -49,6 +60,9 @@ pub enum PrepareError {
     /// The model asked for does not exist or does not fit.
     #[error(transparent)]
     Model(#[from] ParamError),
+    /// The observer does not fit the colour mode or the scene.
+    #[error(transparent)]
+    Observation(#[from] ObservationError),
     /// A number of the scene is unusable.
     #[error("{what}")]
     Scene {
@@ -102,7 +116,7 @@ pub struct Prepared {
     /// The objects that have faces.
     pub objects: Vec<PreparedObject>,
     /// Vertices and triangles of all objects.
-    pub geometry: Geometry,
+    pub geometry: Arc<Geometry>,
     /// Materials, each with its row of the tint table.
     pub materials: Vec<PreparedMaterial>,
     /// Lights that have a direction.
@@ -123,21 +137,39 @@ impl Prepared {
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
     check_references(scene)?;
-    if let Some(model) = &options.model {
-        glanz_bsdf::models::info_named(model)?;
-    }
-    let lights = lights::prepare(scene)?;
-    let materials = scene
-        .materials
-        .iter()
-        .map(|material| materials::prepare(material, scene, options.model.as_deref()))
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut prepared =
-        Prepared { textures: textures::prepare(&scene.textures), materials, lights, ..Prepared::default() };
+    let mut prepared = Prepared {
+        textures: textures::prepare(&scene.textures),
+        materials: fill(scene, options)?,
+        lights: lights::prepare(scene)?,
+        ..Prepared::default()
+    };
     for object in &scene.objects {
         prepared.add_object(scene, object, options)?;
     }
     Ok(prepared)
+}
+
+/// Every material with its rows of the tint table.
+fn fill(scene: &Scene, options: &PrepareOptions) -> Result<Vec<PreparedMaterial>, PrepareError> {
+    if let Some(model) = &options.model {
+        glanz_bsdf::models::info_named(model)?;
+    }
+    let sampling = Sampling::new(&options.observation, options.first_channel);
+    let table = tints::Table::new(&sampling, scene);
+    let materials = scene.materials.iter();
+    materials.map(|material| materials::prepare(material, &table, options.model.as_deref())).collect()
+}
+
+impl Prepared {
+    /// The same with the tint table filled anew: for other colours of the lights and materials, another
+    /// colour mode or another observer. Geometry and textures are shared, not copied.
+    ///
+    /// `scene` may differ from the one that was prepared in colours only; of it only lights and materials
+    /// are read.
+    pub fn refilled(&self, scene: &Scene, options: &PrepareOptions) -> Result<Self, PrepareError> {
+        let (lights, materials) = (lights::prepare(scene)?, fill(scene, options)?);
+        Ok(Self { lights, materials, ..self.clone() })
+    }
 }
 
 impl Prepared {
@@ -158,7 +190,7 @@ impl Prepared {
         }
         let mesh = with_needed_attributes(source, &scene.materials[object.material]);
         let placed = geometry::Placed::new(&mesh, object.transform);
-        let clusters = self.geometry.append(&mesh, &placed, self.objects.len() as u32);
+        let clusters = Arc::make_mut(&mut self.geometry).append(&mesh, &placed, self.objects.len() as u32);
         let flat = shading == Shading::Flat;
         let scanline = interpolation == Interpolation::Scanline;
         let first_facet = self.facet_count;

@@ -65,22 +65,22 @@ pub fn rectangle([left, bottom, right, top]: [f32; 4], z: f32) -> Mesh {
 
 /// A material that only glows, whatever shines on it.
 pub fn glow(color: Rgb) -> Material {
-    ClassicMaterial { emission: color, ..ClassicMaterial::default() }.build("glow").unwrap()
+    ClassicMaterial { emission: color.into(), ..ClassicMaterial::default() }.build("glow").unwrap()
 }
 
 /// A material of one ambient lobe, which textures multiply: its value is light × texture.
 pub fn ambient_only(tint: Rgb) -> Material {
     let shape = Shape::named("ambient", &[]).unwrap();
-    Material::of_lobes("ambient", vec![Lobe { shape, tint, textured: true }])
+    Material::of_lobes("ambient", vec![Lobe { shape, tint: tint.into(), textured: true }])
 }
 
 /// A red material with all terms.
 pub fn shiny(model: &str, shininess: f64) -> Material {
     ClassicMaterial {
-        ambient: Rgb([0.3, 0.1, 0.2]),
-        diffuse: Rgb([0.5, 0.2, 0.1]),
-        specular: Rgb([0.3, 0.4, 0.35]),
-        emission: Rgb([0.01, 0.02, 0.03]),
+        ambient: Rgb([0.3, 0.1, 0.2]).into(),
+        diffuse: Rgb([0.5, 0.2, 0.1]).into(),
+        specular: Rgb([0.3, 0.4, 0.35]).into(),
+        emission: Rgb([0.01, 0.02, 0.03]).into(),
         shininess,
         model: model.into(),
     }

@@ -26,10 +26,10 @@ const SHADINGS: [Shading; 3] = [Shading::Flat, Shading::Gouraud, Shading::Phong]
 
 fn material(model: &str, shininess: f64) -> ClassicMaterial {
     ClassicMaterial {
-        ambient: Rgb([0.3, 0.1, 0.2]),
-        diffuse: Rgb([0.5, 0.2, 0.1]),
-        specular: Rgb([0.3, 0.4, 0.35]),
-        emission: Rgb([0.01, 0.02, 0.03]),
+        ambient: Rgb([0.3, 0.1, 0.2]).into(),
+        diffuse: Rgb([0.5, 0.2, 0.1]).into(),
+        specular: Rgb([0.3, 0.4, 0.35]).into(),
+        emission: Rgb([0.01, 0.02, 0.03]).into(),
         shininess,
         model: model.into(),
     }
@@ -37,9 +37,9 @@ fn material(model: &str, shininess: f64) -> ClassicMaterial {
 
 fn light(kind: LightKind, space: Space) -> Light {
     let colors = LightColors {
-        ambient: Rgb([0.25, 0.5, 0.125]),
-        diffuse: Rgb([0.6, 0.5, 0.4]),
-        specular: Rgb([0.4, 0.6, 0.7]),
+        ambient: Rgb([0.25, 0.5, 0.125]).into(),
+        diffuse: Rgb([0.6, 0.5, 0.4]).into(),
+        specular: Rgb([0.4, 0.6, 0.7]).into(),
     };
     Light { name: String::new(), kind, colors, space }
 }

@@ -3,7 +3,8 @@
 use glam::{DMat3, DVec2, DVec3};
 use glanz_color::Rgb;
 use glanz_scene::{
-    Attenuation, Camera, ClassicMaterial, Interpolation, Light, LightKind, Projection, Scene, Shading, Space,
+    Attenuation, Camera, ClassicMaterial, Interpolation, Light, LightColor, LightKind, Projection, Scene,
+    Shading, Space, Tint,
 };
 
 /// Pixels whose centre is nearer than this to an edge (in pixels) are not compared: corners on a grid
@@ -183,13 +184,14 @@ impl Reference {
     /// The sum over lights. A normal of zero is a surface that only ambient light reaches.
     fn light(&self, point: DVec3, normal: DVec3, wo: DVec3, lighting: &Lighting) -> Option<Color> {
         let material = lighting.material;
-        let mut sum = wide(material.emission);
+        let mut sum = wide(material.emission.rgb().expect("RGB alone"));
         for light in lighting.lights {
             let (towards, attenuation, cone) = self.arrive(light, point)?;
-            let add = |sum: &mut Color, light: Rgb, tint: Rgb, factor: f64| {
-                (0..3).for_each(|c| sum[c] += wide(light)[c] * wide(tint)[c] * factor);
+            let add = |sum: &mut Color, light: &LightColor, tint: &Tint, factor: f64| {
+                let (LightColor::Rgb(light), Tint::Rgb(tint)) = (light, tint) else { panic!("RGB alone") };
+                (0..3).for_each(|c| sum[c] += wide(*light)[c] * wide(*tint)[c] * factor);
             };
-            add(&mut sum, light.colors.ambient, material.ambient, cone);
+            add(&mut sum, &light.colors.ambient, &material.ambient, cone);
             if light.kind == LightKind::Ambient || normal == DVec3::ZERO {
                 continue;
             }
@@ -198,9 +200,9 @@ impl Reference {
                 return None;
             }
             if cosine > 0.0 {
-                add(&mut sum, light.colors.diffuse, material.diffuse, cosine * attenuation * cone);
+                add(&mut sum, &light.colors.diffuse, &material.diffuse, cosine * attenuation * cone);
                 let highlight = highlight(material, normal, towards, wo, cosine);
-                add(&mut sum, light.colors.specular, material.specular, highlight * attenuation * cone);
+                add(&mut sum, &light.colors.specular, &material.specular, highlight * attenuation * cone);
             }
         }
         Some(sum)

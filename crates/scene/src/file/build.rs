@@ -4,19 +4,18 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use glanz_color::Rgb;
-
 use super::error::Problem;
 use super::hash::Hash;
 use super::instances::{FileModel, Part};
 use super::materials::{FilterName, MaterialTable, TextureValue, WrapName};
 use super::near::{did_you_mean, list};
-use super::types::{CameraRef, CameraTable, ProjectionName, SceneTable};
+use super::spectra::with_luminance;
+use super::types::{AmbientTable, CameraRef, CameraTable, ProjectionName, SceneTable};
 use super::values::At;
 use crate::read::{FolderFiles, ReadOptions, ResolveError, Resolver, read_texture, resolve};
 use crate::{
-    Camera, Image, Light, LightColors, LightKind, Material, Projection, RenderSettings, Scene, Space,
-    Texture, TextureFilter, TextureUse, Wrap,
+    Camera, Image, Light, LightColor, LightColors, LightKind, Material, Projection, RenderSettings, Scene,
+    Space, Texture, TextureFilter, TextureUse, Wrap,
 };
 
 /// The way from tables to a scene.
@@ -37,6 +36,9 @@ pub(super) struct Builder {
     pub(super) cameras: Vec<(String, Camera)>,
     /// How many triangles all objects have so far.
     pub(super) triangles: u64,
+    /// Where light is given in physical units, and where in classic ones.
+    pub(super) photometric: Vec<Range<usize>>,
+    pub(super) classic: Vec<Range<usize>>,
     textures: HashMap<String, usize>,
     hashed: HashSet<PathBuf>,
 }
@@ -59,6 +61,8 @@ impl Builder {
             parts: HashMap::new(),
             cameras: Vec::new(),
             triangles: 0,
+            photometric: Vec::new(),
+            classic: Vec::new(),
             textures: HashMap::new(),
             hashed: HashSet::new(),
         }
@@ -67,16 +71,19 @@ impl Builder {
     /// Fills the scene.
     pub fn build(&mut self, table: &SceneTable) -> Result<(), Problem> {
         self.settings(table);
+        self.scene.observer = table.render.observer.as_ref().map(|name| self.observer(name)).transpose()?;
         if let Some(ambient) = &table.ambient {
+            let colors = LightColors::ambient(self.ambient(ambient)?);
             self.scene.lights.push(Light {
                 name: "ambient".to_owned(),
                 kind: LightKind::Ambient,
-                colors: LightColors { ambient: ambient.color.0, ..LightColors::all(Rgb::BLACK) },
+                colors,
                 space: Space::World,
             });
         }
         for light in &table.lights {
-            self.scene.lights.push(light.build(&light.span)?);
+            let light = light.build(&light.span, self)?;
+            self.scene.lights.push(light);
         }
         for (name, material) in &table.materials {
             let built = self.material(name, material)?;
@@ -86,6 +93,7 @@ impl Builder {
         for object in &table.objects {
             self.object(object)?;
         }
+        self.scene.photometric = self.one_kind_of_unit()?;
         self.drop_unused_meshes();
         // Last, since it may be a camera of an object's file.
         self.scene.camera = table.camera.as_ref().map(|camera| self.camera(camera)).transpose()?;
@@ -103,7 +111,33 @@ impl Builder {
         self.scene.render = RenderSettings {
             shading: table.render.shading.shading(),
             interpolation: table.render.interpolation.interpolation(),
+            mode: table.render.mode.0,
+            white: table.render.white.0,
         };
+    }
+
+    fn ambient(&mut self, table: &AmbientTable) -> Result<LightColor, Problem> {
+        let color = self.light_color(&table.color)?;
+        match &table.luminance_cd_m2 {
+            Some(luminance) => {
+                self.photometric.push(luminance.span.clone());
+                with_luminance(&color, luminance.0, &luminance.span)
+            }
+            None => {
+                self.classic.push(table.color.span.clone());
+                Ok(color)
+            }
+        }
+    }
+
+    /// Whether all light is in physical units; an error where some is and some is not.
+    fn one_kind_of_unit(&self) -> Result<bool, Problem> {
+        let (Some(_), Some(classic)) = (self.photometric.first(), self.classic.first()) else {
+            return Ok(!self.photometric.is_empty());
+        };
+        let message = "light in classic units beside light in lx, cd, W/sr or cd/m²";
+        Err(Problem::at(classic, message)
+            .help("give every light, the ambient one and all emission in physical units, or none"))
     }
 
     fn camera(&self, camera: &At<CameraRef>) -> Result<Camera, Problem> {
@@ -122,7 +156,7 @@ impl Builder {
     }
 
     fn material(&mut self, name: &str, table: &MaterialTable) -> Result<Material, Problem> {
-        let mut material = table.build(name, &mut self.notes)?;
+        let mut material = table.build(name, self)?;
         material.base_color = self.texture_use(table.base_color_texture.as_ref(), true)?;
         material.normal_map = self.texture_use(table.normal_texture.as_ref(), false)?;
         material.emission_map = self.texture_use(table.emission_texture.as_ref(), true)?;
@@ -183,6 +217,11 @@ impl Builder {
         Ok(Texture { wrap: [wrap; 2], filter, srgb, ..texture })
     }
 
+    /// The folder that references are relative to.
+    pub(super) fn base(&self) -> &Path {
+        &self.base
+    }
+
     /// The file that the scene names, if it may be read.
     pub(super) fn resolve(&self, reference: &str, span: &Range<usize>) -> Result<PathBuf, Problem> {
         resolve(&self.base, reference, &self.options).map_err(|error| unresolved(reference, &error, span))
@@ -206,7 +245,7 @@ impl Builder {
     }
 }
 
-fn unresolved(reference: &str, error: &ResolveError, span: &Range<usize>) -> Problem {
+pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usize>) -> Problem {
     match error {
         ResolveError::Outside(_) => {
             Problem::at(span, format!("'{reference}' leaves the folder of the scene file"))

@@ -1,5 +1,6 @@
 //! Lights of a scene file.
 
+use std::f64::consts::PI;
 use std::fmt;
 use std::ops::Range;
 
@@ -8,10 +9,13 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::build::Builder;
+use super::colors::{ColorValue, SpectrumValue};
 use super::error::Problem;
+use super::spectra::{with_luminance, with_power};
 use super::types::names;
-use super::values::{Amount, At, Color, Direction, Exponent, HalfTurn, Vector};
-use crate::{Attenuation, Light, LightColors, LightKind, Space};
+use super::values::{Amount, At, Direction, Exponent, HalfTurn, Vector};
+use crate::{Attenuation, Light, LightColor, LightColors, LightKind, Space};
 
 /// A light.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -28,15 +32,26 @@ pub(crate) struct LightTable {
     pub direction: Option<At<Direction>>,
     /// What it sends to all terms of a material that have no colour of their own below; white by
     /// default. 1 on a white matte surface that faces the light gives 1.
-    pub color: Option<Color>,
+    pub color: Option<At<ColorValue>>,
+    /// Its spectrum, in place of `color`: the name of a light source, or a table.
+    pub spectrum: Option<At<SpectrumValue>>,
     /// What it sends to ambient terms; `color` by default.
-    pub ambient: Option<Color>,
+    pub ambient: Option<At<ColorValue>>,
     /// What it sends to diffuse terms; `color` by default.
-    pub diffuse: Option<At<Color>>,
+    pub diffuse: Option<At<ColorValue>>,
     /// What it sends to specular terms; `color` by default.
-    pub specular: Option<At<Color>>,
+    pub specular: Option<At<ColorValue>>,
     /// Multiplies all its colours; 1 by default.
-    pub intensity: Option<Amount>,
+    pub intensity: Option<At<Amount>>,
+    /// What a directional light gives on a surface that faces it, in lx, in place of `intensity`. A scene
+    /// with one light in physical units must have all its lights in such.
+    pub illuminance_lx: Option<At<Amount>>,
+    /// What a point or spot light sends along its axis, in cd; it fades by the inverse square law.
+    pub luminous_intensity_cd: Option<At<Amount>>,
+    /// The same in W/sr between 300 and 780 nm.
+    pub radiant_intensity_w_sr: Option<At<Amount>>,
+    /// How bright the surroundings are that ambient light comes from, in cd/m².
+    pub luminance_cd_m2: Option<At<Amount>>,
     /// How a point or spot light fades with distance; not at all by default.
     pub attenuation: Option<At<AttenuationValue>>,
     /// Half the opening angle of a spot's cone in degrees, 180 for all directions; 45 by default.
@@ -152,10 +167,42 @@ impl AttenuationValue {
     }
 }
 
+/// How strong a light is. All but the classic unit make the frame's unit 1 cd/m².
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Unit {
+    /// 1 makes a white Lambert surface that faces the light 1.
+    Classic(f64),
+    Lux(f64),
+    Candela(f64),
+    WattPerSteradian(f64),
+    CandelaPerSquareMetre(f64),
+}
+
+impl Unit {
+    /// Whether the light's strength is an intensity, so that it fades with the square of the distance.
+    fn is_intensity(self) -> bool {
+        matches!(self, Self::Candela(_) | Self::WattPerSteradian(_))
+    }
+
+    /// Light of this colour and strength: the luminance that it gives a white Lambert surface that faces
+    /// it, at a distance of 1 m if it is a lamp. That is 1/π of the illuminance.
+    fn of(self, color: &LightColor, span: &Range<usize>) -> Result<LightColor, Problem> {
+        let black = color.is_black();
+        match self {
+            Self::Classic(factor) => Ok(color.scaled(factor)),
+            _ if black => Ok(LightColor::BLACK),
+            Self::Lux(value) | Self::Candela(value) => with_luminance(color, value / PI, span),
+            Self::WattPerSteradian(value) => with_power(color, value / PI, span),
+            Self::CandelaPerSquareMetre(value) => with_luminance(color, value, span),
+        }
+    }
+}
+
 impl LightTable {
     /// The light; `span` is where the table stands.
-    pub fn build(&self, span: &Range<usize>) -> Result<Light, Problem> {
+    pub fn build(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Light, Problem> {
         self.refuse_foreign_keys()?;
+        let unit = self.unit(span, builder)?;
         let missing = |key: &str| {
             let kind = self.kind.name();
             Problem::at(span, format!("a {kind} light needs '{key}', which is missing"))
@@ -164,6 +211,7 @@ impl LightTable {
         let direction = || self.direction.as_ref().map(|d| d.0).ok_or_else(|| missing("direction"));
         let attenuation = match &self.attenuation {
             Some(value) => value.build(&value.span)?,
+            None if unit.is_intensity() => Attenuation::PHYSICAL,
             None => Attenuation::NONE,
         };
         let kind = match self.kind {
@@ -183,18 +231,60 @@ impl LightTable {
             Some(AttachedTo::Camera) => Space::Camera,
             Some(AttachedTo::World) | None => Space::World,
         };
-        Ok(Light { name: self.name.clone(), kind, colors: self.colors(), space })
+        Ok(Light { name: self.name.clone(), kind, colors: self.colors(unit, span, builder)?, space })
     }
 
-    fn colors(&self) -> LightColors {
-        let all = self.color.unwrap_or(Color(glanz_color::Rgb::WHITE));
-        let intensity = self.intensity.map_or(1.0, |i| i.0 as f32);
-        let ambient = self.ambient.unwrap_or(all).0 * intensity;
-        if self.kind == KindName::Ambient {
-            return LightColors { ambient, ..LightColors::all(glanz_color::Rgb::BLACK) };
+    /// The unit that the light's strength is given in.
+    fn unit(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Unit, Problem> {
+        let physical = [
+            ("illuminance_lx", &self.illuminance_lx, Unit::Lux as fn(f64) -> Unit),
+            ("luminous_intensity_cd", &self.luminous_intensity_cd, Unit::Candela),
+            ("radiant_intensity_w_sr", &self.radiant_intensity_w_sr, Unit::WattPerSteradian),
+            ("luminance_cd_m2", &self.luminance_cd_m2, Unit::CandelaPerSquareMetre),
+        ];
+        let mut given = physical.iter().filter_map(|(key, value, unit)| Some((key, value.as_ref()?, unit)));
+        let Some((key, value, unit)) = given.next() else {
+            builder.classic.push(span.clone());
+            return Ok(Unit::Classic(self.intensity.as_ref().map_or(1.0, |intensity| intensity.0)));
+        };
+        let other = given.next().map(|(other, value, _)| (*other, &value.span));
+        let classic = self.intensity.as_ref().map(|intensity| ("intensity", &intensity.span));
+        if let Some((other, span)) = other.or(classic) {
+            return Err(Problem::at(
+                span,
+                format!("'{other}' beside '{key}': one says how strong a light is"),
+            ));
         }
-        let part = |color: &Option<At<Color>>| color.as_ref().map_or(all, |c| c.value).0 * intensity;
-        LightColors { ambient, diffuse: part(&self.diffuse), specular: part(&self.specular) }
+        let unit = unit(value.0);
+        let own_law = self.attenuation.as_ref().filter(|_| unit.is_intensity());
+        if let Some(law) = own_law
+            && law.build(&law.span)? != Attenuation::PHYSICAL
+        {
+            let message = format!("'{key}' fades by the inverse square law");
+            return Err(Problem::at(&law.span, message).help("leave 'attenuation' out, or give \"physical\""));
+        }
+        builder.photometric.push(value.span.clone());
+        Ok(unit)
+    }
+
+    fn colors(&self, unit: Unit, span: &Range<usize>, builder: &mut Builder) -> Result<LightColors, Problem> {
+        if let (Some(spectrum), Some(_)) = (&self.spectrum, &self.color) {
+            return Err(Problem::at(&spectrum.span, "'spectrum' beside 'color': only one can be the colour"));
+        }
+        let all = match (&self.spectrum, &self.color) {
+            (Some(spectrum), _) => builder.light_spectrum(spectrum)?,
+            (None, Some(color)) => builder.light_color(color)?,
+            (None, None) => glanz_color::Rgb::WHITE.into(),
+        };
+        let mut part = |color: &Option<At<ColorValue>>| {
+            let color = color.as_ref().map_or(Ok(all.clone()), |color| builder.light_color(color))?;
+            unit.of(&color, span)
+        };
+        let ambient = part(&self.ambient)?;
+        if self.kind == KindName::Ambient {
+            return Ok(LightColors::ambient(ambient));
+        }
+        Ok(LightColors { ambient, diffuse: part(&self.diffuse)?, specular: part(&self.specular)? })
     }
 
     /// Keys that lights of this kind do not have.
@@ -203,7 +293,7 @@ impl LightTable {
             value.as_ref().map(|v| &v.span)
         }
         use KindName::{Ambient, Directional, Point, Spot};
-        let given: [(&str, _, &[KindName]); 8] = [
+        let given: [(&str, _, &[KindName]); 12] = [
             ("position", place(&self.position), &[Point, Spot]),
             ("direction", place(&self.direction), &[Directional, Spot]),
             ("diffuse", place(&self.diffuse), &[Directional, Point, Spot]),
@@ -212,6 +302,10 @@ impl LightTable {
             ("cutoff_deg", place(&self.cutoff_deg), &[Spot]),
             ("exponent", place(&self.exponent), &[Spot]),
             ("attached_to", place(&self.attached_to), &[Directional, Point, Spot]),
+            ("illuminance_lx", place(&self.illuminance_lx), &[Directional]),
+            ("luminous_intensity_cd", place(&self.luminous_intensity_cd), &[Point, Spot]),
+            ("radiant_intensity_w_sr", place(&self.radiant_intensity_w_sr), &[Point, Spot]),
+            ("luminance_cd_m2", place(&self.luminance_cd_m2), &[Ambient]),
         ];
         for (key, span, kinds) in given {
             if let Some(span) = span.filter(|_| !kinds.contains(&self.kind)) {

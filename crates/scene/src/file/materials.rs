@@ -12,12 +12,14 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
+use super::build::Builder;
+use super::colors::ColorValue;
 use super::error::Problem;
 use super::near::{did_you_mean, list};
 use super::table;
 use super::types::names;
-use super::values::{Amount, At, Color, Exponent, Number, Share};
-use crate::{AlphaMode, ClassicMaterial, Lobe, Material};
+use super::values::{Amount, At, Exponent, Number, Share};
+use crate::{AlphaMode, ClassicMaterial, Lobe, Material, Tint};
 
 /// A material: either the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`,
 /// `emission`; colours that are missing are black) or a list of `lobes`.
@@ -28,13 +30,13 @@ pub(crate) struct MaterialTable {
     #[schemars(with = "Option<HighlightName>")]
     pub model: Option<At<String>>,
     /// Tint of the ambient term.
-    pub ambient: Option<At<Color>>,
+    pub ambient: Option<At<ColorValue>>,
     /// Tint of the diffuse term.
-    pub diffuse: Option<At<Color>>,
+    pub diffuse: Option<At<ColorValue>>,
     /// Tint of the highlight.
-    pub specular: Option<At<Color>>,
+    pub specular: Option<At<ColorValue>>,
     /// Light of its own.
-    pub emission: Option<At<Color>>,
+    pub emission: Option<At<ColorValue>>,
     /// Exponent of the highlight: the greater, the smaller it is; 32 by default.
     pub shininess: Option<At<Exponent>>,
     /// The terms of a general material: shapes times tints.
@@ -165,7 +167,7 @@ impl JsonSchema for TextureValue {
 #[derive(Debug)]
 pub(crate) struct LobeTable {
     shape: At<String>,
-    tint: Rgb,
+    tint: Option<At<ColorValue>>,
     textured: Option<bool>,
     params: Vec<(At<String>, At<Number>)>,
 }
@@ -179,11 +181,11 @@ impl<'de> Deserialize<'de> for LobeTable {
                 f.write_str("a lobe such as { shape = \"lambert\", tint = [0.7, 0.7, 0.2] }")
             }
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<LobeTable, A::Error> {
-                let (mut shape, mut tint, mut textured, mut params) = (None, Rgb::WHITE, None, Vec::new());
+                let (mut shape, mut tint, mut textured, mut params) = (None, None, None, Vec::new());
                 while let Some(key) = map.next_key::<At<String>>()? {
                     match key.as_str() {
                         "shape" => shape = Some(map.next_value()?),
-                        "tint" => tint = map.next_value::<Color>()?.0,
+                        "tint" => tint = Some(map.next_value()?),
                         "textured" => textured = Some(map.next_value()?),
                         _ => params.push((key, map.next_value()?)),
                     }
@@ -201,7 +203,7 @@ impl JsonSchema for LobeTable {
         "Lobe".into()
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let color = generator.subschema_for::<Color>();
+        let color = generator.subschema_for::<ColorValue>();
         let variant = |info: &glanz_bsdf::ModelInfo| {
             let mut properties = Map::new();
             properties.insert("shape".into(), serde_json::json!({ "const": info.name }));
@@ -249,14 +251,14 @@ fn highlight_names() -> impl Iterator<Item = &'static str> {
 
 impl MaterialTable {
     /// The material without its textures; `span` is where the table stands.
-    pub fn build(&self, name: &str, notes: &mut Vec<String>) -> Result<Material, Problem> {
+    pub fn build(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
         let mut material = match &self.lobes {
             Some(lobes) => {
                 self.refuse_classic_keys()?;
-                let lobes = lobes.iter().map(LobeTable::build).collect::<Result<_, _>>()?;
+                let lobes = lobes.iter().map(|lobe| lobe.build(builder)).collect::<Result<_, _>>()?;
                 Material::of_lobes(name, lobes)
             }
-            None => self.classic(name, notes)?,
+            None => self.classic(name, builder)?,
         };
         material.two_sided = self.two_sided;
         material.cull_back = self.cull_back;
@@ -281,14 +283,16 @@ impl MaterialTable {
         })
     }
 
-    fn classic(&self, name: &str, notes: &mut Vec<String>) -> Result<Material, Problem> {
-        let tint = |color: &Option<At<Color>>| color.as_ref().map_or(Rgb::BLACK, |c| c.0);
+    fn classic(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
+        let mut tint = |color: &Option<At<ColorValue>>| {
+            color.as_ref().map_or(Ok(Tint::BLACK), |color| builder.tint(color))
+        };
         let defaults = ClassicMaterial::default();
         let mut classic = ClassicMaterial {
-            ambient: tint(&self.ambient),
-            diffuse: tint(&self.diffuse),
-            specular: tint(&self.specular),
-            emission: tint(&self.emission),
+            ambient: tint(&self.ambient)?,
+            diffuse: tint(&self.diffuse)?,
+            specular: tint(&self.specular)?,
+            emission: self.emission.as_ref().map_or(Ok(Tint::BLACK), |color| builder.emission(color))?,
             shininess: self.shininess.as_ref().map_or(defaults.shininess, |s| s.0),
             model: self.model.as_ref().map_or(defaults.model, |m| m.value.clone()),
         };
@@ -302,9 +306,9 @@ impl MaterialTable {
                     Problem::at(&model.span, format!("unknown model '{}'{near}", model.value)).help(known)
                 );
             };
-            if info.part != Part::Specular && classic.specular != Rgb::BLACK {
-                classic.specular = Rgb::BLACK;
-                notes.push(format!(
+            if info.part != Part::Specular && !classic.specular.is_black() {
+                classic.specular = Tint::BLACK;
+                builder.notes.push(format!(
                     "material '{name}': '{}' has no highlight; 'specular' is not used",
                     info.name
                 ));
@@ -342,12 +346,17 @@ impl MaterialTable {
 }
 
 impl LobeTable {
-    fn build(&self) -> Result<Lobe, Problem> {
+    fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
         let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
         let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
         // Document 003's textures and vertex colours are surface colours: not light, not highlights.
         let textured = self.textured.unwrap_or(matches!(shape.info().part, Part::Ambient | Part::Diffuse));
-        Ok(Lobe { shape, tint: self.tint, textured })
+        let tint = match &self.tint {
+            None => Rgb::WHITE.into(),
+            Some(color) if shape.info().part == Part::Emission => builder.emission(color)?,
+            Some(color) => builder.tint(color)?,
+        };
+        Ok(Lobe { shape, tint, textured })
     }
 
     fn explain(&self, error: &ParamError) -> Problem {

@@ -8,6 +8,7 @@
 //! more than 50 million triangles.
 
 mod build;
+mod colors;
 mod error;
 mod explain;
 mod hash;
@@ -19,6 +20,7 @@ mod objects;
 mod place;
 mod schema;
 mod sets;
+mod spectra;
 mod table;
 mod types;
 mod values;
@@ -29,6 +31,8 @@ mod error_tests;
 mod proptests;
 #[cfg(test)]
 mod schema_tests;
+#[cfg(test)]
+mod spectra_tests;
 #[cfg(test)]
 mod tests;
 

@@ -51,7 +51,7 @@ fn the_full_example_means_what_it_says() {
     let eye = DVec3::new(0.0, 0.0, 4.0);
     assert_eq!(scene.camera, Some(Camera { eye, target: DVec3::ZERO, up: DVec3::Y, projection }));
     let [ambient, directional, point, spot] = &scene.lights[..] else { panic!("{:?}", scene.lights) };
-    assert_eq!((ambient.kind, ambient.colors.ambient), (LightKind::Ambient, Rgb::gray(0.1)));
+    assert_eq!((ambient.kind, ambient.colors.ambient.clone()), (LightKind::Ambient, Rgb::gray(0.1).into()));
     assert_eq!(directional.kind, LightKind::Directional { direction: DVec3::new(0.0, -1.0, -1.0) });
     assert_eq!(directional.colors, LightColors::all(Rgb::gray(0.5)));
     let attenuation = Attenuation { constant: 0.0, linear: 0.0, quadratic: 0.25 };
@@ -66,7 +66,7 @@ fn the_full_example_means_what_it_says() {
     };
     assert_eq!(spot.kind, kind);
     let color = Rgb([1.0, 0.9, 0.7]);
-    assert_eq!(spot.colors, LightColors { ambient: color, diffuse: color, specular: Rgb::BLACK });
+    assert_eq!(spot.colors, LightColors { specular: Rgb::BLACK.into(), ..LightColors::all(color) });
     assert_eq!(spot.space, Space::World);
 }
 
@@ -76,15 +76,15 @@ fn the_full_example_has_its_materials_and_objects() {
     let [matte, red] = &scene.materials[..] else { panic!("{:?}", scene.materials) };
     let tint = Rgb([0.8, 0.1, 0.1]);
     let classic = ClassicMaterial {
-        ambient: tint,
-        diffuse: tint,
-        specular: Rgb::gray(0.6),
+        ambient: tint.into(),
+        diffuse: tint.into(),
+        specular: Rgb::gray(0.6).into(),
         shininess: 32.0,
         model: "blinn-phong".to_owned(),
         ..ClassicMaterial::default()
     };
     assert_eq!(*red, classic.build("red").expect("valid"));
-    assert_eq!((matte.lobes.len(), matte.lobes[0].tint), (1, Rgb([0.7, 0.7, 0.2])));
+    assert_eq!((matte.lobes.len(), matte.lobes[0].tint.rgb()), (1, Some(Rgb([0.7, 0.7, 0.2]))));
     assert_eq!(matte.lobes[0].shape.info().name, "lambert");
     let [sphere, kite] = &scene.objects[..] else { panic!("{:?}", scene.objects) };
     assert_eq!(scene.materials[sphere.material].name, "red");
@@ -131,10 +131,10 @@ fn a_light_sends_its_color_unless_a_part_has_its_own() {
                 color = [0.5, 0.5, 0.5]\nspecular = '#ffffff'\nintensity = 2";
     let light = &scene(text).lights[0];
     let half = Rgb::gray(1.0);
-    assert_eq!(light.colors, LightColors { ambient: half, diffuse: half, specular: Rgb::gray(2.0) });
+    assert_eq!(light.colors, LightColors { specular: Rgb::gray(2.0).into(), ..LightColors::all(half) });
     assert_eq!(light.space, Space::Camera);
     let ambient = &scene("[[lights]]\nkind = 'ambient'\n").lights[0];
-    assert_eq!(ambient.colors, LightColors { ambient: Rgb::WHITE, ..LightColors::all(Rgb::BLACK) });
+    assert_eq!(ambient.colors, LightColors::ambient(Rgb::WHITE));
 }
 
 #[test]
@@ -181,11 +181,14 @@ fn materials_are_classic_or_lobes_with_their_defaults() {
     let materials = scene(text).materials;
     assert_eq!((materials[0].lobes.len(), materials[0].two_sided), (0, true));
     let lobes = &materials[1].lobes;
-    assert_eq!((lobes[0].shape.params(), lobes[0].tint, lobes[0].textured), (vec![7.0], Rgb::WHITE, false));
+    assert_eq!(
+        (lobes[0].shape.params(), lobes[0].tint.rgb(), lobes[0].textured),
+        (vec![7.0], Some(Rgb::WHITE), false)
+    );
     assert!(lobes[1].textured && !materials[1].two_sided);
     assert_eq!((materials[1].alpha, materials[1].alpha_mode), (0.5, AlphaMode::Blend));
     assert_eq!(materials[2].alpha_mode, AlphaMode::Mask { cutoff: 0.5 });
-    assert_eq!(materials[2].lobes[0].tint, Rgb([1.0, 2.0, 3.0]));
+    assert_eq!(materials[2].lobes[0].tint, Rgb([1.0, 2.0, 3.0]).into());
 }
 
 #[test]
@@ -253,13 +256,13 @@ fn overrides_set_values_that_are_there_or_have_a_default() {
     ];
     let scene = set(&full(), &sets).unwrap_or_else(|error| panic!("{error}")).scene;
     assert_eq!(scene.materials[1].lobes[2].shape.params(), [64.0]);
-    assert_eq!(scene.materials[0].lobes[0].tint, Rgb([1.0, 0.0, 0.0]));
-    assert_eq!(scene.lights[2].colors.diffuse, Rgb([1.0, 0.0, 0.0]));
-    assert_eq!(scene.lights[1].colors.diffuse, Rgb::gray(1.5));
+    assert_eq!(scene.materials[0].lobes[0].tint, Rgb([1.0, 0.0, 0.0]).into());
+    assert_eq!(scene.lights[2].colors.diffuse, Rgb([1.0, 0.0, 0.0]).into());
+    assert_eq!(scene.lights[1].colors.diffuse, Rgb::gray(1.5).into());
     assert_eq!((scene.render.shading, scene.image.width), (Shading::Gouraud, 16));
     assert_eq!(scene.meshes[0].triangle_count(), 5 * 31 * 2);
     assert_eq!(scene.camera.expect("given").eye, DVec3::new(0.0, 0.0, 9.0));
-    assert_eq!(scene.lights[0].colors.ambient, Rgb::WHITE);
+    assert_eq!(scene.lights[0].colors.ambient, Rgb::WHITE.into());
 }
 
 #[test]
@@ -273,7 +276,10 @@ fn overrides_find_lights_and_objects_by_name_and_make_tables() {
     let scene = set(text, &sets).expect("valid").scene;
     let attenuation = Attenuation { constant: 0.0, linear: 2.0, quadratic: 0.0 };
     assert_eq!(scene.lights[1].kind, LightKind::Point { position: DVec3::ZERO, attenuation });
-    assert_eq!((scene.objects[0].shading, scene.lights[0].colors.ambient), (Some(Shading::Flat), Rgb::WHITE));
+    assert_eq!(
+        (scene.objects[0].shading, &scene.lights[0].colors.ambient),
+        (Some(Shading::Flat), &Rgb::WHITE.into())
+    );
 }
 
 #[test]

@@ -9,12 +9,13 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::colors::ColorValue;
 use super::lights::LightTable;
 use super::materials::MaterialTable;
 use super::objects::ObjectTable;
 use super::table;
-use super::values::{At, Color, FieldOfView, Positive, Stops, Vector};
-use crate::{Interpolation, Shading};
+use super::values::{Amount, At, Color, FieldOfView, Positive, Stops, Vector};
+use crate::{COLOR_MODES, ColorMode, Interpolation, Shading, White};
 
 /// A Glanz scene: picture, camera, lights, materials and objects.
 ///
@@ -89,6 +90,13 @@ pub(crate) struct RenderTable {
     pub tone_map: ToneMapName,
     /// Exposure in stops.
     pub ev: Option<Stops>,
+    /// How colour is treated.
+    pub mode: ModeValue,
+    /// The white that becomes the white of the screen.
+    pub white: WhiteValue,
+    /// Who looks: the name of an observer, or a file with the curves of a sensor (CSV); the standard
+    /// observer of 1931 by default. Not in mode rgb.
+    pub observer: Option<At<String>>,
 }
 
 /// Light that comes from everywhere.
@@ -96,7 +104,9 @@ pub(crate) struct RenderTable {
 #[serde(deny_unknown_fields)]
 pub(crate) struct AmbientTable {
     /// What it sends to the ambient term of every material.
-    pub color: Color,
+    pub color: At<ColorValue>,
+    /// How bright the surroundings are that it comes from, in cd/m², in place of the classic unit.
+    pub luminance_cd_m2: Option<At<Amount>>,
 }
 
 /// The camera.
@@ -269,6 +279,52 @@ names! {
         Perspective = "perspective",
         /// Parallel rays.
         Orthographic = "orthographic",
+    }
+}
+
+/// A colour mode by its name.
+#[derive(Debug, Default)]
+pub(crate) struct ModeValue(pub ColorMode);
+
+impl<'de> Deserialize<'de> for ModeValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map(Self).map_err(D::Error::custom)
+    }
+}
+
+impl JsonSchema for ModeValue {
+    fn schema_name() -> Cow<'static, str> {
+        "ColorMode".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let fixed: Vec<&str> =
+            COLOR_MODES.map(|(name, _)| name).into_iter().filter(|n| !n.contains(':')).collect();
+        json_schema!({ "anyOf": [{ "enum": fixed }, { "type": "string", "pattern": "^sampled:[1-9][0-9]?$" }] })
+    }
+}
+
+/// A white by its name.
+#[derive(Debug, Default)]
+pub(crate) struct WhiteValue(pub White);
+
+impl<'de> Deserialize<'de> for WhiteValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map(Self).map_err(D::Error::custom)
+    }
+}
+
+impl JsonSchema for WhiteValue {
+    fn schema_name() -> Cow<'static, str> {
+        "White".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "enum": White::ALL.map(|(_, name, _)| name) })
     }
 }
 

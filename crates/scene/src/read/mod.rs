@@ -17,6 +17,7 @@ mod obj;
 mod options;
 mod ply;
 mod resolve;
+mod sensor;
 mod stl;
 mod texture;
 
@@ -27,6 +28,7 @@ pub use error::{Place, ReadError};
 pub use model::Model;
 pub use options::ReadOptions;
 pub use resolve::{FolderFiles, NoFiles, ResolveError, Resolver, resolve};
+pub use sensor::read_sensor;
 pub use texture::read_texture;
 
 use notes::Notes;

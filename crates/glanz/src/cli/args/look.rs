@@ -2,11 +2,11 @@
 
 use clap::Args;
 use glanz_math::simd_level;
-use glanz_render::{DrawOptions, PrepareOptions, Show};
+use glanz_render::{DrawOptions, Observation, PrepareOptions, Show};
 use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
 
 use super::super::failure::Failure;
-use super::{choices, values};
+use super::{ColorArgs, choices, values};
 
 /// What to draw otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
@@ -39,6 +39,9 @@ pub struct LookArgs {
     /// What is where nothing is: #rrggbb, linear r,g,b, or transparent
     #[arg(long, value_name = "COLOR", value_parser = values::background)]
     pub background: Option<Background>,
+
+    #[command(flatten)]
+    pub color: ColorArgs,
 }
 
 impl LookArgs {
@@ -55,8 +58,14 @@ impl LookArgs {
     }
 
     /// What to change of the scene before it is drawn.
-    pub fn prepare_options(&self) -> PrepareOptions {
-        PrepareOptions { shading: self.shading, interpolation: self.interpolation, model: self.model.clone() }
+    pub fn prepare_options(&self, observation: Observation) -> PrepareOptions {
+        PrepareOptions {
+            shading: self.shading,
+            interpolation: self.interpolation,
+            model: self.model.clone(),
+            observation,
+            first_channel: 0,
+        }
     }
 
     /// How to draw this picture, on the instructions that `GLANZ_SIMD` names; `show` is the scene's

@@ -2,6 +2,7 @@
 
 mod camera;
 pub mod choices;
+mod color;
 mod input;
 mod look;
 mod picture;
@@ -9,6 +10,7 @@ mod target;
 mod values;
 
 pub use camera::CameraArgs;
+pub use color::ColorArgs;
 pub use input::InputArgs;
 pub use look::LookArgs;
 pub use picture::{BitDepth, DevelopArgs};

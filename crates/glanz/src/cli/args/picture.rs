@@ -43,6 +43,11 @@ impl DevelopArgs {
         if !(-64.0..=64.0).contains(&ev) {
             return Err(Failure::Usage(format!("--ev is {ev}, but must be between -64 and 64 stops")));
         }
-        Ok(Develop { ev, tone_map: self.tone_map.unwrap_or(input.tone_map), dither: self.dither })
+        Ok(Develop {
+            ev,
+            tone_map: self.tone_map.unwrap_or(input.tone_map),
+            dither: self.dither,
+            to_screen: None,
+        })
     }
 }

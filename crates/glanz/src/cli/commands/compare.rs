@@ -3,7 +3,6 @@
 use std::fmt::Write;
 
 use clap::Args;
-use glanz_render::{PrepareOptions, prepare};
 use glanz_scene::Shading;
 use serde_json::json;
 
@@ -70,8 +69,7 @@ impl CompareArgs {
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
         let mut pictures = Vec::with_capacity(SHADINGS.len());
         for (shading, _, _) in SHADINGS {
-            let options = PrepareOptions { shading: Some(shading), ..self.look.prepare_options() };
-            pictures.push(plan.developed(&prepare(&input.scene, &options)?));
+            pictures.push(plan.developed(&plan.prepare_shaded(&input.scene, shading)?)?);
         }
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =

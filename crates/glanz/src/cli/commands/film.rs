@@ -92,8 +92,8 @@ impl RenderArgs {
         let mut frames = Frames::new(self, names.len());
         for (index, name) in names.iter().enumerate() {
             let (plan, prepared, hash) = frames.frame(index)?;
-            let picture = plan.picture(prepared, kind, &mut Timings::default());
-            let metadata = encode::metadata(hash);
+            let picture = plan.picture(prepared, kind, &mut Timings::default())?;
+            let metadata = encode::metadata_of(hash, &plan);
             write_atomically(name, |out| encode::write(out, picture, format, &metadata))?;
             frames.progress.step();
         }
@@ -118,7 +118,7 @@ impl RenderArgs {
         };
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
             let (plan, prepared, _) = frames.frame(index)?;
-            let canvas = plan.codes(prepared, &mut Timings::default());
+            let canvas = plan.codes(prepared, &mut Timings::default())?;
             frames.progress.step();
             Ok(canvas.rgba)
         });

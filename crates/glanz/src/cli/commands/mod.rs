@@ -7,6 +7,8 @@ mod compare_pictures;
 mod completions;
 mod film;
 mod info;
+mod modes;
+mod relight;
 mod render;
 mod schema;
 mod sweep;
@@ -27,6 +29,12 @@ pub enum Command {
     /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
     #[command(after_help = compare::EXAMPLES)]
     ShadeCompare(Box<compare::CompareArgs>),
+    /// Draw in several colour modes side by side, and measure their errors
+    #[command(after_help = modes::EXAMPLES)]
+    Modes(Box<modes::ModesArgs>),
+    /// Draw under several light sources side by side, with and without fluorescence
+    #[command(after_help = relight::EXAMPLES)]
+    Relight(Box<relight::RelightArgs>),
     /// Measure how far two picture files are apart
     #[command(after_help = compare_pictures::EXAMPLES)]
     Compare(Box<compare_pictures::ComparePicturesArgs>),
@@ -62,6 +70,8 @@ impl Command {
             Self::Render(_) => vec!["render"],
             Self::Sweep(_) => vec!["sweep"],
             Self::ShadeCompare(_) => vec!["shade-compare"],
+            Self::Modes(_) => vec!["modes"],
+            Self::Relight(_) => vec!["relight"],
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
@@ -77,6 +87,8 @@ impl Command {
             Self::Render(args) => args.run(),
             Self::Sweep(args) => args.run(),
             Self::ShadeCompare(args) => args.run(),
+            Self::Modes(args) => args.run(),
+            Self::Relight(args) => args.run(),
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),

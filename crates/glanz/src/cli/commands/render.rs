@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use clap::Args;
 use glanz_render::output::Format;
-use glanz_render::{Prepared, View, prepare};
+use glanz_render::{Prepared, View};
 use serde_json::json;
 
 use crate::cli::args::{
@@ -25,6 +25,8 @@ Examples:
   glanz render examples/kite.toml -o kite.png
   glanz render model.glb --preview
   glanz render scene.toml -o out.exr --size 3840x2160 --samples 8 --shading gouraud
+  glanz render scene.toml --mode spectral --observer cie1964 --white scene
+  glanz render scene.toml --mode spectral -o spectra.exr --spectral-exr
   glanz render scene.toml --set materials.red.shininess=64 -o shinier.png
   glanz render scene.toml --frames 0..120 --turntable -o 'spin_{frame:04}.png'
   glanz render scene.toml --frames 0..60 --turntable -o spin.gif --size 400x300
@@ -41,6 +43,10 @@ pub struct RenderArgs {
     /// Bits per channel of a PNG
     #[arg(long, value_enum, default_value_t, value_name = "BITS", help_heading = "Output")]
     pub bit_depth: BitDepth,
+
+    /// Write the spectrum of each pixel into the .exr, 97 wavelengths from 300 to 780 nm
+    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
+    pub spectral_exr: bool,
 
     /// Show the picture in this terminal; without -o no file is written
     #[arg(long, help_heading = "Output", conflicts_with = "frames")]
@@ -124,7 +130,7 @@ impl RenderArgs {
         let preview =
             self.preview.then(|| preview::half_blocks(&plan.on_screen(&picture), preview::columns()));
         if let Some(target) = &target {
-            let metadata = encode::metadata(told.hash);
+            let metadata = encode::metadata_of(told.hash, &plan);
             timings.measure(Stage::Encode, || encode::deliver(picture, target, &metadata))?;
         }
         if let Some(preview) = preview {
@@ -147,7 +153,7 @@ impl RenderArgs {
     fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Picture), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, prepared) = timings.measure(Stage::Prepare, || self.plan(&input))?;
-        let picture = plan.picture(&prepared, kind, timings);
+        let picture = plan.picture(&prepared, kind, timings)?;
         Ok((Told { notes: input.notes, hash: input.hash }, plan, picture))
     }
 
@@ -159,13 +165,18 @@ impl RenderArgs {
     /// The scene as arrays, and how it is drawn.
     pub fn plan(&self, input: &Input) -> Result<(Plan, Prepared), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let prepared = prepare(&input.scene, &self.look.prepare_options())?;
+        let prepared = plan.prepare(&input.scene)?;
         Ok((plan, prepared))
     }
 
     /// What the picture must keep for a file of this format.
     pub fn kind(&self, format: Format) -> Result<Kind, Failure> {
+        if self.spectral_exr && format != Format::Exr {
+            let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         match (format, self.bit_depth) {
+            (Format::Exr, _) if self.spectral_exr => Ok(Kind::Spectrum),
             (Format::Exr, _) => Ok(Kind::Light),
             (Format::Png, BitDepth::Sixteen) => Ok(Kind::Codes16),
             (_, BitDepth::Eight) => Ok(Kind::Codes8),

@@ -1,7 +1,6 @@
 //! `glanz sweep`: a sheet of pictures in which values of the scene vary.
 
 use clap::Args;
-use glanz_render::prepare;
 use serde_json::json;
 
 use crate::cli::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, Target, TargetArgs, size};
@@ -78,8 +77,8 @@ impl SweepArgs {
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), values)?;
             let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
-            let prepared = prepare(&input.scene, &self.look.prepare_options())?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default()));
+            let prepared = plan.prepare(&input.scene)?;
+            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
             }

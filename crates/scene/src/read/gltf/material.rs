@@ -260,7 +260,7 @@ impl Reader<'_> {
 
 fn lobe(shape: &str, params: &[(&str, f64)], tint: [f64; 3], textured: bool) -> Lobe {
     let shape = Shape::named(shape, params).expect("the shape exists and its exponent is within range");
-    Lobe { shape, tint: Rgb(tint.map(|channel| channel as f32)), textured }
+    Lobe { shape, tint: Rgb(tint.map(|channel| channel as f32)).into(), textured }
 }
 
 /// The lobes of a lit material; those whose tint is black are left out.
@@ -279,7 +279,7 @@ fn lobes(json: &json::Material, metallic: f64, roughness: f64, strength: f64) ->
         lobe("blinn-phong-normalized", &[("shininess", shininess)], specular, metallic > 0.5),
         lobe("emission", &[], emission, false),
     ];
-    lobes.into_iter().filter(|lobe| lobe.tint != Rgb::BLACK).collect()
+    lobes.into_iter().filter(|lobe| !lobe.tint.is_black()).collect()
 }
 
 fn wrap(code: Option<u32>) -> Wrap {

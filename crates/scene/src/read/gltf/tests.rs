@@ -319,7 +319,7 @@ fn lights_are_in_classic_units_and_look_along_minus_z() {
     assert_eq!(spot.lights[0].colors, crate::LightColors::direct(Rgb([1.0, 0.5, 0.0])));
     let sun = read(&light(json!({ "type": "directional" })));
     assert_eq!(sun.lights[0].kind, LightKind::Directional { direction: DVec3::NEG_Z });
-    assert_eq!(sun.lights[0].colors.diffuse, Rgb::gray((1.0 / PI) as f32));
+    assert_eq!(sun.lights[0].colors.diffuse, Rgb::gray((1.0 / PI) as f32).into());
     let wrong = json!({ "type": "spot", "spot": { "innerConeAngle": 0.5, "outerConeAngle": 0.5 } });
     assert!(error(&light(wrong)).contains("lights[0]: expected cone angles"));
     assert!(error(&light(json!({ "type": "area" }))).contains("lights[0]: expected the type"));
@@ -349,8 +349,9 @@ fn cameras_stand_at_their_node() {
 
 /// The tints and exponents of a material, by shape.
 fn lobes(model: &Model) -> Vec<(&'static str, [f32; 3], Option<f64>)> {
-    let lobe =
-        |lobe: &crate::Lobe| (lobe.shape.info().name, lobe.tint.0, lobe.shape.params().first().copied());
+    let lobe = |lobe: &crate::Lobe| {
+        (lobe.shape.info().name, lobe.tint.rgb().expect("RGB alone").0, lobe.shape.params().first().copied())
+    };
     model.materials[0].lobes.iter().map(lobe).collect()
 }
 

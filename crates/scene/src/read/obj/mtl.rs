@@ -14,7 +14,7 @@ use glanz_color::Rgb;
 use super::super::lines::{Lines, float, words};
 use super::super::{Context, Place, ReadError, ResolveError, texture};
 use super::rest;
-use crate::{AlphaMode, ClassicMaterial, Material, Texture, TextureUse, Wrap};
+use crate::{AlphaMode, ClassicMaterial, Material, Texture, TextureUse, Tint, Wrap};
 
 /// The most MTL files that one OBJ file may name.
 pub(super) const MAX_LIBRARIES: usize = 1024;
@@ -44,8 +44,8 @@ impl Default for Definition {
     fn default() -> Self {
         // The initial values that the format gives, where it gives any.
         let block = ClassicMaterial {
-            ambient: Rgb::gray(0.2),
-            diffuse: Rgb::gray(0.8),
+            ambient: Rgb::gray(0.2).into(),
+            diffuse: Rgb::gray(0.8).into(),
             shininess: 0.0,
             model: "blinn-phong".to_owned(),
             ..ClassicMaterial::default()
@@ -132,10 +132,10 @@ impl Definition {
         let mut value = || words.next().and_then(float).ok_or_else(|| lines.expected("a finite number"));
         let map = || Map::parse(lines, file);
         match keyword.as_slice() {
-            b"ka" => self.block.ambient = color(lines)?,
-            b"kd" => self.block.diffuse = color(lines)?,
-            b"ks" => self.block.specular = color(lines)?,
-            b"ke" => self.block.emission = color(lines)?,
+            b"ka" => self.block.ambient = color(lines)?.into(),
+            b"kd" => self.block.diffuse = color(lines)?.into(),
+            b"ks" => self.block.specular = color(lines)?.into(),
+            b"ke" => self.block.emission = color(lines)?.into(),
             b"ns" => self.block.shininess = f64::from(value()?).clamp(0.0, MAX_SHININESS),
             b"tr" => self.alpha = (1.0 - value()?).clamp(0.0, 1.0),
             b"d" if halo => context.notes.add("MTL: 'd -halo' is ignored"),
@@ -162,15 +162,15 @@ impl Definition {
     ) -> Result<Material, ReadError> {
         let mut block = self.block.clone();
         if self.illumination < 2.0 {
-            block.specular = Rgb::BLACK;
+            block.specular = Tint::BLACK;
         }
         if self.illumination == 0.0 {
             context.notes.add("MTL: illumination model 0 (plain colour) is taken as 1 (diffuse)");
         } else if self.illumination > 2.0 {
             context.notes.add("MTL: illumination models above 2 are taken as 2, without reflections");
         }
-        if self.emission.is_some() && block.emission == Rgb::BLACK {
-            block.emission = Rgb::gray(1.0);
+        if self.emission.is_some() && block.emission.is_black() {
+            block.emission = Rgb::gray(1.0).into();
         }
         let mut material = block.build(name).expect("the shape and its exponent were chosen within range");
         material.base_color = pictures.load(self.base_color.as_ref(), true, false, context)?;

@@ -100,7 +100,7 @@ fn materials_and_maps_are_read_from_the_library() {
     let shiny = &model.materials[0];
     let lobe = |name: &str| {
         let found = shiny.lobes.iter().find(|lobe| lobe.shape.info().name == name);
-        found.map(|lobe| (lobe.tint, lobe.shape.params()))
+        found.map(|lobe| (lobe.tint.rgb().expect("RGB alone"), lobe.shape.params()))
     };
     assert_eq!(lobe("ambient"), Some((Rgb([0.1, 0.2, 0.3]), vec![])));
     assert_eq!(lobe("lambert"), Some((Rgb::gray(0.5), vec![])));

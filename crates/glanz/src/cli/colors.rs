@@ -1,0 +1,60 @@
+//! The colours of lights and surfaces, in words and as JSON.
+
+use glanz_color::{Rgb, Spectrum, rgb_spectra};
+use glanz_scene::{LightColor, Tint};
+use serde_json::{Value, json};
+
+use super::print::number;
+
+/// A light's colour for people: in RGB, and where it is a spectrum.
+pub fn light_text(color: &LightColor) -> String {
+    match color {
+        LightColor::Rgb(rgb) => rgb_text(rgb.0.map(f64::from)),
+        LightColor::Spectrum(spectrum) => {
+            format!("{} (a spectrum)", rgb_text(rgb_spectra::rgb_of_light(spectrum)))
+        }
+    }
+}
+
+/// A light's colour for programs.
+pub fn light_json(color: &LightColor) -> Value {
+    match color {
+        LightColor::Rgb(rgb) => json!(rgb),
+        LightColor::Spectrum(spectrum) => spectrum_json(spectrum),
+    }
+}
+
+/// A tint for people.
+pub fn tint_text(tint: &Tint) -> String {
+    match tint {
+        Tint::Rgb(rgb) => rgb_text(rgb.0.map(f64::from)),
+        Tint::Spectrum(spectrum) => {
+            format!("{} under D65 (a spectrum)", rgb_text(rgb_spectra::rgb_of_reflectance(spectrum)))
+        }
+        Tint::Reradiation(matrix) => {
+            let sent = matrix.apply(&rgb_spectra::daylight());
+            format!("{} under D65 (fluorescent)", rgb_text(rgb_spectra::rgb_of_light(&sent)))
+        }
+        Tint::Ior(ior) => format!("Fresnel reflection of {}", ior.name),
+    }
+}
+
+/// A tint for programs.
+pub fn tint_json(tint: &Tint) -> Value {
+    match tint {
+        Tint::Rgb(Rgb(channels)) => json!(channels),
+        Tint::Spectrum(spectrum) => spectrum_json(spectrum),
+        Tint::Reradiation(matrix) => {
+            json!({ "reradiation": { "diagonal": matrix.reflectance().0.as_slice() } })
+        }
+        Tint::Ior(ior) => json!({ "ior": ior.name }),
+    }
+}
+
+fn spectrum_json(spectrum: &Spectrum) -> Value {
+    json!({ "nm": { "first": glanz_color::FIRST_NM, "step": glanz_color::STEP_NM }, "value": spectrum.0.as_slice() })
+}
+
+fn rgb_text(channels: [f64; 3]) -> String {
+    format!("({})", channels.map(number).join(", "))
+}

@@ -1,0 +1,80 @@
+//! From an observer's channels to linear sRGB.
+
+use glanz_color::Matrix3;
+
+/// A linear map from any number of channels to linear sRGB, white adaptation included.
+///
+/// Colours outside of the screen's gamut get components below 0 or above 1; they are clipped when codes
+/// are made, and kept in linear pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToScreen {
+    /// The linear sRGB of one unit of each channel.
+    columns: Vec<[f64; 3]>,
+}
+
+impl ToScreen {
+    /// From three channels.
+    pub fn of_matrix(matrix: Matrix3) -> Self {
+        Self { columns: matrix.transposed().0.to_vec() }
+    }
+
+    /// From the linear sRGB of one unit of each channel.
+    pub fn of_columns(columns: impl Iterator<Item = [f64; 3]>) -> Self {
+        Self { columns: columns.collect() }
+    }
+
+    /// The rows of the matrix for a frame of three channels, of which those that the observer does not
+    /// have count for nothing.
+    ///
+    /// None for more than three channels, which no single frame holds.
+    pub fn rows(&self) -> Option<[[f32; 3]; 3]> {
+        if self.columns.len() > 3 {
+            return None;
+        }
+        let column = |c: usize| self.columns.get(c).copied().unwrap_or_default();
+        Some(core::array::from_fn(|row| core::array::from_fn(|c| column(c)[row] as f32)))
+    }
+
+    /// The linear sRGB of the channels of one pixel.
+    pub fn apply(&self, channels: impl Iterator<Item = f32>) -> [f32; 3] {
+        let mut rgb = [0.0; 3];
+        for (column, value) in self.columns.iter().zip(channels) {
+            rgb.iter_mut().zip(column).for_each(|(sum, c)| *sum += c * f64::from(value));
+        }
+        rgb.map(|c| c as f32)
+    }
+
+    /// The channels that show as this linear sRGB, for three independent channels; else these numbers
+    /// themselves.
+    pub fn channels_of(&self, rgb: [f32; 3]) -> [f32; 3] {
+        let Ok(columns) = <[[f64; 3]; 3]>::try_from(self.columns.as_slice()) else {
+            return rgb;
+        };
+        let inverse = Matrix3::from_columns(columns).inverse();
+        let channels = inverse.apply(rgb.map(f64::from));
+        if channels.iter().all(|c| c.is_finite()) { channels.map(|c| c as f32) } else { rgb }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const M: Matrix3 = Matrix3([[1.0, 2.0, 0.0], [0.0, 0.5, 0.25], [-1.0, 0.0, 4.0]]);
+
+    #[test]
+    fn a_frames_matrix_has_the_columns_of_the_channels() {
+        let map = ToScreen::of_matrix(M);
+        assert_eq!(map.rows(), Some([[1.0, 2.0, 0.0], [0.0, 0.5, 0.25], [-1.0, 0.0, 4.0]]));
+        assert_eq!(map.apply([1.0, 10.0, 100.0].into_iter()), [21.0, 30.0, 399.0]);
+        assert_eq!(map.channels_of(map.apply([3.0, 2.0, 1.0].into_iter())), [3.0, 2.0, 1.0]);
+    }
+
+    #[test]
+    fn one_channel_is_a_gray_and_five_need_more_than_a_frame() {
+        let gray = ToScreen::of_columns([[1.0; 3]].into_iter());
+        assert_eq!(gray.rows(), Some([[1.0, 0.0, 0.0]; 3]));
+        assert_eq!(gray.channels_of([0.5; 3]), [0.5; 3]);
+        assert_eq!(ToScreen::of_columns([[1.0; 3]; 5].into_iter()).rows(), None);
+    }
+}

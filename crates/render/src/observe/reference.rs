@@ -1,0 +1,179 @@
+//! The slow truth: one picture per pair of wavelengths, of incidence and of what leaves.
+//!
+//! Each picture knows one wavelength of light and goes all the way through the rasteriser; nothing is
+//! summed before it is drawn. Sums over pictures are in f64. That is what the table of the other modes
+//! replaces, so it is what they are measured against; a pixel differs from the sum of its table by the
+//! rounding of f32 alone.
+
+use std::sync::Arc;
+
+use glanz_color::{SAMPLES, STEP_NM, Spectrum, rgb_spectra};
+use glanz_scene::{Background, Light, LightColor, LightColors, Scene, Tint};
+
+use crate::prepare::Observation;
+use crate::{DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
+
+/// Channels that a picture has.
+const AT_ONCE: usize = 3;
+
+pub(super) fn draw(
+    prepared: &Prepared,
+    scene: &Scene,
+    options: &PrepareOptions,
+    view: &View,
+    draw_options: &DrawOptions,
+    step: &mut dyn FnMut(f64),
+) -> Result<Frame, PrepareError> {
+    let channels = options.observation.channel_count();
+    let bare = DrawOptions { background: Background::Transparent, ..*draw_options };
+    let mut sum = Sum::new(channels, view);
+    let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
+    let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
+    for input in 0..SAMPLES {
+        step(input as f64 / SAMPLES as f64);
+        if !lights.iter().flatten().any(|light| light[input] != 0.0) {
+            continue;
+        }
+        let lit = only(scene, &lights, input);
+        let leaving: Vec<usize> = (0..SAMPLES).filter(|out| answers(scene, *out, input)).collect();
+        for first in groups(&leaving) {
+            let own = PrepareOptions { first_channel: first, ..own.clone() };
+            let frame = draw_once(&prepared.refilled(&lit, &own)?, view, &bare);
+            sum.add(&frame, &options.observation, first);
+        }
+    }
+    if scene.materials.iter().any(glows) {
+        let dark = without_lights(scene);
+        for first in (0..SAMPLES).step_by(AT_ONCE) {
+            let own = PrepareOptions { first_channel: first, ..own.clone() };
+            sum.add(&draw_once(&prepared.refilled(&dark, &own)?, view, &bare), &options.observation, first);
+        }
+    }
+    // Depth, normals and coverage are those of any picture.
+    let like = draw_once(prepared, view, &bare);
+    Ok(sum.over(like, draw_options.background))
+}
+
+/// The channels so far, in f64.
+struct Sum(Vec<Vec<f64>>);
+
+impl Sum {
+    fn new(channels: usize, view: &View) -> Self {
+        Self(vec![vec![0.0; view.width as usize * view.height as usize]; channels])
+    }
+
+    /// Adds what three wavelengths from `first` on give in each channel.
+    fn add(&mut self, frame: &Frame, observation: &Observation, first: usize) {
+        for (channel, sum) in self.0.iter_mut().enumerate() {
+            for (plane, out) in frame.rgb.iter().zip(first..SAMPLES) {
+                let weight = observation.weight(channel)[out] * STEP_NM;
+                if weight != 0.0 {
+                    sum.iter_mut().zip(plane).for_each(|(sum, value)| *sum += weight * f64::from(*value));
+                }
+            }
+        }
+    }
+
+    fn over(self, like: Frame, background: Background) -> Frame {
+        let (color, opaque) = match background {
+            Background::Color(color) => (color.0, true),
+            Background::Transparent => ([0.0; 3], false),
+        };
+        let mut planes = self.0.into_iter().enumerate().map(|(channel, sum)| {
+            let behind = color.get(channel).copied().unwrap_or(0.0);
+            let pixels = sum.iter().zip(&like.alpha);
+            pixels.map(|(value, alpha)| *value as f32 + behind * (1.0 - alpha)).collect::<Vec<f32>>()
+        });
+        let rgb = core::array::from_fn(|_| planes.next().unwrap_or_else(|| vec![0.0; like.alpha.len()]));
+        let more = planes.collect();
+        let alpha = if opaque { vec![1.0; like.alpha.len()] } else { like.alpha };
+        Frame { rgb, more, alpha, ..like }
+    }
+}
+
+/// The wavelengths of groups of three that hold all of `wanted`.
+fn groups(wanted: &[usize]) -> Vec<usize> {
+    let mut firsts = Vec::new();
+    for &out in wanted {
+        if firsts.last().is_none_or(|first| out >= first + AT_ONCE) {
+            firsts.push(out);
+        }
+    }
+    firsts
+}
+
+fn spectra(light: &Light) -> [Spectrum; 3] {
+    let colors = &light.colors;
+    [&colors.ambient, &colors.diffuse, &colors.specular].map(|color| match color {
+        LightColor::Rgb(rgb) => rgb_spectra::spectrum_of_light(*rgb),
+        LightColor::Spectrum(spectrum) => **spectrum,
+    })
+}
+
+/// The scene's lights and materials, with light at one wavelength only and no light of its own.
+fn only(scene: &Scene, lights: &[[Spectrum; 3]], input: usize) -> Scene {
+    let single = |light: &Spectrum| {
+        let mut line = Spectrum::ZERO;
+        line.0[input] = light[input];
+        LightColor::Spectrum(Arc::new(line))
+    };
+    let colors = |[ambient, diffuse, specular]: &[Spectrum; 3]| LightColors {
+        ambient: single(ambient),
+        diffuse: single(diffuse),
+        specular: single(specular),
+    };
+    let mut lit = table_part(scene);
+    for (light, own) in lit.lights.iter_mut().zip(lights) {
+        light.colors = colors(own);
+    }
+    for material in &mut lit.materials {
+        for lobe in &mut material.lobes {
+            if is_emission(lobe) {
+                lobe.tint = Tint::BLACK;
+            }
+        }
+    }
+    lit
+}
+
+fn without_lights(scene: &Scene) -> Scene {
+    let mut dark = table_part(scene);
+    for light in &mut dark.lights {
+        light.colors = LightColors::all(glanz_color::Rgb::BLACK);
+    }
+    dark
+}
+
+/// All of a scene that the tint table depends on.
+fn table_part(scene: &Scene) -> Scene {
+    Scene { lights: scene.lights.clone(), materials: scene.materials.clone(), ..Scene::default() }
+}
+
+fn is_emission(lobe: &glanz_scene::Lobe) -> bool {
+    lobe.shape.info().part == glanz_bsdf::Part::Emission
+}
+
+fn glows(material: &glanz_scene::Material) -> bool {
+    material.lobes.iter().any(|lobe| is_emission(lobe) && !lobe.tint.is_black())
+}
+
+/// Whether any surface sends light out at `out` when it is lit at `input`.
+fn answers(scene: &Scene, out: usize, input: usize) -> bool {
+    let moves = |tint: &Tint| match tint {
+        Tint::Reradiation(matrix) => matrix.get(out, input) != 0.0,
+        _ => false,
+    };
+    out == input || scene.materials.iter().flat_map(|m| &m.lobes).any(|lobe| moves(&lobe.tint))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_of_three_hold_every_wavelength_once() {
+        assert_eq!(groups(&[4]), [4]);
+        assert_eq!(groups(&[0, 1, 2, 3, 7, 9, 10]), [0, 3, 7, 10]);
+        assert!(groups(&[]).is_empty());
+    }
+}

@@ -1,0 +1,324 @@
+//! From the tables of [`super::colors`] to the colours of lights and surfaces.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glanz_color::{Ior, Observer, Outside, Reradiation, Spectrum, UnknownName, photometry, rgb_spectra};
+
+use super::build::Builder;
+use super::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
+use super::error::Problem;
+use super::values::At;
+use crate::read::{FolderFiles, Resolver};
+use crate::{LightColor, Tint};
+
+/// What a function of wavelength stands for.
+enum Function {
+    Light(Spectrum),
+    Share(Spectrum),
+    /// From a file or given in numbers: what it stands for is where it stands.
+    Either(Spectrum),
+    Reradiation(Arc<Reradiation>),
+    Ior(Arc<Ior>),
+}
+
+impl Builder {
+    /// The colour of a lamp, in classic units: spectra get the luminance 1, or the power of D65 with
+    /// that luminance where they are hardly visible, times `scale`.
+    pub(super) fn light_color(&mut self, value: &At<ColorValue>) -> Result<LightColor, Problem> {
+        match &value.value {
+            ColorValue::Rgb(color) => Ok(color.0.into()),
+            ColorValue::Spectral(table) => {
+                if let Some(luminance) = &table.luminance_cd_m2 {
+                    let help = "lights have illuminance_lx, luminous_intensity_cd and radiant_intensity_w_sr";
+                    return Err(
+                        Problem::at(&luminance.span, "'luminance_cd_m2' in the colour of a lamp").help(help)
+                    );
+                }
+                self.unit_light(table, &value.span)
+            }
+        }
+    }
+
+    /// The same, from the key `spectrum` of a light.
+    pub(super) fn light_spectrum(&mut self, value: &At<SpectrumValue>) -> Result<LightColor, Problem> {
+        match &value.value {
+            SpectrumValue::Table(table) => self.unit_light(table, &value.span),
+            SpectrumValue::Name(name) => {
+                let spectrum = Some(At { value: name.clone(), span: value.span.clone() });
+                self.unit_light(&SpectralTable { spectrum, ..SpectralTable::default() }, &value.span)
+            }
+        }
+    }
+
+    fn unit_light(&mut self, table: &SpectralTable, span: &Range<usize>) -> Result<LightColor, Problem> {
+        let spectrum = match self.function(table, span, true)? {
+            Function::Light(spectrum) | Function::Either(spectrum) => spectrum,
+            Function::Share(_) => {
+                return Err(Problem::at(span, "a lamp needs light, found a reflectance")
+                    .help("the light sources are listed by `glanz color list lights`"));
+            }
+            Function::Reradiation(_) | Function::Ior(_) => {
+                return Err(Problem::at(span, "a lamp needs light, found what surfaces do with light"));
+            }
+        };
+        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
+        match LightColor::unit(&spectrum) {
+            Some(unit) => Ok(unit.scaled(scale)),
+            None => Err(Problem::at(span, "there is no light in this spectrum between 300 and 780 nm")),
+        }
+    }
+
+    /// The tint of a surface.
+    pub(super) fn tint(&mut self, value: &At<ColorValue>) -> Result<Tint, Problem> {
+        let table = match &value.value {
+            ColorValue::Rgb(color) => return Ok(color.0.into()),
+            ColorValue::Spectral(table) => table,
+        };
+        if let Some(luminance) = &table.luminance_cd_m2 {
+            return Err(Problem::at(&luminance.span, "'luminance_cd_m2' is for light that a surface sends")
+                .help("give it in 'emission'"));
+        }
+        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
+        Ok(match self.function(table, &value.span, false)? {
+            Function::Share(spectrum) | Function::Either(spectrum) => {
+                let spectrum = spectrum * scale;
+                if spectrum.max() > 1.0 {
+                    let most = spectrum.max();
+                    self.notes
+                        .push(format!("a reflectance of up to {most:.3} returns more light than arrives"));
+                }
+                Tint::Spectrum(Arc::new(spectrum))
+            }
+            Function::Light(_) => {
+                return Err(Problem::at(&value.span, "a surface needs a reflectance, found a light source")
+                    .help("the reflectances are listed by `glanz color list reflectances`"));
+            }
+            Function::Reradiation(matrix) if scale == 1.0 => Tint::Reradiation(matrix),
+            Function::Reradiation(matrix) => Tint::Reradiation(Arc::new(matrix.scaled(scale))),
+            Function::Ior(ior) => match &table.scale {
+                None => Tint::Ior(ior),
+                Some(scale) => {
+                    return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
+                        .help("the index of refraction says how much is reflected"));
+                }
+            },
+        })
+    }
+
+    /// Light that a surface sends itself. A luminance in cd/m² makes the scene one in photometric units.
+    pub(super) fn emission(&mut self, value: &At<ColorValue>) -> Result<Tint, Problem> {
+        let table = match &value.value {
+            ColorValue::Rgb(color) => {
+                let tint = Tint::Rgb(color.0);
+                self.classic.extend((!tint.is_black()).then(|| value.span.clone()));
+                return Ok(tint);
+            }
+            ColorValue::Spectral(table) => table,
+        };
+        let color = self.unit_light(table, &value.span)?;
+        let color = match &table.luminance_cd_m2 {
+            Some(luminance) => {
+                self.photometric.push(luminance.span.clone());
+                with_luminance(&color, luminance.0, &luminance.span)?
+            }
+            None => {
+                self.classic.push(value.span.clone());
+                color
+            }
+        };
+        Ok(match color {
+            LightColor::Rgb(rgb) => Tint::Rgb(rgb),
+            LightColor::Spectrum(spectrum) => Tint::Spectrum(spectrum),
+        })
+    }
+
+    /// The one function that the table names; `light` tells which names are looked up first.
+    fn function(
+        &mut self,
+        table: &SpectralTable,
+        span: &Range<usize>,
+        light: bool,
+    ) -> Result<Function, Problem> {
+        let given = [
+            ("spectrum", table.spectrum.is_some()),
+            ("blackbody", table.blackbody.is_some()),
+            ("gaussian", table.gaussian.is_some()),
+            ("line", table.line.is_some()),
+            ("file", table.file.is_some()),
+            ("nm", table.nm.is_some() || table.value.is_some()),
+            ("reradiation", table.reradiation.is_some()),
+            ("ior", table.ior.is_some()),
+        ];
+        let names: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+        match names.as_slice() {
+            ["spectrum"] => named(table.spectrum.as_ref().expect("it is given"), light),
+            ["blackbody"] => {
+                formula(table.blackbody.as_ref().expect("it is given"), |t| format!("blackbody({t})"))
+            }
+            ["line"] => formula(table.line.as_ref().expect("it is given"), |nm| format!("line({nm})")),
+            ["gaussian"] => gaussian(table.gaussian.as_ref().expect("it is given")),
+            ["file"] => self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref()),
+            ["nm"] => from_numbers(table, span),
+            ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
+            ["ior"] => ior(table.ior.as_ref().expect("it is given")),
+            [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
+                .help(
+                    "give one of spectrum, blackbody, gaussian, line, file, nm with value, reradiation, ior",
+                )),
+            several => {
+                let message =
+                    format!("'{}' in one table: only one can be the colour", several.join("' and '"));
+                Err(Problem::at(span, message))
+            }
+        }
+    }
+
+    fn read_function(&mut self, file: &At<String>, column: Option<&At<String>>) -> Result<Function, Problem> {
+        let bytes = self.read_beside(file)?;
+        let spectra = glanz_color::read::read_spectra(&bytes, file)
+            .map_err(|error| Problem::at(&file.span, error.to_string()))?;
+        let chosen = match column {
+            None => spectra.first(),
+            Some(column) => spectra.iter().find(|spectrum| spectrum.name == column.value),
+        };
+        let Some(chosen) = chosen else {
+            let names: Vec<&str> = spectra.iter().map(|spectrum| spectrum.name.as_str()).collect();
+            let span = column.map_or(&file.span, |column| &column.span);
+            return Err(Problem::at(span, format!("'{}' has no spectrum of that name", file.value))
+                .help(format!("it has: {}", names.join(", "))));
+        };
+        let (spectrum, notes) =
+            chosen.to_spectrum(None).map_err(|error| Problem::at(&file.span, error.to_string()))?;
+        self.notes.extend(notes.iter().map(|note| format!("'{}': {note}", file.value)));
+        Ok(Function::Either(spectrum))
+    }
+
+    fn reradiation(&mut self, name: &At<String>) -> Result<Function, Problem> {
+        let known = match glanz_color::fluorescent(name) {
+            Ok(matrix) => return Ok(Function::Reradiation(Arc::new(matrix))),
+            Err(error) => error,
+        };
+        if !name.contains('.') {
+            return Err(unknown(&known, &name.span)
+                .help("`glanz color list fluorescent` tells the names; or give a file (BFC, CSV)"));
+        }
+        let bytes = self.read_beside(name)?;
+        let measured = glanz_color::read::read_reradiation(&bytes, name)
+            .map_err(|error| Problem::at(&name.span, error.to_string()))?;
+        let matrix = measured.to_reradiation().map_err(|error| Problem::at(&name.span, error.to_string()))?;
+        self.notes.extend(measured.notes.iter().map(|note| format!("'{}': {note}", name.value)));
+        Ok(Function::Reradiation(Arc::new(matrix)))
+    }
+
+    /// An observer by name, or a sensor from a file with a curve for each of its channels.
+    pub(super) fn observer(&mut self, name: &At<String>) -> Result<Observer, Problem> {
+        let known = match glanz_color::observer(name) {
+            Ok(observer) => return Ok(observer),
+            Err(error) => error,
+        };
+        if !name.contains('.') {
+            return Err(unknown(&known, &name.span)
+                .help("`glanz color list observers` tells the names; or give a file (CSV)"));
+        }
+        let bytes = self.read_beside(name)?;
+        crate::read::read_sensor(&bytes, name).map_err(|message| Problem::at(&name.span, message))
+    }
+
+    /// The bytes of a file that the scene names; they count for the scene's hash.
+    pub(super) fn read_beside(&mut self, file: &At<String>) -> Result<Vec<u8>, Problem> {
+        let bytes = FolderFiles::new(self.base(), &self.options)
+            .read(file)
+            .map_err(|error| super::build::unresolved(file, &error, &file.span))?;
+        self.hash.bytes(&bytes);
+        Ok(bytes)
+    }
+}
+
+/// Light scaled to a luminance, or to what makes one.
+pub(super) fn with_luminance(
+    color: &LightColor,
+    value: f64,
+    span: &Range<usize>,
+) -> Result<LightColor, Problem> {
+    let own = match color {
+        LightColor::Rgb(rgb) => f64::from(rgb.luminance()),
+        LightColor::Spectrum(spectrum) => rgb_spectra::luminance(spectrum),
+    };
+    match own > 1e-6 {
+        true => Ok(color.scaled(value / own)),
+        false => {
+            Err(Problem::at(span, "light that the eye hardly sees cannot be given in photometric units")
+                .help("give its radiant_intensity_w_sr"))
+        }
+    }
+}
+
+/// Light scaled to a radiant power: as luminance of what it falls on, it counts in lumens.
+pub(super) fn with_power(color: &LightColor, watts: f64, span: &Range<usize>) -> Result<LightColor, Problem> {
+    let spectrum = match color {
+        LightColor::Rgb(rgb) => rgb_spectra::spectrum_of_light(*rgb),
+        LightColor::Spectrum(spectrum) => **spectrum,
+    };
+    let power = spectrum.integral();
+    match power > 0.0 {
+        true => {
+            Ok(LightColor::Spectrum(Arc::new(spectrum * (photometry::PHOTOPIC_LM_PER_W * watts / power))))
+        }
+        false => Err(Problem::at(span, "black light has no power")),
+    }
+}
+
+fn named(name: &At<String>, light: bool) -> Result<Function, Problem> {
+    let as_light = || glanz_color::light(name).map(Function::Light);
+    let as_share = || glanz_color::reflectance(name).map(Function::Share);
+    let found = if light {
+        as_light().or_else(|error| as_share().map_err(|_| error))
+    } else {
+        as_share().or_else(|error| as_light().map_err(|_| error))
+    };
+    let list = if light { "lights" } else { "reflectances" };
+    found.map_err(|error| {
+        unknown(&error, &name.span).help(format!("`glanz color list {list}` tells the names"))
+    })
+}
+
+fn formula(value: &At<super::values::Amount>, name: impl Fn(f64) -> String) -> Result<Function, Problem> {
+    let light = glanz_color::light(&name(value.0)).map_err(|error| unknown(&error, &value.span))?;
+    Ok(Function::Light(light))
+}
+
+fn gaussian(value: &At<[super::values::Amount; 2]>) -> Result<Function, Problem> {
+    let [center, width] = value.value.map(|v| v.0);
+    let name = format!("gaussian({center},{width})");
+    let spectrum = glanz_color::light(&name).map_err(|error| unknown(&error, &value.span))?;
+    Ok(Function::Either(spectrum))
+}
+
+fn from_numbers(table: &SpectralTable, span: &Range<usize>) -> Result<Function, Problem> {
+    let (Some(nm), Some(values)) = (&table.nm, &table.value) else {
+        return Err(Problem::at(span, "'nm' and 'value' need each other; one of them is missing"));
+    };
+    let plain = |list: &[super::values::Number]| list.iter().map(|v| v.0).collect::<Vec<f64>>();
+    if let Some(negative) = values.iter().find(|v| v.0 < 0.0) {
+        let message = format!("expected values of at least 0, found {}", negative.0);
+        return Err(Problem::at(&values.span, message));
+    }
+    Spectrum::from_table(&plain(nm), &plain(values), Outside::Hold)
+        .map(Function::Either)
+        .map_err(|error| Problem::at(&nm.span, error.to_string()))
+}
+
+fn ior(value: &At<IorValue>) -> Result<Function, Problem> {
+    let ior = match &value.value {
+        IorValue::Name(name) => glanz_color::ior(name).map_err(|error| {
+            unknown(&error, &value.span).help("`glanz color list metals` tells the names; or give a number")
+        })?,
+        IorValue::Index(index) => Ior::constant(*index),
+    };
+    Ok(Function::Ior(Arc::new(ior)))
+}
+
+fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {
+    Problem::at(span, error.to_string())
+}

@@ -1,0 +1,130 @@
+//! The colours of lights and surfaces: RGB, or functions of wavelength.
+//!
+//! Any scene can be drawn in any colour mode: RGB is turned into spectra where spectra are wanted and
+//! spectra into RGB where that is wanted (`glanz_render::prepare`).
+
+use std::sync::Arc;
+
+use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
+
+/// Sources of less luminous efficacy, in lm/W between 300 and 780 nm, are measured by their power: their
+/// luminance is so small that a black light scaled by it would burn everything that glows.
+const LEAST_EFFICACY: f64 = 1.0;
+
+/// The colour of light that a lamp or a glowing surface sends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightColor {
+    /// Amounts of the sRGB primaries; equal amounts are D65.
+    Rgb(Rgb),
+    /// Spectral power per nm, scaled so that ∫ S·ȳ dλ (CIE 1931) is its luminance in the scene's
+    /// unit: 1 is the classic unit light.
+    Spectrum(Arc<Spectrum>),
+}
+
+impl LightColor {
+    /// No light.
+    pub const BLACK: Self = Self::Rgb(Rgb::BLACK);
+
+    /// The unit light of this spectrum: of luminance 1, or of the power of D65 with that luminance where the
+    /// spectrum is hardly visible. None where it has no power at all.
+    pub fn unit(spectrum: &Spectrum) -> Option<Self> {
+        let strength = strength(spectrum);
+        let exists = strength > 0.0 && strength.is_finite();
+        exists.then(|| Self::Spectrum(Arc::new(*spectrum * (1.0 / strength))))
+    }
+
+    /// How many unit lights of its own spectrum this light is; see [`LightColor::unit`].
+    pub fn strength(&self) -> f64 {
+        match self {
+            Self::Rgb(rgb) => f64::from(rgb.luminance()),
+            Self::Spectrum(spectrum) => strength(spectrum),
+        }
+    }
+
+    /// Whether no light is sent at all.
+    pub fn is_black(&self) -> bool {
+        match self {
+            Self::Rgb(rgb) => *rgb == Rgb::BLACK,
+            Self::Spectrum(spectrum) => **spectrum == Spectrum::ZERO,
+        }
+    }
+
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::Rgb(rgb) => rgb.is_finite(),
+            Self::Spectrum(spectrum) => spectrum.is_finite(),
+        }
+    }
+
+    /// The same colour, more or less of it.
+    pub fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Rgb(rgb) => Self::Rgb(*rgb * factor as f32),
+            Self::Spectrum(spectrum) => Self::Spectrum(Arc::new(**spectrum * factor)),
+        }
+    }
+}
+
+fn strength(spectrum: &Spectrum) -> f64 {
+    let (power, luminance) = (spectrum.integral(), rgb_spectra::luminance(spectrum));
+    match photometry::PHOTOPIC_LM_PER_W * luminance >= LEAST_EFFICACY * power {
+        true => luminance,
+        false => power / rgb_spectra::daylight().integral(),
+    }
+}
+
+impl From<Rgb> for LightColor {
+    fn from(rgb: Rgb) -> Self {
+        Self::Rgb(rgb)
+    }
+}
+
+/// The coloured part of a lobe: what it does to each wavelength.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tint {
+    /// Shares of the sRGB primaries.
+    Rgb(Rgb),
+    /// A share of each wavelength; for an emission lobe the light sent out, scaled as
+    /// [`LightColor::Spectrum`].
+    Spectrum(Arc<Spectrum>),
+    /// Light that comes back at other wavelengths too.
+    Reradiation(Arc<Reradiation>),
+    /// Fresnel reflection of a smooth boundary, by the angle between viewer and half vector; where a
+    /// lobe has none, at normal incidence.
+    Ior(Arc<Ior>),
+}
+
+impl Tint {
+    /// Nothing comes back.
+    pub const BLACK: Self = Self::Rgb(Rgb::BLACK);
+
+    /// Whether nothing comes back.
+    pub fn is_black(&self) -> bool {
+        *self == Self::BLACK
+    }
+
+    /// Whether every number is finite.
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::Rgb(rgb) => rgb.is_finite(),
+            Self::Spectrum(spectrum) => spectrum.is_finite(),
+            Self::Reradiation(matrix) => matrix.is_finite(),
+            Self::Ior(ior) => ior.eta.is_finite() && ior.k.is_finite(),
+        }
+    }
+
+    /// The tint in RGB, if that is how it was given.
+    pub fn rgb(&self) -> Option<Rgb> {
+        match self {
+            Self::Rgb(rgb) => Some(*rgb),
+            _ => None,
+        }
+    }
+}
+
+impl From<Rgb> for Tint {
+    fn from(rgb: Rgb) -> Self {
+        Self::Rgb(rgb)
+    }
+}
