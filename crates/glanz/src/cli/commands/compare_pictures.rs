@@ -28,13 +28,13 @@ Examples:
   glanz compare reference.exr b.exr -o errors.png --metric de2000,flip
   glanz compare golden.png new.png --fail-above de2000=0.5,flip.max=0.2 --fail-below ssim=0.99
 
-Two OpenEXR files are compared as linear light without bounds: rmse and psnr are those of light, ssim
-is left out, flip looks at several exposures (HDR-FLIP). A PNG holds sRGB codes; beside one, and with
---as-shown, light is clipped to what a screen shows, and rmse, psnr and ssim are those of sRGB codes
-from 0 to 1. Peak of psnr: 1. Pictures are laid over black.
+Two OpenEXR files are compared as linear light without bounds: rmse and psnr are those of
+light, ssim is left out, flip looks at several exposures (HDR-FLIP). A PNG holds sRGB codes;
+beside one, and with --as-shown, light is clipped to what a screen shows, and rmse, psnr and
+ssim are those of sRGB codes from 0 to 1. The peak of psnr is 1. Pictures are laid over black.
 
-The value of de2000, flip and ssim is the mean; de2000, flip and rmse also have .mean, .median, .p95
-and .max over the pixels. The exit code is 1 when a bound is broken.";
+The value of de2000, flip and ssim is the mean; de2000, flip and rmse also have .mean, .median,
+.p95 and .max over the pixels. The exit code is 1 when a bound is broken.";
 
 /// Options of `glanz compare`.
 #[derive(Args, Debug)]

@@ -5,6 +5,7 @@ use std::io::Cursor;
 
 use ::exr::block::UncompressedBlock;
 use ::exr::block::reader::{ChunksReader, Reader};
+use ::exr::compression::Compression;
 use ::exr::error::Error as ExrError;
 use ::exr::meta::attribute::{Chromaticities, SampleType};
 use ::exr::meta::header::Header;
@@ -29,6 +30,7 @@ pub fn decode(source: &Source) -> Result<Picture, ReadError> {
     };
     let reader = Reader::read_from_buffered(Cursor::new(source.bytes), false).map_err(failed)?;
     let choice = Choice::of(reader.headers(), source)?;
+    reader.headers().iter().try_for_each(|part| check_part(part, source))?;
     let header = reader.headers()[choice.part].clone();
     let Vec2(width, height) = header.layer_size;
     source.check_size(width, height, PIXELS_PER_BYTE)?;
@@ -43,6 +45,16 @@ pub fn decode(source: &Source) -> Result<Picture, ReadError> {
     picture.notes = choice.notes(&header);
     to_srgb(&mut picture, header.shared_attributes.chromaticities, source)?;
     Ok(picture)
+}
+
+/// That a part can be decoded safely; in a damaged file any part may be met.
+fn check_part(part: &Header, source: &Source) -> Result<(), ReadError> {
+    if matches!(part.compression, Compression::B44 | Compression::B44A) {
+        // The decoder's whole numbers overflow on damaged blocks of this kind.
+        return Err(source.content("a compression without B44", part.compression));
+    }
+    // One sample is a third of a colour.
+    source.check_size(part.layer_size.0, part.layer_size.1, 3 * PIXELS_PER_BYTE)
 }
 
 /// The part of the file and the channels that are read.

@@ -238,26 +238,36 @@ fn a_file_that_ends_too_soon_is_an_error() {
     }
 }
 
-/// A good file of some kind.
-fn good() -> impl Strategy<Value = Vec<u8>> {
+/// Good files of every kind.
+fn good() -> Vec<Vec<u8>> {
     let of = |compression, blocks| {
         let channels = [("R", f32s(0.5)), ("G", f16s(10.0)), ("B", f32s(-3.0))];
         exr(&[&channels], compression, blocks)
     };
-    prop_oneof![
-        Just(png((5, 4), ColorType::Rgba, BitDepth::Eight, &[99; 80])),
-        Just(png((4, 2), ColorType::Indexed, BitDepth::One, &[0x50, 0xa0])),
-        Just(of(Compression::ZIP16, Blocks::ScanLines)),
-        Just(of(Compression::PIZ, Blocks::Tiles(Vec2(2, 2)))),
-        Just(of(Compression::RLE, Blocks::ScanLines)),
-        Just(of(Compression::B44, Blocks::ScanLines)),
-        Just(of(Compression::PXR24, Blocks::Tiles(Vec2(1, 1)))),
-        Just(exr(
+    vec![
+        png((5, 4), ColorType::Rgba, BitDepth::Eight, &[99; 80]),
+        png((4, 2), ColorType::Indexed, BitDepth::One, &[0x50, 0xa0]),
+        of(Compression::ZIP16, Blocks::ScanLines),
+        of(Compression::PIZ, Blocks::Tiles(Vec2(2, 2))),
+        of(Compression::RLE, Blocks::ScanLines),
+        of(Compression::B44, Blocks::ScanLines),
+        of(Compression::PXR24, Blocks::Tiles(Vec2(1, 1))),
+        exr(
             &[&[("a.R", f32s(1.0)), ("a.G", f32s(1.0)), ("a.B", f32s(1.0))], &[("Z", f32s(1.0))]],
             Compression::Uncompressed,
-            Blocks::ScanLines
-        )),
+            Blocks::ScanLines,
+        ),
     ]
+}
+
+#[test]
+#[ignore = "writes the seeds of the fuzz target to fuzz/seeds"]
+fn write_fuzz_seeds() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/picture");
+    std::fs::create_dir_all(&folder).unwrap();
+    for (number, bytes) in good().into_iter().enumerate() {
+        std::fs::write(folder.join(number.to_string()), bytes).unwrap();
+    }
 }
 
 proptest! {
@@ -265,14 +275,22 @@ proptest! {
 
     #[test]
     fn damaged_files_do_not_panic(
-        file in good(),
-        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        file in prop::sample::select(good()),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..6),
+        extreme in prop::option::of((
+            any::<prop::sample::Index>(),
+            prop::sample::select(vec![i32::MAX, i32::MIN, -1, 0, 1 << 30, 16_384, 65_536]),
+        )),
         end in prop::option::of(any::<prop::sample::Index>()),
     ) {
         let mut file = file;
         for (at, byte) in changes {
             let at = at.index(file.len());
             file[at] = byte;
+        }
+        if let Some((at, number)) = extreme {
+            let at = at.index(file.len() - 3);
+            file[at..at + 4].copy_from_slice(&number.to_le_bytes());
         }
         if let Some(end) = end {
             file.truncate(end.index(file.len()));
