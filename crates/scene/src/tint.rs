@@ -33,6 +33,16 @@ impl LightColor {
         exists.then(|| Self::Spectrum(Arc::new(*spectrum * (1.0 / strength))))
     }
 
+    /// Its luminance; none where the eye hardly sees it.
+    pub fn luminance(&self) -> Option<f64> {
+        let luminance = match self {
+            Self::Rgb(rgb) => f64::from(rgb.luminance()),
+            Self::Spectrum(spectrum) if is_visible(spectrum) => rgb_spectra::luminance(spectrum),
+            Self::Spectrum(_) => 0.0,
+        };
+        (luminance > 0.0).then_some(luminance)
+    }
+
     /// How many unit lights of its own spectrum this light is; see [`LightColor::unit`].
     pub fn strength(&self) -> f64 {
         match self {
@@ -67,11 +77,16 @@ impl LightColor {
 }
 
 fn strength(spectrum: &Spectrum) -> f64 {
-    let (power, luminance) = (spectrum.integral(), rgb_spectra::luminance(spectrum));
-    match photometry::PHOTOPIC_LM_PER_W * luminance >= LEAST_EFFICACY * power {
-        true => luminance,
-        false => power / rgb_spectra::daylight().integral(),
+    match is_visible(spectrum) {
+        true => rgb_spectra::luminance(spectrum),
+        false => spectrum.integral() / rgb_spectra::daylight().integral(),
     }
+}
+
+/// Whether its luminance is a measure for a light.
+fn is_visible(spectrum: &Spectrum) -> bool {
+    let lumens = photometry::PHOTOPIC_LM_PER_W * rgb_spectra::luminance(spectrum);
+    lumens >= LEAST_EFFICACY * spectrum.integral()
 }
 
 impl From<Rgb> for LightColor {

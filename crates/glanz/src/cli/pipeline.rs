@@ -245,7 +245,7 @@ impl Plan {
             height: frame.height,
             emissive,
             rgb: Some(preview.rgb),
-            emissive_units: if self.colors.photometric { "W.m^-2.sr^-1" } else { "" }.to_owned(),
+            emissive_units: if self.colors.photometric { "W.m^-2.sr^-1" } else { "relative" }.to_owned(),
             ..SpectralImage::default()
         })
     }

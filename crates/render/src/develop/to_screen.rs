@@ -44,16 +44,30 @@ impl ToScreen {
         rgb.map(|c| c as f32)
     }
 
-    /// The channels that show as this linear sRGB, for three independent channels; else these numbers
-    /// themselves.
+    /// The channels that show as this linear sRGB, or as near to it as up to three channels can: one channel
+    /// shows its luminance. Channels beyond the third are left at 0.
     pub fn channels_of(&self, rgb: [f32; 3]) -> [f32; 3] {
-        let Ok(columns) = <[[f64; 3]; 3]>::try_from(self.columns.as_slice()) else {
-            return rgb;
+        let wanted = rgb.map(f64::from);
+        let channels = match *self.columns {
+            [only] => {
+                let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
+                [luminance(wanted) / luminance(only), 0.0, 0.0]
+            }
+            [a, b] => {
+                let [aa, ab, bb] = [dot(a, a), dot(a, b), dot(b, b)];
+                let (a, b) = (dot(a, wanted), dot(b, wanted));
+                let by = 1.0 / (aa * bb - ab * ab);
+                [(a * bb - b * ab) * by, (b * aa - a * ab) * by, 0.0]
+            }
+            [a, b, c, ..] => Matrix3::from_columns([a, b, c]).inverse().apply(wanted),
+            [] => wanted,
         };
-        let inverse = Matrix3::from_columns(columns).inverse();
-        let channels = inverse.apply(rgb.map(f64::from));
         if channels.iter().all(|c| c.is_finite()) { channels.map(|c| c as f32) } else { rgb }
     }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]
@@ -74,7 +88,9 @@ mod tests {
     fn one_channel_is_a_gray_and_five_need_more_than_a_frame() {
         let gray = ToScreen::of_columns([[1.0; 3]].into_iter());
         assert_eq!(gray.rows(), Some([[1.0, 0.0, 0.0]; 3]));
-        assert_eq!(gray.channels_of([0.5; 3]), [0.5; 3]);
+        assert!((gray.channels_of([1.0, 0.0, 0.0])[0] - 0.2126).abs() < 1e-7, "red as a grey");
+        let two = ToScreen::of_columns([[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]].into_iter());
+        assert_eq!(two.channels_of([0.75, 0.25, 0.25]), [0.5, 0.25, 0.0]);
         assert_eq!(ToScreen::of_columns([[1.0; 3]; 5].into_iter()).rows(), None);
     }
 }

@@ -40,7 +40,7 @@ pub enum ObservationError {
         expected: &'static str,
     },
     /// Nobody can take that light for white.
-    #[error("white '{white}': {source}; choose D65 or none")]
+    #[error("white '{white}' is none for this observer and mode: {source}; choose another white, or none")]
     NotWhite {
         /// The name of the white.
         white: &'static str,
@@ -142,9 +142,7 @@ impl Observation {
         let to_rgb = match white {
             White::None => rgb_spectra::XYZ_TO_RGB,
             _ => {
-                // Few samples miss the white's luminance too: it is that of the whole spectrum.
-                let whole = Self { mode: ColorMode::Spectral, ..self.clone() };
-                let luminance = to_xyz.apply(&whole.white(scene, white)?)[1];
+                let luminance = self.luminance(scene, white)?;
                 let seen = to_xyz.apply(&self.white(scene, white)?);
                 let adapted = Adaptation::Bradford
                     .matrix(Xyz(seen.map(|v| v / luminance)), Xyz(rgb_spectra::SCREEN_WHITE))
@@ -155,22 +153,44 @@ impl Observation {
         Ok(Some(ToScreen::of_columns(to_xyz.columns.iter().map(|xyz| to_rgb.apply(*xyz).map(|v| v * gain)))))
     }
 
+    /// The luminance of a white surface under that white: the observer's own, from the whole spectrum, since
+    /// few samples miss it; of observers without one, that of CIE 1931.
+    fn luminance(&self, scene: &Scene, white: White) -> Result<f64, ObservationError> {
+        if self.observer.as_ref().is_some_and(|observer| observer.kind == ObserverKind::Xyz) {
+            let whole = Self { mode: ColorMode::Spectral, ..self.clone() };
+            return Ok(whole.white(scene, white)?[1]);
+        }
+        let luminance = |color: &LightColor| match color {
+            LightColor::Rgb(rgb) => f64::from(rgb.luminance()),
+            LightColor::Spectrum(spectrum) => rgb_spectra::luminance(spectrum),
+        };
+        Ok(white_lights(scene, white)?.iter().map(luminance).sum())
+    }
+
     /// All channels of a white surface under that white.
     fn white(&self, scene: &Scene, white: White) -> Result<Vec<f64>, ObservationError> {
-        let lights: Vec<LightColor> = match white {
-            White::Scene => scene.lights.iter().map(own_color).cloned().collect(),
-            White::Light => scene.lights.iter().map(own_color).take(1).cloned().collect(),
-            _ => vec![LightColor::Spectrum(std::sync::Arc::new(rgb_spectra::daylight()))],
-        };
-        if lights.iter().all(LightColor::is_black) {
-            return Err(ObservationError::NoWhite { white: white.name(), expected: "a light in the scene" });
-        }
+        let lights = white_lights(scene, white)?;
         let mut channels = Vec::new();
         for first in (0..self.channel_count()).step_by(3) {
             channels.extend(white_under(&Sampling::new(self, first), &lights));
         }
         channels.truncate(self.channel_count());
         Ok(channels)
+    }
+}
+
+/// The lights that make a white.
+fn white_lights(scene: &Scene, white: White) -> Result<Vec<LightColor>, ObservationError> {
+    let lights: Vec<LightColor> = match white {
+        White::Scene => scene.lights.iter().map(own_color).cloned().collect(),
+        White::Light => scene.lights.iter().map(own_color).take(1).cloned().collect(),
+        White::D65 | White::None => {
+            vec![LightColor::Spectrum(std::sync::Arc::new(rgb_spectra::daylight()))]
+        }
+    };
+    match lights.iter().all(LightColor::is_black) {
+        true => Err(ObservationError::NoWhite { white: white.name(), expected: "a light in the scene" }),
+        false => Ok(lights),
     }
 }
 

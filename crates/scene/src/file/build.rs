@@ -116,15 +116,23 @@ impl Builder {
         };
     }
 
-    fn ambient(&mut self, table: &AmbientTable) -> Result<LightColor, Problem> {
-        let color = self.light_color(&table.color)?;
+    fn ambient(&mut self, table: &At<AmbientTable>) -> Result<LightColor, Problem> {
+        let color = match (&table.color, &table.spectrum) {
+            (Some(color), None) => self.light_color(color)?,
+            (None, Some(spectrum)) => self.light_spectrum(spectrum)?,
+            (None, None) => return Err(Problem::at(&table.span, "'color' is missing in [ambient]")),
+            (Some(_), Some(spectrum)) => {
+                let message = "'spectrum' beside 'color': only one can be the colour";
+                return Err(Problem::at(&spectrum.span, message));
+            }
+        };
         match &table.luminance_cd_m2 {
             Some(luminance) => {
                 self.photometric.push(luminance.span.clone());
                 with_luminance(&color, luminance.0, &luminance.span)
             }
             None => {
-                self.classic.push(table.color.span.clone());
+                self.classic.push(table.span.clone());
                 Ok(color)
             }
         }

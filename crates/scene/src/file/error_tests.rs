@@ -49,7 +49,7 @@ fn errors_say_what_was_expected_and_point_at_the_value() {
         ),
         (
             "[ambient]\ncolor = [1, -2.5, 1]".into(),
-            "expected a number that is at least 0, found -2.5",
+            "expected a number between 0 and 1e12, found -2.5",
             "-2.5",
         ),
         (
@@ -219,7 +219,7 @@ fn overrides_that_set_nothing_are_refused_where_they_stand() {
             "unknown key 'shadings' in [render]; did you mean 'shading'?",
             "render.shadings",
         ),
-        ("lights.0.color", "[1, 1, -7]", "expected a number that is at least 0, found -7", "-7"),
+        ("lights.0.color", "[1, 1, -7]", "expected a number between 0 and 1e12, found -7", "-7"),
     ];
     for (path, value, message, place) in cases {
         let error = set(&full(), &[("image.height", "99"), (path, value)]).expect_err(path);

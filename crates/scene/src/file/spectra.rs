@@ -3,12 +3,15 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glanz_color::{Ior, Observer, Outside, Reradiation, Spectrum, UnknownName, photometry, rgb_spectra};
+use glanz_color::read::{NamedSpectrum, Quantity};
+use glanz_color::{
+    FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName, photometry, rgb_spectra,
+};
 
 use super::build::Builder;
 use super::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
 use super::error::Problem;
-use super::values::At;
+use super::values::{At, Number};
 use crate::read::{FolderFiles, Resolver};
 use crate::{LightColor, Tint};
 
@@ -158,8 +161,10 @@ impl Builder {
             }
             ["line"] => formula(table.line.as_ref().expect("it is given"), |nm| format!("line({nm})")),
             ["gaussian"] => gaussian(table.gaussian.as_ref().expect("it is given")),
-            ["file"] => self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref()),
-            ["nm"] => from_numbers(table, span),
+            ["file"] => {
+                self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref(), light)
+            }
+            ["nm"] => self.from_numbers(table, span, light),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
             ["ior"] => ior(table.ior.as_ref().expect("it is given")),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
@@ -174,23 +179,63 @@ impl Builder {
         }
     }
 
-    fn read_function(&mut self, file: &At<String>, column: Option<&At<String>>) -> Result<Function, Problem> {
+    fn read_function(
+        &mut self,
+        file: &At<String>,
+        column: Option<&At<String>>,
+        light: bool,
+    ) -> Result<Function, Problem> {
         let bytes = self.read_beside(file)?;
         let spectra = glanz_color::read::read_spectra(&bytes, file)
             .map_err(|error| Problem::at(&file.span, error.to_string()))?;
-        let chosen = match column {
-            None => spectra.first(),
-            Some(column) => spectra.iter().find(|spectrum| spectrum.name == column.value),
-        };
-        let Some(chosen) = chosen else {
-            let names: Vec<&str> = spectra.iter().map(|spectrum| spectrum.name.as_str()).collect();
-            let span = column.map_or(&file.span, |column| &column.span);
-            return Err(Problem::at(span, format!("'{}' has no spectrum of that name", file.value))
-                .help(format!("it has: {}", names.join(", "))));
-        };
-        let (spectrum, notes) =
-            chosen.to_spectrum(None).map_err(|error| Problem::at(&file.span, error.to_string()))?;
+        let chosen = choose(&spectra, file, column)?;
+        match chosen.quantity {
+            quantity if light && quantity.is_ratio() => {
+                return Err(Problem::at(
+                    &file.span,
+                    "a lamp needs light, found a share of light in the file",
+                ));
+            }
+            Quantity::Light if !light => {
+                return Err(Problem::at(
+                    &file.span,
+                    "a surface needs a reflectance, found light in the file",
+                ));
+            }
+            _ => {}
+        }
+        let (spectrum, notes) = chosen
+            .to_spectrum(Some(beyond(light)))
+            .map_err(|error| Problem::at(&file.span, error.to_string()))?;
         self.notes.extend(notes.iter().map(|note| format!("'{}': {note}", file.value)));
+        Ok(Function::Either(spectrum))
+    }
+
+    fn from_numbers(
+        &mut self,
+        table: &SpectralTable,
+        span: &Range<usize>,
+        light: bool,
+    ) -> Result<Function, Problem> {
+        let (Some(nm), Some(values)) = (&table.nm, &table.value) else {
+            return Err(Problem::at(span, "'nm' and 'value' need each other; one of them is missing"));
+        };
+        let plain = |list: &[Number]| list.iter().map(|v| v.0).collect::<Vec<f64>>();
+        if let Some(negative) = values.iter().find(|v| v.0 < 0.0) {
+            let message = format!("expected values of at least 0, found {}", negative.0);
+            return Err(Problem::at(&values.span, message));
+        }
+        let spectrum = Spectrum::from_table(&plain(nm), &plain(values), beyond(light))
+            .map_err(|error| Problem::at(&nm.span, error.to_string()))?;
+        let (first, last) = (nm[0].0, nm[nm.len() - 1].0);
+        if last < FIRST_NM || first > LAST_NM {
+            let message =
+                format!("expected wavelengths in nm, some between 300 and 780, found {first} to {last}");
+            return Err(Problem::at(&nm.span, message));
+        }
+        if light && (first > FIRST_NM || last < LAST_NM) {
+            self.notes.push(format!("a lamp given from {first} to {last} nm sends nothing beyond"));
+        }
         Ok(Function::Either(spectrum))
     }
 
@@ -208,6 +253,12 @@ impl Builder {
             .map_err(|error| Problem::at(&name.span, error.to_string()))?;
         let matrix = measured.to_reradiation().map_err(|error| Problem::at(&name.span, error.to_string()))?;
         self.notes.extend(measured.notes.iter().map(|note| format!("'{}': {note}", name.value)));
+        let energy = matrix.energy();
+        if !energy.ok {
+            let (most, nm) = (energy.max_column_sum, energy.at_nm);
+            self.notes
+                .push(format!("'{}' sends out {most:.2} of the light at {nm} nm: impossible", name.value));
+        }
         Ok(Function::Reradiation(Arc::new(matrix)))
     }
 
@@ -241,16 +292,10 @@ pub(super) fn with_luminance(
     value: f64,
     span: &Range<usize>,
 ) -> Result<LightColor, Problem> {
-    let own = match color {
-        LightColor::Rgb(rgb) => f64::from(rgb.luminance()),
-        LightColor::Spectrum(spectrum) => rgb_spectra::luminance(spectrum),
-    };
-    match own > 1e-6 {
-        true => Ok(color.scaled(value / own)),
-        false => {
-            Err(Problem::at(span, "light that the eye hardly sees cannot be given in photometric units")
-                .help("give its radiant_intensity_w_sr"))
-        }
+    match color.luminance() {
+        Some(own) => Ok(color.scaled(value / own)),
+        None => Err(Problem::at(span, "light that the eye hardly sees cannot be given in photometric units")
+            .help("give its radiant_intensity_w_sr, or the classic intensity")),
     }
 }
 
@@ -295,18 +340,30 @@ fn gaussian(value: &At<[super::values::Amount; 2]>) -> Result<Function, Problem>
     Ok(Function::Either(spectrum))
 }
 
-fn from_numbers(table: &SpectralTable, span: &Range<usize>) -> Result<Function, Problem> {
-    let (Some(nm), Some(values)) = (&table.nm, &table.value) else {
-        return Err(Problem::at(span, "'nm' and 'value' need each other; one of them is missing"));
-    };
-    let plain = |list: &[super::values::Number]| list.iter().map(|v| v.0).collect::<Vec<f64>>();
-    if let Some(negative) = values.iter().find(|v| v.0 < 0.0) {
-        let message = format!("expected values of at least 0, found {}", negative.0);
-        return Err(Problem::at(&values.span, message));
+/// What lies beyond the ends of a table: nothing of a lamp, since its ultraviolet would make things glow;
+/// of a surface what is at the end.
+fn beyond(light: bool) -> Outside {
+    if light { Outside::Zero } else { Outside::Hold }
+}
+
+/// The spectrum of that name among those of a file; the only one where there is no name.
+fn choose<'a>(
+    spectra: &'a [NamedSpectrum],
+    file: &At<String>,
+    column: Option<&At<String>>,
+) -> Result<&'a NamedSpectrum, Problem> {
+    let names = || spectra.iter().map(|spectrum| spectrum.name.as_str()).collect::<Vec<_>>().join(", ");
+    match (column, spectra) {
+        (None, [only]) => Ok(only),
+        (None, _) => {
+            let message = format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());
+            Err(Problem::at(&file.span, message).help(format!("it has: {}", names())))
+        }
+        (Some(column), _) => spectra.iter().find(|spectrum| spectrum.name == column.value).ok_or_else(|| {
+            Problem::at(&column.span, format!("'{}' has no spectrum of that name", file.value))
+                .help(format!("it has: {}", names()))
+        }),
     }
-    Spectrum::from_table(&plain(nm), &plain(values), Outside::Hold)
-        .map(Function::Either)
-        .map_err(|error| Problem::at(&nm.span, error.to_string()))
 }
 
 fn ior(value: &At<IorValue>) -> Result<Function, Problem> {

@@ -82,6 +82,23 @@ fn spectra_come_from_numbers_and_from_files() {
 }
 
 #[test]
+fn a_lamp_sends_nothing_beyond_its_table_and_a_surface_is_held() {
+    let lamp = parse(
+        "[[lights]]\nkind = 'point'\nposition = [0, 1, 0]\nspectrum = { nm = [400, 700], value = [1, 1] }",
+    );
+    let loaded = lamp.unwrap();
+    let found = sent(&loaded.scene);
+    assert!(found.at(350.0) == 0.0 && found.at(550.0) > 0.0 && found.at(750.0) == 0.0);
+    assert!(loaded.notes[0].contains("sends nothing beyond"), "{:?}", loaded.notes);
+    let Tint::Spectrum(held) = diffuse("{ nm = [400, 700], value = [0.3, 0.6] }") else {
+        panic!("a spectrum")
+    };
+    assert!((held.at(310.0) - 0.3).abs() < ROUNDING && (held.at(770.0) - 0.6).abs() < ROUNDING);
+    let sky = scene("[ambient]\nspectrum = 'A'\n");
+    assert!(matches!(sky.lights[0].colors.ambient, LightColor::Spectrum(_)));
+}
+
+#[test]
 fn surfaces_glow_and_metals_shine() {
     let matrix = fluorescent("quinine").unwrap();
     assert_eq!(diffuse("{ reradiation = 'quinine' }"), Tint::Reradiation(matrix.into()));
@@ -158,6 +175,17 @@ fn what_is_no_colour_says_what_would_be() {
         (light("color = { ior = 'Au' }"), "a lamp needs light, found what surfaces do with light"),
         (light("spectrum = 'A'\ncolor = 1"), "'spectrum' beside 'color': only one can be the colour"),
         (light("spectrum = { nm = [400, 500], value = [0, 0] }"), "there is no light in this spectrum"),
+        (
+            light("spectrum = { file = 'data/metamer-a.csv' }"),
+            "a lamp needs light, found a share of light in the file",
+        ),
+        (light("spectrum = 'UV365'\nluminous_intensity_cd = 5"), "light that the eye hardly sees"),
+        (
+            light("spectrum = { nm = [0.4, 0.7], value = [1, 1] }"),
+            "expected wavelengths in nm, some between 300 and 780, found 0.4 to 0.7",
+        ),
+        (material("{ nm = [900, 1000], value = [1, 1] }"), "expected wavelengths in nm, some between"),
+        ("[ambient]\ncolor = 1\nspectrum = 'A'\n".to_owned(), "'spectrum' beside 'color'"),
         (light("illuminance_lx = 3"), "a point light has no 'illuminance_lx'"),
         (
             light("luminous_intensity_cd = 3\nintensity = 2"),

@@ -38,13 +38,13 @@ pub(crate) fn table<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer
     Table::deserialize(deserializer).map(|table| table.0)
 }
 
-/// For `deserialize_with`: a table that may be missing.
-pub(crate) fn optional<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+/// For `deserialize_with`: a table that may be missing, with its place.
+pub(crate) fn optional<'de, T, D>(deserializer: D) -> Result<Option<At<T>>, D::Error>
 where
     T: Deserialize<'de>,
     D: Deserializer<'de>,
 {
-    table(deserializer).map(Some)
+    At::<Table<T>>::deserialize(deserializer).map(|table| Some(bare(table)))
 }
 
 /// For `deserialize_with`: a list of tables, each with its place.

@@ -9,7 +9,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use super::colors::ColorValue;
+use super::colors::{ColorValue, SpectrumValue};
 use super::lights::LightTable;
 use super::materials::MaterialTable;
 use super::objects::ObjectTable;
@@ -34,8 +34,8 @@ pub(crate) struct SceneTable {
     #[serde(deserialize_with = "table::table")]
     pub render: RenderTable,
     /// Light that comes from everywhere.
-    #[serde(deserialize_with = "table::optional")]
-    pub ambient: Option<AmbientTable>,
+    #[serde(default, deserialize_with = "table::optional")]
+    pub ambient: Option<At<AmbientTable>>,
     /// The lights. A scene without lights is dark.
     #[serde(deserialize_with = "table::placed_list")]
     pub lights: Vec<At<LightTable>>,
@@ -104,7 +104,9 @@ pub(crate) struct RenderTable {
 #[serde(deny_unknown_fields)]
 pub(crate) struct AmbientTable {
     /// What it sends to the ambient term of every material.
-    pub color: At<ColorValue>,
+    pub color: Option<At<ColorValue>>,
+    /// Its spectrum, in place of `color`: the name of a light source, or a table.
+    pub spectrum: Option<At<SpectrumValue>>,
     /// How bright the surroundings are that it comes from, in cd/m², in place of the classic unit.
     pub luminance_cd_m2: Option<At<Amount>>,
 }

@@ -87,7 +87,7 @@ number!(
 );
 number!(
     /// An amount.
-    Amount, "a number that is at least 0", |v| (0.0..=LIMIT).contains(&v),
+    Amount, "a number between 0 and 1e12", |v| (0.0..=LIMIT).contains(&v),
     { "type": "number", "minimum": 0.0, "maximum": 1e12 }
 );
 number!(

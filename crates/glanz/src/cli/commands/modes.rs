@@ -87,6 +87,10 @@ impl ModesArgs {
         let draw = |mode: ColorMode| -> Result<Developed, Failure> {
             let mut look = self.look.clone();
             look.color.mode = Some(mode);
+            if mode == ColorMode::Rgb {
+                // RGB is what a screen shows, whoever looks.
+                look.color.observer = None;
+            }
             let plan = Plan::new(&input, self.size.size, &look, &self.camera, self.develop)?;
             plan.developed(&plan.prepare(&input.scene)?)
         };

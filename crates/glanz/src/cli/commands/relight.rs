@@ -1,8 +1,8 @@
 //! `glanz relight`: one scene under several light sources side by side.
 
 use clap::Args;
-use glanz_color::{Observer, Spectrum, xyz_of_light};
-use glanz_scene::{ColorMode, LightColor, LightColors, Material, Tint, White};
+use glanz_color::{Observer, xyz_of_light};
+use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
 use serde_json::json;
 
 use crate::cli::args::{
@@ -15,6 +15,7 @@ use crate::cli::load::Input;
 use crate::cli::pipeline::{Picture, Plan};
 use crate::cli::print::{self, FormatArgs};
 use crate::cli::sheet::Sheet;
+use crate::cli::spectra::light_source;
 use crate::cli::timings::Timings;
 
 /// Shown after the help.
@@ -34,7 +35,7 @@ pub struct RelightArgs {
     input: InputArgs,
 
     /// A light source, from `glanz color list lights`, such as A, D50, FL11, D(9300), blackbody(3000),
-    /// gaussian(450,20); repeated, one for each column
+    /// gaussian(450,20), or a file with its spectrum; repeated, one for each column
     #[arg(long, value_name = "NAME", required = true)]
     light: Vec<String>,
 
@@ -68,65 +69,79 @@ impl RelightArgs {
             look.color.mode = Some(ColorMode::Spectral);
         }
         let mut rows = Vec::new();
-        let mut pictures = self.row(&mut input, &look, &spectra)?;
+        let looks = self.looks(&mut input, &look, &spectra)?;
+        let mut pictures = self.row(&mut input, &looks, &spectra)?;
         if let Some(plain) = without_fluorescence(&input.scene.materials) {
             rows = vec!["as it is".to_owned(), "without\nfluorescence".to_owned()];
             input.scene.materials = plain;
-            pictures.extend(self.row(&mut input, &look, &spectra)?);
+            pictures.extend(self.row(&mut input, &looks, &spectra)?);
         }
-        self.deliver(&target, &input, rows, pictures)
+        self.deliver(&target, &input, &spectra, rows, pictures)
     }
 
     fn spectra(&self) -> Result<Vec<LightColor>, Failure> {
         let color = |name: &String| {
-            let spectrum = glanz_color::light(name).map_err(|error| Failure::Usage(error.to_string()))?;
+            let spectrum = light_source(name)?.spectrum;
             LightColor::unit(&spectrum)
                 .ok_or_else(|| Failure::Usage(format!("light '{name}' has no power between 300 and 780 nm")))
         };
         self.light.iter().map(color).collect()
     }
 
-    /// One picture for each light.
-    fn row(
+    /// The look of each picture. An eye cannot take every light for white, black light least of all: such a
+    /// picture is drawn for daylight, and said to be.
+    fn looks(
         &self,
         input: &mut Input,
         look: &LookArgs,
         spectra: &[LightColor],
+    ) -> Result<Vec<LookArgs>, Failure> {
+        let own = input.scene.lights.clone();
+        let mut looks = Vec::with_capacity(spectra.len());
+        for (color, name) in spectra.iter().zip(&self.light) {
+            relight(&mut input.scene.lights, &own, color);
+            let mut daylight = look.clone();
+            daylight.color.white = Some(White::D65);
+            looks.push(match (self.plan(input, look), self.plan(input, &daylight)) {
+                // The white is all that differs.
+                (Err(_), Ok(_)) => {
+                    print::note(format_args!("note: no eye takes {name} for white: drawn for D65"));
+                    daylight
+                }
+                (plan, _) => plan.map(|_| look.clone())?,
+            });
+        }
+        input.scene.lights = own;
+        Ok(looks)
+    }
+
+    /// One picture for each light.
+    fn row(
+        &self,
+        input: &mut Input,
+        looks: &[LookArgs],
+        spectra: &[LightColor],
     ) -> Result<Vec<Canvas>, Failure> {
         let own = input.scene.lights.clone();
         let mut pictures = Vec::with_capacity(spectra.len());
-        for (color, name) in spectra.iter().zip(&self.light) {
-            for (light, own) in input.scene.lights.iter_mut().zip(&own) {
-                light.colors = relit(&own.colors, color);
-            }
-            let plan = self.plan(input, look, name)?;
+        for (color, look) in spectra.iter().zip(looks) {
+            relight(&mut input.scene.lights, &own, color);
+            let plan = self.plan(input, look)?;
             pictures.push(plan.codes(&plan.prepare(&input.scene)?, &mut Timings::default())?);
         }
         input.scene.lights = own;
         Ok(pictures)
     }
 
-    /// How a picture is drawn. An eye cannot take every light for white, black light least of all: such a
-    /// picture is drawn for daylight, and said to be.
-    fn plan(&self, input: &Input, look: &LookArgs, name: &str) -> Result<Plan, Failure> {
-        let plan = |look: &LookArgs| Plan::new(input, self.size.size, look, &self.camera, self.develop);
-        let adapted = plan(look);
-        let mut daylight = look.clone();
-        daylight.color.white = Some(White::D65);
-        match (adapted, plan(&daylight)) {
-            // The white is all that differs.
-            (Err(_), Ok(plan)) => {
-                print::note(format_args!("note: no eye takes {name} for white: drawn for D65"));
-                Ok(plan)
-            }
-            (adapted, _) => adapted,
-        }
+    fn plan(&self, input: &Input, look: &LookArgs) -> Result<Plan, Failure> {
+        Plan::new(input, self.size.size, look, &self.camera, self.develop)
     }
 
     fn deliver(
         &self,
         target: &Target,
         input: &Input,
+        spectra: &[LightColor],
         rows: Vec<String>,
         pictures: Vec<Canvas>,
     ) -> Result<(), Failure> {
@@ -146,19 +161,24 @@ impl RelightArgs {
         let Target::File(path) = target else { return Ok(()) };
         print::note(format_args!("wrote {}", path.display()));
         if self.format.is_json() {
-            let observer = Observer::default();
-            let lights: Vec<_> = self
-                .light
-                .iter()
-                .map(|name| {
-                    let spectrum = glanz_color::light(name).unwrap_or(Spectrum::ZERO);
-                    let [x, y, z] = xyz_of_light(&spectrum, &observer);
-                    json!({ "name": name, "xy": [x / (x + y + z), y / (x + y + z)] })
-                })
-                .collect();
+            let lights: Vec<_> = self.light.iter().zip(spectra).map(describe).collect();
             return print::json(&json!({ "file": path.display().to_string(), "lights": lights }));
         }
         Ok(())
+    }
+}
+
+/// A light for programs.
+fn describe((name, color): (&String, &LightColor)) -> serde_json::Value {
+    let LightColor::Spectrum(spectrum) = color else { return json!({ "name": name }) };
+    let [x, y, z] = xyz_of_light(spectrum, &Observer::default());
+    json!({ "name": name, "xy": [x / (x + y + z), y / (x + y + z)] })
+}
+
+/// Gives the lights another spectrum in place of their own.
+fn relight(lights: &mut [Light], own: &[Light], color: &LightColor) {
+    for (light, own) in lights.iter_mut().zip(own) {
+        light.colors = relit(&own.colors, color);
     }
 }
 
