@@ -186,7 +186,7 @@ class Lights(unittest.TestCase):
 
 
 class Pictures(unittest.TestCase):
-    def test_a_spectral_picture_is_read_back_without_loss(self):
+    def test_a_spectral_picture_holds_light_times_reflectance(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "spectra.exr")
             scene = os.path.join(os.path.dirname(__file__), "../../examples/colorchecker.toml")

@@ -54,7 +54,7 @@ fn format(house: &House) -> Result<()> {
 
 /// The colours of the command against an independent implementation, where there is a Python.
 fn oracle(house: &House) -> Outcome {
-    if !works(house.command("python3").arg("--version")) {
+    if !works(house.command("python3").args(["-c", "import ensurepip, venv"])) {
         return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
     }
     let test = || {

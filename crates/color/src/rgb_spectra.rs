@@ -77,9 +77,14 @@ pub fn spectrum_of_reflectance(rgb: Rgb) -> Spectrum {
     fit.expect("numbers from 0 to 1 are inside of the cube").spectrum() * greatest
 }
 
-/// A light that has this linear sRGB: D65 through a smooth filter.
+/// A light that has this linear sRGB: D65 through a smooth filter. Twice the RGB is twice the light.
 pub fn spectrum_of_light(rgb: Rgb) -> Spectrum {
-    TABLES.daylight * spectrum_of_reflectance(rgb)
+    let greatest = rgb.0.into_iter().fold(0.0_f32, f32::max);
+    if greatest <= 0.0 {
+        return Spectrum::ZERO;
+    }
+    let unit = Rgb(rgb.0.map(|c| c / greatest));
+    TABLES.daylight * spectrum_of_reflectance(unit) * f64::from(greatest)
 }
 
 /// The three spectra whose mixture in the shares of linear sRGB is the reflectance of a texel (Mallett and
@@ -102,6 +107,15 @@ mod tests {
         }
         assert!((luminance(&daylight()) - 1.0).abs() < 1e-12);
         assert_eq!(spectrum_of_reflectance(Rgb::WHITE), Spectrum::ONE);
+    }
+
+    #[test]
+    fn twice_the_rgb_is_twice_the_light() {
+        let (once, twice) =
+            (spectrum_of_light(Rgb([0.2, 0.05, 0.1])), spectrum_of_light(Rgb([0.4, 0.1, 0.2])));
+        for (a, b) in once.0.iter().zip(twice.0) {
+            assert!((2.0 * a - b).abs() <= 1e-12 * b.abs(), "{a} and {b}");
+        }
     }
 
     #[test]

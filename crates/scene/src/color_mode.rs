@@ -75,7 +75,7 @@ pub enum White {
     D65,
     /// All lights of the scene together.
     Scene,
-    /// The first light of the scene.
+    /// The first light of the scene, those with a direction before ambient ones.
     Light,
     /// None: tristimulus values are shown as they are.
     None,

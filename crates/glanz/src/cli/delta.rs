@@ -19,11 +19,12 @@ pub struct Delta {
 }
 
 impl Delta {
-    /// The difference of two pictures of one size, on the screen's white D65. Light beyond the screen's gamut
-    /// counts as it is.
-    pub fn between(a: &Frame, b: &Frame) -> Self {
+    /// The difference of two pictures of one size, on the screen's white D65, at an exposure in stops. Light
+    /// beyond the screen's gamut counts as it is.
+    pub fn between(a: &Frame, b: &Frame, ev: f32) -> Self {
+        let gain = libm::exp2(f64::from(ev));
         let lab = |frame: &Frame, i: usize| -> Lab {
-            LinearSrgb([0, 1, 2].map(|c| f64::from(frame.rgb[c][i]))).to::<Lab>()
+            LinearSrgb([0, 1, 2].map(|c| gain * f64::from(frame.rgb[c][i]))).to::<Lab>()
         };
         let shows = |frame: &Frame, i: usize| frame.object.get(i).is_none_or(|object| *object != 0);
         let mut map = vec![0.0; a.alpha.len()];
@@ -65,10 +66,10 @@ mod tests {
 
     #[test]
     fn only_surfaces_count() {
-        let delta = Delta::between(&frame([0.2, 0.5], [0, 1]), &frame([0.9, 0.5], [0, 1]));
+        let delta = Delta::between(&frame([0.2, 0.5], [0, 1]), &frame([0.9, 0.5], [0, 1]), 0.0);
         assert_eq!((delta.pixels, delta.spread.max, delta.map[0]), (1, 0.0, 0.0));
         // Greys of L* 76.07 and 53.39: ΔE00 of pure lightness is below their difference.
-        let apart = Delta::between(&frame([0.0, 0.5], [0, 1]), &frame([0.0, 0.214_041], [0, 1]));
+        let apart = Delta::between(&frame([0.0, 0.5], [0, 1]), &frame([0.0, 0.214_041], [0, 1]), 0.0);
         assert!((15.0..22.7).contains(&apart.spread.mean), "{:?}", apart.spread);
     }
 }

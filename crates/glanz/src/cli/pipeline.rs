@@ -221,6 +221,12 @@ impl Plan {
 
     /// The spectrum of each pixel, drawn three wavelengths at a time.
     fn spectral_image(&self, prepared: &Prepared) -> Result<SpectralImage, Failure> {
+        let mode = self.prepare.observation.mode();
+        if !matches!(mode, ColorMode::Spectral | ColorMode::Reference) || !self.options.show.is_light() {
+            let message =
+                format!("--spectral-exr needs spectra of light: add --mode spectral (the mode is {mode})");
+            return Err(Failure::Usage(message));
+        }
         let options = DrawOptions { background: Background::Transparent, ..self.options };
         let own = PrepareOptions { observation: Observation::spectrum(), ..self.prepare.clone() };
         let mut progress = Progress::new(100, "per cent");

@@ -57,7 +57,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
             };
             let point = Point { position, normal, wo };
             let own = &mut lit[row..row + 16];
-            if material.mix.is_none() {
+            if material.mix.is_none() || colors.is_none() && view.layout.mix.is_none() {
                 let reflected = reflect_lanes(simd, &frame.lights, material, &point, None);
                 store([reflected.textured, reflected.plain], side, own);
                 continue;

@@ -318,7 +318,9 @@ impl<'a, S: Simd> Group<'a, S> {
         }
         if self.object.shading == Shading::Phong {
             point.normal = extra.bend(material, point.normal);
-            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point, Some(extra.base));
+            let varies = self.object.layout.color.is_some() || material.base_color.is_some();
+            let texel = varies.then_some(extra.base);
+            let light = reflect_lanes(self.simd, &self.frame.lights, material, &point, texel);
             textured = light.textured;
             plain = light.plain;
         }

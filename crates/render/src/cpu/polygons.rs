@@ -44,9 +44,10 @@ impl PolygonView {
             offset + Vec3::new(x, y, z)
         };
         let screen = (0..count).map(|i| project(eye, at(i))).collect();
+        let has_texels = object.attributes.uv && material.base_color.is_some();
         let values = [1.0, if material.two_sided { -1.0 } else { 0.0 }].map(|side| {
             (0..count)
-                .map(|i| corner(polygons, i, at(i), side, object.shading, eye, lights, material))
+                .map(|i| corner(polygons, i, at(i), side, object.shading, eye, lights, material, has_texels))
                 .collect()
         });
         Self { polygons: Arc::clone(polygons), screen, values }
@@ -106,6 +107,7 @@ fn corner(
     eye: &Eye,
     lights: &[EyeLight],
     material: &PreparedMaterial,
+    has_texels: bool,
 ) -> Corner {
     let [x, y, z] = polygons.normals[i];
     let normal = Vec3::new(x, y, z) * side;
@@ -119,16 +121,16 @@ fn corner(
                 Vec3::new(eye.back[0], eye.back[1], eye.back[2])
             };
             let point = Point { position, normal: unit(normal), wo };
-            match (&material.mix, material.base_color) {
+            match (&material.mix, has_texels) {
                 (None, _) => {
                     let reflected = reflect(lights, material, &point, None);
                     ((Rgb(reflected.textured) * Rgb([r, g, b])).0, reflected.plain)
                 }
-                (Some(_), None) => {
+                (Some(_), false) => {
                     let reflected = reflect(lights, material, &point, Some([r, g, b]));
                     (reflected.textured, reflected.plain)
                 }
-                (Some(_), Some(_)) => {
+                (Some(_), true) => {
                     let through = |texel| reflect(lights, material, &point, Some(texel));
                     let first = through([r, 0.0, 0.0]);
                     more = [[0.0, g, 0.0], [0.0, 0.0, b]].map(|texel| through(texel).textured);

@@ -11,7 +11,8 @@ use crate::Show;
 
 /// Half the width of wireframe lines, in pixels.
 const LINE: f32 = 0.75;
-const LINE_COLOR: [f32; 3] = [0.02, 0.02, 0.02];
+/// Black, which is the same in the channels of every observer.
+const LINE_COLOR: [f32; 3] = [0.0; 3];
 const NOT_AN_EDGE: f32 = 1e9;
 
 /// Replaces colour and opacity by what the view shows; leaves them for the shaded ones.

@@ -14,8 +14,10 @@ use crate::prepare::{Mipmap, PreparedMaterial};
 
 /// Factors and directions that textures and vertex colours give sixteen pixels.
 pub(crate) struct Extra<S: Simd> {
-    /// Multiplies the textured lobes.
+    /// Multiplies the textured lobes: the vertices' colour times the texel.
     pub base: [Lanes<S>; 3],
+    /// The texel alone.
+    texel: [Lanes<S>; 3],
     /// Multiplies the material's opacity.
     pub alpha: Lanes<S>,
     /// Multiplies the emission.
@@ -31,6 +33,7 @@ impl<S: Simd> Extra<S> {
         let (zero, one) = (like.zero(), like.one());
         Self {
             base: [one; 3],
+            texel: [one; 3],
             alpha: one,
             emission: [one; 3],
             uv: [zero; 2],
@@ -94,6 +97,7 @@ impl<S: Simd> Extra<S> {
         );
         if let Some(map) = &material.base_color {
             let [r, g, b, a] = look(map);
+            self.texel = [r, g, b];
             for (base, texel) in self.base.iter_mut().zip([r, g, b]) {
                 *base = *base * texel;
             }
@@ -201,7 +205,10 @@ pub(crate) fn scanline<S: Simd>(
         }
     }
     if layout.color.is_some() {
-        let base = extra.base;
-        extra.base = three([0, 1, 2], |c| lanes(8 + c, base[c]));
+        let (base, texel) = (extra.base, extra.texel);
+        extra.base = three([0, 1, 2], |c| {
+            let color = lanes(8 + c, base[c].one());
+            (color * texel[c]).select(mask, base[c])
+        });
     }
 }

@@ -6,7 +6,8 @@
 //! [`Real`](glanz_math::Real): the rasteriser runs [`DevelopKernel`] on 16 pixels while they are in
 //! registers, [`develop()`] runs the same text over a whole frame, so both give the same bytes.
 //!
-//! Every input gives a defined code: NaN and −∞ count as 0, +∞ as the brightest value.
+//! Every input gives a defined code: NaN and −∞ count as 0, +∞ as the brightest value. Through the matrix of an
+//! observer, infinite light has no colour and may count as 0.
 
 mod dither;
 mod encode;

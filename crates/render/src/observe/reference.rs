@@ -3,7 +3,8 @@
 //! Each picture knows one wavelength of light and goes all the way through the rasteriser; nothing is
 //! summed before it is drawn. Sums over pictures are in f64. That is what the table of the other modes
 //! replaces, so it is what they are measured against; a pixel differs from the sum of its table by the
-//! rounding of f32 alone.
+//! rounding of f32 alone. The pictures themselves are drawn in f32, with the same series for Fresnel's law and
+//! the same three spectra for texels; those are tested by themselves.
 
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use glanz_color::{SAMPLES, STEP_NM, Spectrum, rgb_spectra};
 use glanz_scene::{Background, Light, LightColor, LightColors, Scene, Tint};
 
 use crate::prepare::Observation;
-use crate::{DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
+use crate::{DrawOptions, Frame, Layers, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
 
 /// Channels that a picture has.
 const AT_ONCE: usize = 3;
@@ -25,7 +26,8 @@ pub(super) fn draw(
     step: &mut dyn FnMut(f64),
 ) -> Result<Frame, PrepareError> {
     let channels = options.observation.channel_count();
-    let bare = DrawOptions { background: Background::Transparent, ..*draw_options };
+    let bare =
+        DrawOptions { background: Background::Transparent, layers: Layers::default(), ..*draw_options };
     let mut sum = Sum::new(channels, view);
     let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
     let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
@@ -50,7 +52,8 @@ pub(super) fn draw(
         }
     }
     // Depth, normals and coverage are those of any picture.
-    let like = draw_once(prepared, view, &bare);
+    let whole = DrawOptions { background: Background::Transparent, ..*draw_options };
+    let like = draw_once(prepared, view, &whole);
     Ok(sum.over(like, draw_options.background))
 }
 

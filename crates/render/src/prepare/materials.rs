@@ -122,7 +122,9 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         Some(name) if part == Part::Specular => with_model(&lobe.shape, name)?,
         _ => lobe.shape.clone(),
     };
-    Ok(DirectLobe { shape, part, textured: lobe.textured, curved: is_curved(lobe) })
+    // A texel has no say in Fresnel reflection.
+    let curved = is_curved(lobe);
+    Ok(DirectLobe { shape, part, textured: lobe.textured && !curved, curved })
 }
 
 /// The tints of a material's lobes that no light with a direction touches.

@@ -83,7 +83,7 @@ impl Observation {
             };
         }
         let chosen = chosen.unwrap_or_else(cie1931);
-        if matches!(mode, ColorMode::Meyer | ColorMode::MeyerAdapted) && chosen.name != "cie1931" {
+        if matches!(mode, ColorMode::Meyer | ColorMode::MeyerAdapted) && chosen != cie1931() {
             let (mode, found) = (mode.to_string(), chosen.name);
             return Err(ObservationError::MeyerIsFor1931 { mode, found });
         }
@@ -183,7 +183,7 @@ impl Observation {
 fn white_lights(scene: &Scene, white: White) -> Result<Vec<LightColor>, ObservationError> {
     let lights: Vec<LightColor> = match white {
         White::Scene => scene.lights.iter().map(own_color).cloned().collect(),
-        White::Light => scene.lights.iter().map(own_color).take(1).cloned().collect(),
+        White::Light => first_light(scene).cloned().into_iter().collect(),
         White::D65 | White::None => {
             vec![LightColor::Spectrum(std::sync::Arc::new(rgb_spectra::daylight()))]
         }
@@ -202,6 +202,15 @@ fn white_under(sampling: &Sampling, lights: &[LightColor]) -> Channels {
         sum.iter_mut().zip(response.under(row)).for_each(|(sum, value)| *sum += value);
     }
     sum
+}
+
+/// The colour of the first light that sends any, those with a direction before ambient ones.
+fn first_light(scene: &Scene) -> Option<&LightColor> {
+    let lit = |ambient: bool| {
+        let lights = scene.lights.iter().filter(move |light| (light.kind == LightKind::Ambient) == ambient);
+        lights.map(own_color).find(|color| !color.is_black())
+    };
+    lit(false).or_else(|| lit(true))
 }
 
 /// The colour by which a light counts towards the white.
@@ -273,8 +282,7 @@ fn least_squares(weights: &[Spectrum], targets: &[Spectrum]) -> Vec<[f64; 3]> {
             continue;
         }
         let own: Vec<f64> = rows[pivot].iter().map(|v| v / divisor).collect();
-        for (number, row) in rows.iter_mut().enumerate().filter(|(number, _)| *number != pivot) {
-            debug_assert_ne!(number, pivot);
+        for (_, row) in rows.iter_mut().enumerate().filter(|(number, _)| *number != pivot) {
             let factor = row[pivot];
             row.iter_mut().zip(&own).for_each(|(v, o)| *v -= factor * o);
         }

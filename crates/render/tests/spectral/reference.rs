@@ -6,8 +6,8 @@ use glam::{DMat4, DVec3, Vec4};
 use glanz_bsdf::Shape;
 use glanz_color::{Rgb, ior};
 use glanz_scene::{
-    Attenuation, ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Scene, Shading, Space, Texture,
-    TextureUse, Tint,
+    Attenuation, ColorMode, Interpolation, Light, LightColor, LightColors, LightKind, Lobe, Scene, Shading,
+    Space, Texture, TextureUse, Tint,
 };
 
 use super::common::{add, camera, empty, rectangle, sphere};
@@ -70,8 +70,11 @@ fn everything() -> Scene {
 #[test]
 fn the_table_gives_what_one_picture_per_wavelength_pair_gives() {
     let mut scene = everything();
-    for shading in [Shading::Phong, Shading::Gouraud, Shading::Flat] {
+    let shadings = [Shading::Phong, Shading::Gouraud, Shading::Flat].map(|s| (s, Interpolation::Perspective));
+    for (shading, interpolation) in shadings.into_iter().chain([(Shading::Gouraud, Interpolation::Scanline)])
+    {
         scene.render.shading = shading;
+        scene.render.interpolation = interpolation;
         let table = seen(&scene, ColorMode::Spectral, 24);
         let truth = seen(&scene, ColorMode::Reference, 24);
         assert_eq!(table.alpha, truth.alpha);
@@ -84,5 +87,37 @@ fn the_table_gives_what_one_picture_per_wavelength_pair_gives() {
             }
         }
         assert!(lit > 500, "{shading:?}: only {lit} values are lit");
+    }
+}
+
+/// Texels in RGB and in spectra under daylight must agree, whatever is interpolated and how.
+#[test]
+fn texels_and_vertex_colours_agree_with_rgb_under_daylight_in_every_scheme() {
+    let mut material = matte(Rgb::WHITE.into());
+    material.lobes[0].textured = true;
+    material.base_color = Some(TextureUse::plain(0));
+    let mut mesh = rectangle([0.0, 0.0, 8.0, 8.0], 0.0);
+    mesh.colors = [[0.9, 0.2, 0.2], [0.3, 1.0, 0.4], [0.2, 0.3, 1.0], [1.0; 3]]
+        .map(|[r, g, b]| Vec4::new(r, g, b, 1.0))
+        .to_vec();
+    let mut scene = super::faced(material, &unit("D65"));
+    scene.meshes[0] = mesh;
+    scene.camera = Some(super::common::pixel_camera(8, 8));
+    scene.textures = everything().textures;
+    for shading in [Shading::Phong, Shading::Gouraud, Shading::Flat] {
+        for interpolation in [Interpolation::Perspective, Interpolation::Scanline] {
+            scene.render.shading = shading;
+            scene.render.interpolation = interpolation;
+            let rgb = seen(&scene, ColorMode::Rgb, 8);
+            let observation = glanz_render::Observation::new(ColorMode::Spectral, None).unwrap();
+            let map = observation.to_screen(&scene, glanz_scene::White::D65).unwrap().unwrap();
+            let spectral = super::observed(&scene, observation, 8).on_screen(&map);
+            for i in 0..64 {
+                for c in 0..3 {
+                    let (a, b) = (rgb.rgb[c][i], spectral.rgb[c][i]);
+                    assert!((a - b).abs() < 1e-5, "{shading:?}, {interpolation:?}, pixel {i}: {a} and {b}");
+                }
+            }
+        }
     }
 }

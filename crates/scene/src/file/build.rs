@@ -9,7 +9,7 @@ use super::hash::Hash;
 use super::instances::{FileModel, Part};
 use super::materials::{FilterName, MaterialTable, TextureValue, WrapName};
 use super::near::{did_you_mean, list};
-use super::spectra::with_luminance;
+use super::spectra::for_luminance;
 use super::types::{AmbientTable, CameraRef, CameraTable, ProjectionName, SceneTable};
 use super::values::At;
 use crate::read::{FolderFiles, ReadOptions, ResolveError, Resolver, read_texture, resolve};
@@ -129,10 +129,10 @@ impl Builder {
         match &table.luminance_cd_m2 {
             Some(luminance) => {
                 self.photometric.push(luminance.span.clone());
-                with_luminance(&color, luminance.0, &luminance.span)
+                Ok(color.scaled(for_luminance(&color, luminance.0, &luminance.span)?))
             }
             None => {
-                self.classic.push(table.span.clone());
+                self.classic.extend((!color.is_black()).then(|| table.span.clone()));
                 Ok(color)
             }
         }

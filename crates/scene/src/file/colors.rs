@@ -35,7 +35,7 @@ pub(crate) struct SpectralTable {
     /// re-radiation matrix (BFC, CSV); surfaces only.
     pub reradiation: Option<At<String>>,
     /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
-    /// refraction; surfaces only.
+    /// refraction from 1.05 to 20; surfaces only.
     pub ior: Option<At<IorValue>>,
     /// Multiplies the function; 1 by default.
     pub scale: Option<At<Amount>>,
@@ -67,10 +67,11 @@ impl<'de> Deserialize<'de> for IorValue {
                 Ok(IorValue::Name(name.to_owned()))
             }
             fn visit_f64<E: Error>(self, index: f64) -> Result<IorValue, E> {
-                match (1.0..=100.0).contains(&index) {
+                // The series of the tint table holds 1e-4 between these.
+                match (1.05..=20.0).contains(&index) {
                     true => Ok(IorValue::Index(index)),
                     false => Err(E::custom(format!(
-                        "expected an index of refraction between 1 and 100, found {index}"
+                        "expected an index of refraction between 1.05 and 20, found {index}"
                     ))),
                 }
             }

@@ -225,7 +225,9 @@ impl Builder {
             self.cameras.push((name.clone(), moved(camera, transform)));
         }
         let count = file.lights.lights.len();
-        if object.lights.as_ref().is_some_and(|lights| lights.value) {
+        if let Some(lights) = object.lights.as_ref().filter(|lights| lights.value && count > 0) {
+            // A file's lights come in classic units.
+            self.classic.push(lights.span.clone());
             file.lights.clone().append_to(&mut self.scene, *transform, None, true);
         } else if count > 0 {
             let file = file_name(path);

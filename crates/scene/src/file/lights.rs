@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer};
 use super::build::Builder;
 use super::colors::{ColorValue, SpectrumValue};
 use super::error::Problem;
-use super::spectra::{with_luminance, with_power};
+use super::spectra::{for_luminance, for_power};
 use super::types::names;
 use super::values::{Amount, At, Direction, Exponent, HalfTurn, Vector};
 use crate::{Attenuation, Light, LightColor, LightColors, LightKind, Space};
@@ -184,16 +184,15 @@ impl Unit {
         matches!(self, Self::Candela(_) | Self::WattPerSteradian(_))
     }
 
-    /// Light of this colour and strength: the luminance that it gives a white Lambert surface that faces
-    /// it, at a distance of 1 m if it is a lamp. That is 1/π of the illuminance.
-    fn of(self, color: &LightColor, span: &Range<usize>) -> Result<LightColor, Problem> {
-        let black = color.is_black();
+    /// What makes light of this colour that strong: the luminance that it gives a white Lambert surface that
+    /// faces it, at a distance of 1 m if it is a lamp. That is 1/π of the illuminance.
+    fn factor(self, color: &LightColor, span: &Range<usize>) -> Result<f64, Problem> {
         match self {
-            Self::Classic(factor) => Ok(color.scaled(factor)),
-            _ if black => Ok(LightColor::BLACK),
-            Self::Lux(value) | Self::Candela(value) => with_luminance(color, value / PI, span),
-            Self::WattPerSteradian(value) => with_power(color, value / PI, span),
-            Self::CandelaPerSquareMetre(value) => with_luminance(color, value, span),
+            Self::Classic(factor) => Ok(factor),
+            _ if color.is_black() => Ok(0.0),
+            Self::Lux(value) | Self::Candela(value) => for_luminance(color, value / PI, span),
+            Self::WattPerSteradian(value) => Ok(for_power(color, value / PI)),
+            Self::CandelaPerSquareMetre(value) => for_luminance(color, value, span),
         }
     }
 }
@@ -276,9 +275,11 @@ impl LightTable {
             (None, Some(color)) => builder.light_color(color)?,
             (None, None) => glanz_color::Rgb::WHITE.into(),
         };
+        // The strength is that of the light's own colour; parts with a colour of their own are in proportion.
+        let factor = unit.factor(&all, span)?;
         let mut part = |color: &Option<At<ColorValue>>| {
             let color = color.as_ref().map_or(Ok(all.clone()), |color| builder.light_color(color))?;
-            unit.of(&color, span)
+            Ok(color.scaled(factor))
         };
         let ambient = part(&self.ambient)?;
         if self.kind == KindName::Ambient {

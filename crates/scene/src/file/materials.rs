@@ -356,6 +356,9 @@ impl LobeTable {
             Some(color) if shape.info().part == Part::Emission => builder.emission(color)?,
             Some(color) => builder.tint(color)?,
         };
+        if let (Tint::Ior(_), Part::Specular, true) = (&tint, shape.info().part, textured) {
+            return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
+        }
         Ok(Lobe { shape, tint, textured })
     }
 

@@ -123,7 +123,7 @@ impl Builder {
         let color = match &table.luminance_cd_m2 {
             Some(luminance) => {
                 self.photometric.push(luminance.span.clone());
-                with_luminance(&color, luminance.0, &luminance.span)?
+                color.scaled(for_luminance(&color, luminance.0, &luminance.span)?)
             }
             None => {
                 self.classic.push(value.span.clone());
@@ -153,6 +153,9 @@ impl Builder {
             ("reradiation", table.reradiation.is_some()),
             ("ior", table.ior.is_some()),
         ];
+        if let (Some(column), None) = (&table.column, &table.file) {
+            return Err(Problem::at(&column.span, "'column' needs 'file'"));
+        }
         let names: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
         match names.as_slice() {
             ["spectrum"] => named(table.spectrum.as_ref().expect("it is given"), light),
@@ -286,32 +289,21 @@ impl Builder {
     }
 }
 
-/// Light scaled to a luminance, or to what makes one.
-pub(super) fn with_luminance(
-    color: &LightColor,
-    value: f64,
-    span: &Range<usize>,
-) -> Result<LightColor, Problem> {
-    match color.luminance() {
-        Some(own) => Ok(color.scaled(value / own)),
-        None => Err(Problem::at(span, "light that the eye hardly sees cannot be given in photometric units")
-            .help("give its radiant_intensity_w_sr, or the classic intensity")),
-    }
+/// The factor that gives light a luminance, or what makes one.
+pub(super) fn for_luminance(color: &LightColor, value: f64, span: &Range<usize>) -> Result<f64, Problem> {
+    color.luminance().map(|own| value / own).ok_or_else(|| {
+        Problem::at(span, "light that the eye hardly sees cannot be given in photometric units")
+            .help("give its radiant_intensity_w_sr, or the classic intensity")
+    })
 }
 
-/// Light scaled to a radiant power: as luminance of what it falls on, it counts in lumens.
-pub(super) fn with_power(color: &LightColor, watts: f64, span: &Range<usize>) -> Result<LightColor, Problem> {
-    let spectrum = match color {
-        LightColor::Rgb(rgb) => rgb_spectra::spectrum_of_light(*rgb),
-        LightColor::Spectrum(spectrum) => **spectrum,
+/// The factor that gives light a radiant power; as luminance of what it falls on, it counts in lumens.
+pub(super) fn for_power(color: &LightColor, watts: f64) -> f64 {
+    let power = match color {
+        LightColor::Rgb(rgb) => rgb_spectra::spectrum_of_light(*rgb).integral(),
+        LightColor::Spectrum(spectrum) => spectrum.integral(),
     };
-    let power = spectrum.integral();
-    match power > 0.0 {
-        true => {
-            Ok(LightColor::Spectrum(Arc::new(spectrum * (photometry::PHOTOPIC_LM_PER_W * watts / power))))
-        }
-        false => Err(Problem::at(span, "black light has no power")),
-    }
+    photometry::PHOTOPIC_LM_PER_W * watts / power
 }
 
 fn named(name: &At<String>, light: bool) -> Result<Function, Problem> {

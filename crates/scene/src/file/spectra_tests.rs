@@ -163,7 +163,7 @@ fn what_is_no_colour_says_what_would_be() {
         ),
         (material("{ nm = [400, 500] }"), "'nm' and 'value' need each other; one of them is missing"),
         (material("{ nm = [400, 500], value = [0.1, -0.2] }"), "expected values of at least 0, found -0.2"),
-        (material("{ ior = 0.5 }"), "expected an index of refraction between 1 and 100, found 0.5"),
+        (material("{ ior = 0.5 }"), "expected an index of refraction between 1.05 and 20, found 0.5"),
         (material("{ ior = 'Au', scale = 2 }"), "Fresnel reflection has no 'scale'"),
         (material("{ file = 'data/nothing.csv' }"), "there is no file 'data/nothing.csv'"),
         (

@@ -1,7 +1,7 @@
 //! Sensors: a file with one curve for each channel.
 
 use glanz_color::read::read_spectra;
-use glanz_color::{Channel, Observer, Outside};
+use glanz_color::{Channel, Observer, Outside, rgb_spectra};
 
 /// The most channels of a sensor.
 const MOST: usize = 97;
@@ -19,7 +19,8 @@ pub fn read_sensor(bytes: &[u8], file: &str) -> Result<Observer, String> {
     let channel = |spectrum: &glanz_color::read::NamedSpectrum| {
         let (sensitivity, _) =
             spectrum.to_spectrum(Some(Outside::Zero)).map_err(|error| error.to_string())?;
-        match sensitivity.max() > 0.0 {
+        // It must answer to daylight, by which its channels are scaled.
+        match sensitivity.dot(&rgb_spectra::daylight()) > 0.0 {
             true => Ok(Channel { name: spectrum.name.clone(), sensitivity }),
             false => {
                 Err(format!("channel '{}' of '{file}' sees nothing between 300 and 780 nm", spectrum.name))
@@ -28,5 +29,5 @@ pub fn read_sensor(bytes: &[u8], file: &str) -> Result<Observer, String> {
     };
     let channels = spectra.iter().map(channel).collect::<Result<Vec<_>, _>>()?;
     let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
-    Ok(Observer::from_channels(stem.trim_end_matches(".csv"), channels))
+    Ok(Observer::from_channels(stem.strip_suffix(".csv").unwrap_or(stem), channels))
 }

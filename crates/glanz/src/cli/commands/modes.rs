@@ -14,6 +14,7 @@ use crate::cli::delta::Delta;
 use crate::cli::difference::Developed;
 use crate::cli::encode;
 use crate::cli::failure::Failure;
+use crate::cli::load::Input;
 use crate::cli::pipeline::{Picture, Plan};
 use crate::cli::print::{self, Format, FormatArgs};
 use crate::cli::sheet::Sheet;
@@ -94,12 +95,21 @@ impl ModesArgs {
             let plan = Plan::new(&input, self.size.size, &look, &self.camera, self.develop)?;
             plan.developed(&plan.prepare(&input.scene)?)
         };
+        let ev = self.look_ev(&input)?;
+        let sees_otherwise = self.sees_otherwise(&input);
         let right = draw(self.against)?;
         let mut columns = Vec::with_capacity(self.modes.len());
         for &mode in &self.modes {
+            if is_meyer(mode) && sees_otherwise {
+                print::note(format_args!("note: mode '{mode}' is left out: it samples for cie1931 alone"));
+                continue;
+            }
             let picture = if mode == self.against { right.clone() } else { draw(mode)? };
-            let delta = Delta::between(&picture.frame, &right.frame);
+            let delta = Delta::between(&picture.frame, &right.frame, ev);
             columns.push(Column { mode, picture, delta });
+        }
+        if columns.is_empty() {
+            return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
         }
         let top = self.heat.unwrap_or_else(|| greatest(&columns));
         let sheet = Picture::Codes8(self.sheet(&columns, top)?);
@@ -108,6 +118,17 @@ impl ModesArgs {
             print::note(format_args!("wrote {}", path.display()));
         }
         self.tell(&target, &columns)
+    }
+
+    /// The exposure at which differences are judged.
+    fn look_ev(&self, input: &Input) -> Result<f32, Failure> {
+        Ok(self.develop.resolve(input)?.ev)
+    }
+
+    /// Whether someone else looks than the standard observer.
+    fn sees_otherwise(&self, input: &Input) -> bool {
+        let own = || input.scene.observer.as_ref().map(|observer| observer.name.as_str());
+        self.look.color.observer.as_deref().or_else(own).is_some_and(|name| name != "cie1931")
     }
 
     fn check(&self) -> Result<(), Failure> {
@@ -175,6 +196,11 @@ impl ModesArgs {
             "pixels": columns.first().map_or(0, |column| column.delta.pixels), "delta_e_00": modes,
         }))
     }
+}
+
+/// Whether a mode belongs to the standard observer.
+fn is_meyer(mode: ColorMode) -> bool {
+    matches!(mode, ColorMode::Meyer | ColorMode::MeyerAdapted)
 }
 
 /// The hottest difference, but no less than what an eye can see.
