@@ -5,7 +5,7 @@ use glanz_color::Rgb;
 use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::Eye;
-use super::frame::FrameView;
+use super::frame::{FrameView, ObjectView};
 use super::reflect::{Point, reflect_lanes};
 use crate::prepare::Cluster;
 
@@ -55,30 +55,47 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let point = Point { position, normal, wo };
-            let own = &mut lit[row..row + 16];
-            if material.mix.is_none() || colors.is_none() && view.layout.mix.is_none() {
-                let reflected = reflect_lanes(simd, &frame.lights, material, &point, None);
-                store([reflected.textured, reflected.plain], side, own);
-                continue;
+            let vertices = Sixteen { simd, frame, view, point: Point { position, normal, wo }, colors };
+            let (parts, more) = vertices.reflect();
+            store(parts, side, &mut lit[row..row + 16]);
+            if let Some(more) = more {
+                store(more, side, &mut mix[row..row + 16]);
             }
-            let one = position.x.one();
-            let [r, g, b] = colors.map_or([one; 3], |colors| columns(simd, colors));
-            if view.layout.mix.is_none() {
-                let reflected = reflect_lanes(simd, &frame.lights, material, &point, Some([r, g, b]));
-                store([reflected.textured, reflected.plain], side, own);
-                continue;
-            }
-            let zero = one.zero();
-            let through = |texel| reflect_lanes(simd, &frame.lights, material, &point, Some(texel));
-            let reflected = through([r, zero, zero]);
-            store([reflected.textured, reflected.plain], side, own);
-            let more = [through([zero, g, zero]).textured, through([zero, zero, b]).textured];
-            store(more, side, &mut mix[row..row + 16]);
         }
         if let (Some(colors), None) = (colors, &material.mix) {
             tint(colors, &mut lit[row..row + 16]);
         }
+    }
+}
+
+/// Sixteen vertices, seen from one side.
+struct Sixteen<'a, S: Simd> {
+    simd: S,
+    frame: &'a FrameView<'a>,
+    view: &'a ObjectView,
+    point: Point<Lanes<S>>,
+    colors: Option<&'a [[f32; 4]]>,
+}
+
+impl<S: Simd> Sixteen<'_, S> {
+    /// What textures multiply and what not; and where texels mix spectra at the pixels, the light through the
+    /// second and the third, the first of both parts then being that through the first.
+    #[inline(always)]
+    fn reflect(&self) -> ([[Lanes<S>; 3]; 2], Option<[[Lanes<S>; 3]; 2]>) {
+        let material = &self.frame.materials[self.view.material];
+        let through = |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
+        let one = self.point.position.x.one();
+        let zero = one.zero();
+        let [r, g, b] = self.colors.map_or([one; 3], |colors| columns(self.simd, colors));
+        let mixes = material.mix.is_some();
+        if self.view.layout.mix.is_none() {
+            let texel = (mixes && self.colors.is_some()).then_some([r, g, b]);
+            let reflected = through(texel);
+            return ([reflected.textured, reflected.plain], None);
+        }
+        let first = through(Some([r, zero, zero]));
+        let more = [[zero, g, zero], [zero, zero, b]].map(|texel| through(Some(texel)).textured);
+        ([first.textured, first.plain], Some(more))
     }
 }
 

@@ -167,7 +167,7 @@ impl Builder {
             ["file"] => {
                 self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref(), light)
             }
-            ["nm"] => self.from_numbers(table, span, light),
+            ["nm"] => self.read_numbers(table, span, light),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
             ["ior"] => ior(table.ior.as_ref().expect("it is given")),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
@@ -214,7 +214,7 @@ impl Builder {
         Ok(Function::Either(spectrum))
     }
 
-    fn from_numbers(
+    fn read_numbers(
         &mut self,
         table: &SpectralTable,
         span: &Range<usize>,
