@@ -68,6 +68,9 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
     }
 }
 
+/// Two kinds of light of sixteen vertices.
+type Parts<S> = [[Lanes<S>; 3]; 2];
+
 /// Sixteen vertices, seen from one side.
 struct Sixteen<'a, S: Simd> {
     simd: S,
@@ -81,7 +84,7 @@ impl<S: Simd> Sixteen<'_, S> {
     /// What textures multiply and what not; and where texels mix spectra at the pixels, the light through the
     /// second and the third, the first of both parts then being that through the first.
     #[inline(always)]
-    fn reflect(&self) -> ([[Lanes<S>; 3]; 2], Option<[[Lanes<S>; 3]; 2]>) {
+    fn reflect(&self) -> (Parts<S>, Option<Parts<S>>) {
         let material = &self.frame.materials[self.view.material];
         let through = |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
         let one = self.point.position.x.one();
@@ -138,7 +141,7 @@ fn to_viewer<S: Simd>(simd: S, eye: &Eye, position: Vec3<Lanes<S>>) -> Vec3<Lane
 }
 
 #[inline(always)]
-fn store<S: Simd>(parts: [[Lanes<S>; 3]; 2], side: usize, lit: &mut [Lit]) {
+fn store<S: Simd>(parts: Parts<S>, side: usize, lit: &mut [Lit]) {
     let mut lanes = [0.0f32; 16];
     for (part, values) in parts.into_iter().enumerate() {
         for (c, value) in values.into_iter().enumerate() {
