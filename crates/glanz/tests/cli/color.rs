@@ -197,7 +197,7 @@ fn surfaces_of_equal_names_go_by_their_files() {
 
 #[test]
 fn greys_have_no_hue_and_colours_outside_are_told() {
-    for model in ["oklch", "lch", "hls", "hsv"] {
+    for model in ["oklch", "oklab", "lch", "lab", "hls", "hsv"] {
         let grey = json(&["convert", "--from", "srgb", "--to", model, "0.5,0.5,0.5"]);
         let zeros = numbers(&grey["values"]).into_iter().filter(|value| *value == 0.0).count();
         assert_eq!(zeros, 2, "{grey}");

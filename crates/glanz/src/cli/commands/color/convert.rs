@@ -100,7 +100,8 @@ fn settled(channels: &[Channel], mut values: Vec<f64>) -> Vec<f64> {
         let is_of_grey = has_hue
             && is_grey
             && (channel.limit == Limit::Cyclic || matches!(channel.name, "C" | "C*" | "S"));
-        if is_of_grey || value.abs() <= ROUNDING * span(channel) {
+        let rounding = if matches!(channel.name, "a" | "b") { GREY } else { ROUNDING * span(channel) };
+        if is_of_grey || value.abs() <= rounding {
             *value = 0.0;
         }
     }
