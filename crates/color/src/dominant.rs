@@ -11,8 +11,13 @@ use crate::cie1931_by_1_nm;
 /// The ends of the locus: outside of them the chromaticity of single wavelengths stands nearly still.
 const ENDS_NM: [f64; 2] = [380.0, 700.0];
 
-/// Nearer to the white than this there is no hue: the last digit of chromaticities as they are published.
-const ACHROMATIC: f64 = 1e-5;
+/// Nearer to the white than this there is no hue: the fourth digit, to which whites are known. Sums by 5 nm
+/// leave the equal-energy light, whose x and y are 1/3, half of that away from it.
+const ACHROMATIC: f64 = 1e-4;
+
+/// How far beyond the border a colour may lie and still be on it: sums by 5 nm put ultraviolet, whose place is
+/// the end of the locus at 380 nm, 2e-4 beyond it. Nothing real is purer than a single wavelength.
+const BORDER: f64 = 1e-3;
 
 /// Where a colour lies between the white and the border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +57,9 @@ pub enum DominantError {
 /// A colour that has the white's chromaticity, or a white outside of the locus.
 pub fn dominant(color: Chromaticity, white: Chromaticity) -> Result<Dominant, DominantError> {
     let direction = [color.x - white.x, color.y - white.y];
-    along(direction, color, white)
+    let found = along(direction, color, white)?;
+    let is_on_border = (1.0..=1.0 + BORDER).contains(&found.purity);
+    Ok(Dominant { purity: if is_on_border { 1.0 } else { found.purity }, ..found })
 }
 
 /// The same for the hue that makes white with the colour: the other way from the white.
@@ -179,6 +186,13 @@ mod tests {
         assert_eq!(dominant(D65, D65), Err(DominantError::Achromatic(D65)));
         let outside = Chromaticity::new(0.1, 0.1);
         assert_eq!(dominant(D65, outside), Err(DominantError::WhiteOutside(outside)));
+    }
+
+    #[test]
+    fn equal_energy_has_no_hue_and_ultraviolet_is_not_purer_than_pure() {
+        let of = |name: &str| Chromaticity::of_light(&crate::light(name).unwrap()).unwrap();
+        assert!(matches!(dominant(of("E"), Chromaticity::E), Err(DominantError::Achromatic(_))));
+        assert_eq!(dominant(of("UV365"), Chromaticity::E).unwrap().purity, 1.0);
     }
 
     proptest! {

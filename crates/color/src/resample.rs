@@ -70,6 +70,26 @@ pub enum TableError {
         /// The value.
         value: f64,
     },
+    /// A value further below 0 than noise, where only values from 0 on mean something.
+    #[error(
+        "expected values of at least 0 (noise down to {least:.3e} is taken as 0), found {value} at {nm} nm"
+    )]
+    Negative {
+        /// Its wavelength.
+        nm: f64,
+        /// The value.
+        value: f64,
+        /// The least value that is taken for noise.
+        least: f64,
+    },
+    /// A channel of a sensor without any value above 0.
+    #[error("expected a sensitivity above 0 at some wavelength, found none: {value} at {nm} nm and so on")]
+    NoSensitivity {
+        /// The first wavelength.
+        nm: f64,
+        /// The value there.
+        value: f64,
+    },
 }
 
 /// The greatest magnitude of a value: products and sums of such values stay finite.

@@ -135,6 +135,10 @@ impl<'a> Call<'a> {
     }
 
     fn wrong(&self) -> UnknownName {
+        let is_known = ["d", "blackbody", "gaussian", "line"].contains(&self.name.as_str());
+        if is_known && !self.whole.trim_end().ends_with(')') {
+            return wrong(self.whole, format!("a closing bracket, as in '{})'", self.whole.trim()));
+        }
         let expected = match self.name.as_str() {
             "d" => "D(cct) with a colour temperature of 4000 to 25000 K",
             "blackbody" => "blackbody(T) with a temperature of 500 to 1000000 K",

@@ -87,6 +87,7 @@ fn wrong_names_are_told() {
     assert_eq!(error("D(3000)"), "light 'D(3000)': expected a colour temperature of 4000 to 25000 K");
     assert_eq!(error("D26000"), "light 'D26000': expected a colour temperature of 4000 to 25000 K");
     assert!(error("blackbody(-1)").contains("500 to 1000000 K"));
+    assert!(error("blackbody(3000").contains("a closing bracket, as in 'blackbody(3000)'"));
     assert!(error("gaussian(500)").contains("gaussian(nm, fwhm)"));
     assert!(error("line(NaN)").contains("300 to 780 nm"));
     assert!(error("laser(500)").contains("no light 'laser(500)'"));

@@ -1,15 +1,14 @@
 //! Re-radiation matrices of the Labsphere BFC-450, a bispectrometer: `.BFC`.
 //!
 //! Twelve lines of header: a vector's name and size, `BFC-450 Matrix File`, eight remarks behind
-//! semicolons (file, sample, operator, …), the axes (`380 780 10 49 300 10`: first, last and step of
+//! semicolons (file, sample, operator, …; they are skipped), the axes (`380 780 10 49 300 10`: first, last and step of
 //! emission in nm; number, first and step of excitation), the wavelengths of excitation behind `r:c:`. Then
 //! a line for each wavelength of emission, and `EOD`. Fields are separated by tabs. Values are per
 //! emission band of the stated step; noise below 0 is left in (`Reradiation::from_measured` cuts it).
 
 use super::csv::stem;
-use super::error::{clean, excerpt};
+use super::error::excerpt;
 use super::text::{Separator, decode, expect_number, fields, lines};
-use super::units::MAX_NAME;
 use super::{NamedReradiation, Place, ReadError};
 use crate::reradiation::MOST_BANDS;
 
@@ -31,13 +30,10 @@ pub fn read_bfc(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError>
     if mark.trim() != MARK {
         return Err(lines.error("'BFC-450 Matrix File'", excerpt(mark)));
     }
-    let mut notes = Vec::new();
     let axes = loop {
         let line = lines.next("a remark or the axes")?;
-        let Some(remark) = line.strip_prefix(';') else { break lines.axes(line)? };
-        let remark = clean(remark.trim(), MAX_NAME);
-        if !remark.is_empty() && remark != "<none>" && notes.len() < 16 {
-            notes.push(remark);
+        if !line.starts_with(';') {
+            break lines.axes(line)?;
         }
     };
     let Axes { out_nm, in_nm, band_nm } = axes;
@@ -55,7 +51,7 @@ pub fn read_bfc(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError>
     }
     let end = lines.next("EOD")?;
     match end.trim() {
-        "EOD" => Ok(NamedReradiation { name: stem(file), out_nm, in_nm, values, band_nm, notes }),
+        "EOD" => Ok(NamedReradiation { name: stem(file), out_nm, in_nm, values, band_nm, notes: Vec::new() }),
         _ => Err(lines.error("EOD after the last emission", excerpt(end))),
     }
 }

@@ -22,6 +22,7 @@ mod cxf;
 mod error;
 mod matrix;
 mod named;
+mod power;
 mod reradiation;
 mod spdx;
 #[cfg(test)]
@@ -37,6 +38,7 @@ pub use cxf::read_cxf;
 pub use error::{Place, ReadError};
 pub use matrix::read_matrix_csv;
 pub use named::{NamedSpectrum, Quantity};
+pub use power::{PowerUnit, Radiometry};
 pub use reradiation::NamedReradiation;
 pub use spdx::read_spdx;
 
@@ -79,12 +81,12 @@ pub fn read_reradiation(bytes: &[u8], file: &str) -> Result<NamedReradiation, Re
     if bytes.starts_with(&EXR_MAGIC) {
         return read_middle(bytes, file);
     }
-    let head = &bytes[..bytes.len().min(SNIFFED)];
-    if head.windows(7).any(|part| part == b"BFC-450") {
-        read_bfc(bytes, file)
-    } else {
-        read_matrix_csv(bytes, file)
-    }
+    if is_bfc(bytes) { read_bfc(bytes, file) } else { read_matrix_csv(bytes, file) }
+}
+
+/// Whether the bytes are a re-radiation matrix of the BFC-450, by what stands at their beginning.
+pub fn is_bfc(bytes: &[u8]) -> bool {
+    bytes[..bytes.len().min(SNIFFED)].windows(7).any(|part| part == b"BFC-450")
 }
 
 /// How an OpenEXR file begins.

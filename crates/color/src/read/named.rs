@@ -46,6 +46,10 @@ impl Quantity {
     }
 }
 
+/// How far below 0 noise reaches, as a part of the greatest value: instruments that subtract their dark
+/// signal give up to about a hundredth.
+const NOISE: f64 = 0.02;
+
 /// A spectrum of a file, at the wavelengths at which it was measured.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedSpectrum {
@@ -68,14 +72,59 @@ impl NamedSpectrum {
     /// The spectrum on the grid, and in words what lay outside of it or was missing.
     ///
     /// Beyond its ends a share of light is held, any other spectrum is 0, unless `outside` says otherwise.
+    /// Values below 0 are noise, and become 0, down to −0.02 of the greatest value, or of 1 for shares of
+    /// light.
     ///
     /// # Errors
     ///
-    /// [`TableError`] where there is but one wavelength, or a value is no number.
+    /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
     pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
+        let least = -NOISE * self.scale();
+        let below = || self.nm.iter().zip(&self.values).filter(|(_, value)| **value < 0.0);
+        if let Some((&nm, &value)) = below().find(|(_, value)| **value < least) {
+            return Err(TableError::Negative { nm, value, least });
+        }
+        let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
+        if count == 0 {
+            return self.resampled(&self.values, outside);
+        }
+        let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
+        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
+        let name = &self.name;
+        notes.push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
+        Ok((spectrum, notes))
+    }
+
+    /// The curve on the grid as the weights of a sensor's channel, and what lay outside of it or was missing.
+    ///
+    /// Beyond its ends it is 0. Values below 0 are kept: matching functions of real primaries have them.
+    ///
+    /// # Errors
+    ///
+    /// [`TableError`] where there is but one wavelength, or a value is no number, or none lies above 0.
+    pub fn to_sensitivity(&self) -> Result<(Spectrum, Vec<String>), TableError> {
+        if let (Some(&nm), Some(&value)) = (self.nm.first(), self.values.first())
+            && !self.values.iter().any(|value| *value > 0.0)
+        {
+            return Err(TableError::NoSensitivity { nm, value });
+        }
+        self.resampled(&self.values, Some(Outside::Zero))
+    }
+
+    /// What noise is measured by: the greatest value; for shares of light at least the white, 1.
+    fn scale(&self) -> f64 {
+        let white = if self.quantity.is_ratio() { 1.0 } else { 0.0 };
+        self.values.iter().copied().fold(white, f64::max)
+    }
+
+    fn resampled(
+        &self,
+        values: &[f64],
+        outside: Option<Outside>,
+    ) -> Result<(Spectrum, Vec<String>), TableError> {
         let by_quantity = if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero };
         let outside = outside.unwrap_or(by_quantity);
-        let spectrum = Spectrum::from_table(&self.nm, &self.values, outside)?;
+        let spectrum = Spectrum::from_table(&self.nm, values, outside)?;
         Ok((spectrum, self.coverage(outside)))
     }
 

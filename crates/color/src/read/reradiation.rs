@@ -16,7 +16,7 @@ pub struct NamedReradiation {
     pub values: Vec<f64>,
     /// The width of the band of emission that a value stands for, in nm.
     pub band_nm: f64,
-    /// What the reader had to assume or left out, and what the file says of the sample.
+    /// What the reader had to assume or left out, in words.
     pub notes: Vec<String>,
 }
 

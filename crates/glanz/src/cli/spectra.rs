@@ -8,10 +8,10 @@ use std::io::Read;
 use std::path::Path;
 
 use clap::ValueEnum;
-use glanz_color::read::{NamedSpectrum, Quantity, read_reradiation, read_spectra};
+use glanz_color::read::{NamedSpectrum, PowerUnit, Quantity, is_bfc, read_reradiation, read_spectra};
 use glanz_color::{
-    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, UnknownName, fluorescent, fluorescents, ior,
-    iors, light, lights, observer, observers, reflectance, reflectances,
+    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, TableError, UnknownName, fluorescent,
+    fluorescents, ior, iors, light, lights, observer, observers, reflectance, reflectances,
 };
 
 use super::failure::{Failure, Report, without_number};
@@ -21,10 +21,13 @@ use super::print;
 const MAX_BYTES: u64 = (16 << 20) + 1;
 
 /// Endings by which a word is known to be a file's name, whether or not the file exists.
-const ENDINGS: [&str; 8] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc"];
+const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
 
 /// Values of a surface exceed 1 only where it glows, and then hardly by more.
 const GREATEST_SHARE: f64 = 1.5;
+
+/// A surface may exceed 1 by the rounding of numbers in a file without a remark.
+const SHARE_TOLERANCE: f64 = 1e-6;
 
 /// The most suggestions made.
 const MOST_SUGGESTIONS: usize = 3;
@@ -51,6 +54,8 @@ pub struct Source {
     pub spectrum: Spectrum,
     /// The unit of the values as the file gives it; empty if there is none.
     pub unit: String,
+    /// The same, where it is one of spectral power that is understood.
+    pub power_unit: Option<PowerUnit>,
 }
 
 /// A re-radiation matrix that the command line named.
@@ -87,7 +92,7 @@ pub fn light_source(word: &str) -> Result<Source, Failure> {
         // Numbers that are not possible have their own message.
         Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
         Err(UnknownName::NotFound { .. }) => match open(word)? {
-            Some(opened) => from_file(&opened, Some(Kind::Light)),
+            Some(opened) => light_from_file(&opened),
             None => Err(unknown("light", word, &lights().iter().map(|info| info.name).collect::<Vec<_>>())),
         },
     }
@@ -103,7 +108,7 @@ pub fn observer_source(word: &str) -> Result<Observer, Failure> {
     };
     let mut channels = Vec::new();
     for named in read_spectra(&bytes, &file).map_err(Failure::new)? {
-        let sensitivity = on_grid(&named, Some(Outside::Zero))?;
+        let sensitivity = told(&named, named.to_sensitivity())?;
         channels.push(Channel { name: named.name, sensitivity });
     }
     Ok(Observer::from_channels(file, channels))
@@ -131,7 +136,48 @@ pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
 /// All surfaces of a file.
 pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
     let spectra = read_spectra(&read(Path::new(file))?, file).map_err(Failure::new)?;
-    spectra.iter().map(|named| on_grid(named, Some(Outside::Hold))).collect()
+    let surface = |named: &NamedSpectrum| {
+        if matches!(named.quantity, Quantity::Light | Quantity::Relative | Quantity::Absorptance) {
+            return Err(not_a(named, file, "a surface"));
+        }
+        let spectrum = on_grid(named, Some(Outside::Hold))?;
+        note_beyond_1(&spectrum, &named.name);
+        Ok(spectrum)
+    };
+    spectra.iter().map(surface).collect()
+}
+
+/// A light from a file that does not say that it is something else.
+fn light_from_file(opened: &Opened) -> Result<Source, Failure> {
+    let spectra = read_spectra(&opened.bytes, &opened.file).map_err(Failure::new)?;
+    let named = pick(&spectra, &opened.file, opened.column.as_deref())?;
+    match named.quantity.is_ratio() {
+        true => Err(not_a(named, &opened.file, "a light")),
+        false => from_file(opened, Some(Kind::Light)),
+    }
+}
+
+/// The failure for a spectrum that the file calls something else than what is wanted.
+fn not_a(named: &NamedSpectrum, file: &str, wanted: &str) -> Failure {
+    let what = match named.quantity {
+        Quantity::Reflectance => "a reflectance",
+        Quantity::Transmittance => "a transmittance",
+        Quantity::Absorptance => "an absorptance",
+        Quantity::Light | Quantity::Relative => "light",
+        Quantity::Unknown => "unknown",
+    };
+    Failure::new(format_args!("{file}: expected {wanted}, found that '{}' is {what}", named.name))
+}
+
+/// Says where a surface gives back more light than it gets.
+fn note_beyond_1(surface: &Spectrum, name: &str) {
+    let most = surface.points().max_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((nm, value)) = most.filter(|(_, value)| *value > 1.0 + SHARE_TOLERANCE) {
+        print::note(format_args!(
+            "note: '{name}' gives back up to {} of the light ({nm} nm): only what glows exceeds 1",
+            print::number(value)
+        ));
+    }
 }
 
 /// Words between commas; commas in brackets, as in `gaussian(530, 30)`, do not count.
@@ -160,7 +206,14 @@ pub fn words(text: &str) -> Result<Vec<String>, String> {
 /// A spectrum that comes with the library.
 fn named(word: &str) -> Result<Option<Source>, Failure> {
     let source = |title: String, kind, spectrum| {
-        Ok(Some(Source { name: word.to_owned(), title, kind, spectrum, unit: String::new() }))
+        Ok(Some(Source {
+            name: word.to_owned(),
+            title,
+            kind,
+            spectrum,
+            unit: String::new(),
+            power_unit: None,
+        }))
     };
     match light(word) {
         Ok(spectrum) => {
@@ -263,6 +316,10 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 
 fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
     let file = opened.file.as_str();
+    if is_bfc(&opened.bytes) {
+        let report = Report::new(format_args!("{file} is a re-radiation matrix: it has no single spectrum"));
+        return Err(report.help(format_args!("'glanz color fluorescence {file}' tells its colours")).into());
+    }
     let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
     let named = pick(&spectra, file, opened.column.as_deref())?;
     let (kind, guessed) = match (kind, named.quantity) {
@@ -287,20 +344,29 @@ fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
     }
     let outside = if kind == Kind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
+    if kind == Kind::Surface {
+        note_beyond_1(&spectrum, &named.name);
+    }
     Ok(Source {
         name: named.name.clone(),
         title: format!("from {file}"),
         kind,
         spectrum,
         unit: named.unit.clone(),
+        power_unit: named.power_unit(),
     })
 }
 
-/// The spectrum on the grid; what had to be assumed is told on stderr.
 fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, Failure> {
-    let (spectrum, notes) = named
-        .to_spectrum(outside)
-        .map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
+    told(named, named.to_spectrum(outside))
+}
+
+/// The spectrum that came of a file's; what had to be assumed is told on stderr.
+fn told(
+    named: &NamedSpectrum,
+    found: Result<(Spectrum, Vec<String>), TableError>,
+) -> Result<Spectrum, Failure> {
+    let (spectrum, notes) = found.map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
     named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
     Ok(spectrum)
 }

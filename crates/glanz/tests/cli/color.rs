@@ -133,6 +133,83 @@ fn what_a_file_does_not_say_is_assumed_aloud() {
 }
 
 #[test]
+fn values_below_0_are_refused_where_they_are_more_than_noise() {
+    let folder = Folder::new();
+    folder.write("a.csv", "nm,reflectance\n300,0.5\n540,-0.5\n780,0.5\n");
+    let failure = folder.glanz(&["color", "spectrum", "a.csv"]).failure();
+    assert!(failure.starts_with("1\n") && failure.contains("found -0.5 at 540 nm"), "{failure}");
+    folder.write("a.csv", "nm,reflectance\n300,0.5\n540,-0.001\n780,0.5\n");
+    let run = folder.glanz(&["color", "spectrum", "a.csv"]);
+    assert!(!run.text().is_empty() && run.stderr.contains("taken as noise"), "{}", run.stderr);
+    folder.write("eye.csv", "nm,a,b\n300,1,-1\n780,1,-1\n");
+    let failure = folder.glanz(&["color", "spectrum", "E", "--observer", "eye.csv"]).failure();
+    assert!(failure.contains("'b': expected a sensitivity above 0"), "{failure}");
+}
+
+#[test]
+fn photometric_figures_follow_the_unit() {
+    let folder = Folder::new();
+    // 683 lm/W times ∫ V = 106.86 nm: 72983 lx of 1 W/(m² nm).
+    for (unit, lux) in [("W/m²/nm", 72983.0), ("mW/m²/nm", 72.983), ("µW/cm²/nm", 729.83)] {
+        folder.write("a.csv", format!("nm,irradiance ({unit})\n300,1\n780,1\n"));
+        let told = folder.glanz(&["color", "spectrum", "a.csv", "--format", "json"]).json();
+        assert!((number(&told["luminous"]) / lux - 1.0).abs() < 1e-4, "{unit}: {}", told["luminous"]);
+        assert_eq!(told["luminous_unit"], "lx");
+    }
+    folder.write("a.csv", "nm,irradiance (bananas)\n300,1\n780,1\n");
+    let text = folder.glanz(&["color", "spectrum", "a.csv"]).text().to_owned();
+    assert!(text.contains("none: the unit 'bananas' is not understood"), "{text}");
+    assert!(json(&["spectrum", "FL11"])["luminous"].is_null(), "a relative light has no absolute figure");
+}
+
+#[test]
+fn a_file_that_says_what_it_is_is_nothing_else() {
+    let folder = Folder::new();
+    folder.write("paint.csv", "nm,reflectance\n300,0.5\n780,0.5\n");
+    folder.write("lamp.csv", "nm,flux (W/nm)\n300,0.5\n780,0.5\n");
+    for words in [
+        &["spectrum", "gold", "--under", "paint.csv"][..],
+        &["efficiency", "--set", "lamp.csv"],
+        &["metamers", "lamp.csv", "gold"],
+        &["spectrum", "D65", "--as", "surface"],
+    ] {
+        folder.glanz(&[&["color"], words].concat()).failure();
+    }
+    folder.write("x.csv", "nm,x\n300,0.5\n780,0.5\n");
+    folder.glanz(&["color", "spectrum", "gold", "--under", "x.csv"]).text();
+    folder.write("x.csv", "nm,reflectance\n300,0.5\n780,1.5\n");
+    let run = folder.glanz(&["color", "spectrum", "x.csv"]);
+    assert!(run.stderr.contains("only what glows exceeds 1"), "{}", run.stderr);
+    folder.write("x.BFC", "x\nBFC-450 Matrix File\n");
+    let failure = folder.glanz(&["color", "spectrum", "x.BFC"]).failure();
+    assert!(failure.contains("glanz color fluorescence x.BFC"), "{failure}");
+}
+
+#[test]
+fn surfaces_of_equal_names_go_by_their_files() {
+    let folder = Folder::new();
+    for file in ["a.csv", "b.csv"] {
+        folder.write(file, "nm,reflectance\n300,0.5\n780,0.5\n");
+    }
+    let text = folder.glanz(&["color", "metamers", "a.csv", "b.csv"]).text().to_owned();
+    assert!(text.starts_with("a.csv and b.csv\n"), "{text}");
+}
+
+#[test]
+fn greys_have_no_hue_and_colours_outside_are_told() {
+    for model in ["oklch", "oklab", "lch", "lab", "hls", "hsv"] {
+        let grey = json(&["convert", "--from", "srgb", "--to", model, "0.5,0.5,0.5"]);
+        let zeros = numbers(&grey["values"]).into_iter().filter(|value| *value == 0.0).count();
+        assert_eq!(zeros, 2, "{grey}");
+    }
+    let words = ["color", "convert", "--from", "rec2020", "--to", "srgb", "0,1,0"];
+    let run = Folder::new().glanz(&words);
+    assert!(!run.text().is_empty() && run.stderr.contains("outside of 0 to 1"), "{}", run.stderr);
+    let e = Folder::new().glanz(&["color", "spectrum", "E"]).text().to_owned();
+    assert!(e.contains("none, it has the chromaticity of equal energy"), "{e}");
+}
+
+#[test]
 fn a_file_of_several_spectra_asks_for_one() {
     let folder = Folder::new();
     folder.write("pair.csv", PAIR);

@@ -173,8 +173,11 @@ fn black_bodies(picture: &mut Picture, axes: &Axes, taken: &mut Vec<Rect>) {
     }
 }
 
-/// Writes a label beside a point, where it covers no other if there is such a place: above, below, then to
-/// the left and to the right.
+/// The farthest that a label may stand from its point, in points of the picture.
+const FARTHEST: f64 = 200.0;
+
+/// Writes a label beside a point, where it covers no other: above, below, to the left or to the right, else on
+/// the smallest circle with room, with a line to its point.
 fn label(picture: &mut Picture, taken: &mut Vec<Rect>, at: (f64, f64), text: &str, size: f64) {
     let (width, height) = (letters::width(text, size), 0.9 * size);
     let place = |x: f64, y: f64| Rect { x: at.0 + x, y: at.1 + y, width, height };
@@ -194,9 +197,26 @@ fn label(picture: &mut Picture, taken: &mut Vec<Rect>, at: (f64, f64), text: &st
                 || other.y > place.bottom()
         })
     };
-    let place = places.into_iter().find(is_free).unwrap_or(places[0]);
+    let near = places.into_iter().find(is_free);
+    let place = near.or_else(|| far_places(at, (width, height)).find(is_free)).unwrap_or(places[0]);
+    if near.is_none() {
+        let end = (at.0.clamp(place.x, place.right()), at.1.clamp(place.y, place.bottom()));
+        picture.line([at, end], GRAY, 1.0);
+    }
     picture.text(text, (place.x, place.bottom() - 0.1 * size), Anchor::Start, size, INK);
     taken.push(place);
+}
+
+/// Places for a label of this size on growing circles around a point.
+fn far_places(at: (f64, f64), (width, height): (f64, f64)) -> impl Iterator<Item = Rect> {
+    let circles = (0..).map(|i| 24.0 + 8.0 * f64::from(i)).take_while(|radius| *radius <= FARTHEST);
+    circles.flat_map(move |radius| {
+        (0..24).map(move |step| {
+            let angle = f64::from(step) * core::f64::consts::TAU / 24.0;
+            let middle = (at.0 + radius * libm::cos(angle), at.1 + radius * libm::sin(angle));
+            Rect { x: middle.0 - 0.5 * width, y: middle.1 - 0.5 * height, width, height }
+        })
+    })
 }
 
 #[cfg(test)]
@@ -210,6 +230,21 @@ mod tests {
         assert!(is_inside(1.0 / 3.0, 1.0 / 3.0) && is_inside(0.1, 0.7));
         for (x, y) in [(0.0, 0.0), (0.79, 0.89), (0.5, 0.05), (0.7, 0.4)] {
             assert!(!is_inside(x, y), "{x}, {y}");
+        }
+    }
+
+    #[test]
+    fn labels_of_points_that_lie_close_cover_none_of_each_other() {
+        let (mut picture, mut taken) = (Picture::new(SIZE.0, SIZE.1), Vec::new());
+        for index in 0..14 {
+            let at = (300.0 + 6.0 * f64::from(index), 400.0 + 2.0 * f64::from(index));
+            label(&mut picture, &mut taken, at, "FL3.12", NUMBER);
+        }
+        for (index, a) in taken.iter().enumerate() {
+            for b in &taken[index + 1..] {
+                let apart = a.x > b.right() || b.x > a.right() || a.y > b.bottom() || b.y > a.bottom();
+                assert!(apart, "{a:?} {b:?}");
+            }
         }
     }
 

@@ -11,9 +11,9 @@ const COLORS: [Rgb8; 4] = [[0xd0, 0x2f, 0x2f], [0x1f, 0x9d, 0x45], [0x2d, 0x5f, 
 
 /// The plot of the cones of 2° and 10° and of the rods, each 1 at its peak.
 pub fn cones() -> Result<Picture, UnknownName> {
-    let near = curves(&observer("lms2")?, "2°", false);
-    let wide = curves(&observer("lms10")?, "10°", true);
-    let rods = curves(&observer("scotopic")?, "", false).into_iter().map(|curve| Curve {
+    let near = curves(&observer("lms2")?, "2°", None);
+    let wide = curves(&observer("lms10")?, "10°", Some((9.0, 6.0)));
+    let rods = curves(&observer("scotopic")?, "", None).into_iter().map(|curve| Curve {
         name: "rods, V′(λ)".to_owned(),
         color: COLORS[3],
         ..curve
@@ -29,12 +29,12 @@ pub fn cones() -> Result<Picture, UnknownName> {
     .picture())
 }
 
-fn curves(observer: &Observer, field: &str, dashed: bool) -> Vec<Curve> {
+fn curves(observer: &Observer, field: &str, dash: Option<(f64, f64)>) -> Vec<Curve> {
     let curves = observer.channels.iter().zip(COLORS).map(|(channel, color)| Curve {
         name: format!("{} {field}", channel.name).trim().to_owned(),
         points: channel.sensitivity.points().collect(),
         color,
-        dashed,
+        dash,
     });
     curves.collect()
 }

@@ -9,6 +9,8 @@ use super::style::{GRAY, INK, LABEL, NUMBER, Rgb8, TITLE};
 const SIZE: (u32, u32) = (1040, 620);
 /// The width of a column of names to the right of the curves.
 const LEGEND: f64 = 200.0;
+/// From one name to the next below it.
+const NAME: f64 = 24.0;
 /// Names longer than this are cut.
 const LONGEST_NAME: usize = 26;
 
@@ -21,8 +23,8 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// Its colour.
     pub color: Rgb8,
-    /// Whether it is dashed.
-    pub dashed: bool,
+    /// The lengths of its dashes and of the gaps between them in points, if it has any.
+    pub dash: Option<(f64, f64)>,
 }
 
 /// A wavelength that is marked.
@@ -54,11 +56,13 @@ pub struct Curves {
 impl Curves {
     /// The picture; what is under a curve that is alone is filled with the colours of the spectrum.
     pub fn picture(&self) -> Picture {
-        let mut picture = Picture::new(SIZE.0, SIZE.1);
+        // Names of many curves need more height.
+        let height = f64::from(SIZE.1).max(150.0 + NAME * self.curves.len() as f64);
+        let mut picture = Picture::new(SIZE.0, height as u32);
         let alone = self.curves.len() == 1;
         let legend = if alone { 28.0 } else { LEGEND };
         let width = f64::from(SIZE.0) - 96.0 - legend;
-        let rect = Rect { x: 96.0, y: 96.0, width, height: f64::from(SIZE.1) - 96.0 - 84.0 };
+        let rect = Rect { x: 96.0, y: 96.0, width, height: height - 96.0 - 84.0 };
         title(&mut picture, rect.x, &self.title, &self.subtitle);
         let axes = self.axes(rect);
         if let ([curve], true) = (self.curves.as_slice(), alone) {
@@ -93,9 +97,9 @@ pub fn draw(picture: &mut Picture, axes: &Axes, curves: &[Curve]) {
     for curve in curves {
         let shown = curve.points.iter().filter(|(nm, _)| (axes.x.range.0..=axes.x.range.1).contains(nm));
         let points: Vec<_> = shown.map(|(nm, value)| axes.at(*nm, *value)).collect();
-        match curve.dashed {
-            true => picture.dashes(&points, curve.color, 2.4, (9.0, 6.0)),
-            false => picture.line(points, curve.color, 2.4),
+        match curve.dash {
+            Some(dash) => picture.dashes(&points, curve.color, 2.4, dash),
+            None => picture.line(points, curve.color, 2.4),
         }
     }
     axes.frame(picture);
@@ -116,11 +120,11 @@ pub fn title(picture: &mut Picture, x: f64, title: &str, subtitle: &str) {
 /// Writes the names of curves below each other, each beside a piece of its curve.
 pub fn names(picture: &mut Picture, (x, y): (f64, f64), curves: &[Curve]) {
     for (index, curve) in curves.iter().enumerate() {
-        let y = y + 24.0 * index as f64;
+        let y = y + NAME * index as f64;
         let piece = [(x, y), (x + 26.0, y)];
-        match curve.dashed {
-            true => picture.dashes(&piece, curve.color, 2.8, (7.0, 5.0)),
-            false => picture.line(piece, curve.color, 2.8),
+        match curve.dash {
+            Some(dash) => picture.dashes(&piece, curve.color, 2.8, dash),
+            None => picture.line(piece, curve.color, 2.8),
         }
         let mut name: String = curve.name.chars().take(LONGEST_NAME).collect();
         if curve.name.chars().nth(LONGEST_NAME).is_some() {

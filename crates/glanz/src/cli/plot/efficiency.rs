@@ -10,6 +10,10 @@ use super::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8};
 const COLUMNS: usize = 3;
 /// The size of a panel with its numbers, in points.
 const PANEL: (f64, f64) = (400.0, 330.0);
+/// Where panels and names begin.
+const LEFT: f64 = 86.0;
+/// The first line of names.
+const LEGEND_Y: f64 = 98.0;
 /// The errors shown, in ΔE00.
 const ERRORS: (f64, f64) = (0.02, 50.0);
 /// The numbers of samples shown.
@@ -38,15 +42,18 @@ pub fn efficiency(subtitle: &str, lights: &[Efficiency]) -> Picture {
     let columns = lights.len().clamp(1, COLUMNS);
     let rows = lights.len().div_ceil(columns).max(1);
     let width = 60.0 + columns.max(2) as f64 * PANEL.0;
-    let height = 156.0 + rows as f64 * PANEL.1;
+    let places = places(lights, width);
+    let lines = places.last().map_or(0.0, |place| place.1 - LEGEND_Y);
+    let top = 156.0 + lines;
+    let height = top + rows as f64 * PANEL.1;
     let mut picture = Picture::new(width as u32, height as u32);
-    title(&mut picture, 86.0, "Efficiency of representations", subtitle);
-    legend(&mut picture, lights);
+    title(&mut picture, LEFT, "Efficiency of representations", subtitle);
+    legend(&mut picture, lights, &places);
     for (index, light) in lights.iter().enumerate() {
         let (column, row) = (index % columns, index / columns);
         let rect = Rect {
-            x: 86.0 + column as f64 * PANEL.0,
-            y: 156.0 + row as f64 * PANEL.1,
+            x: LEFT + column as f64 * PANEL.0,
+            y: top + row as f64 * PANEL.1,
             width: PANEL.0 - 80.0,
             height: PANEL.1 - 88.0,
         };
@@ -59,16 +66,30 @@ fn color(index: usize) -> Rgb8 {
     CURVES[index % CURVES.len()]
 }
 
-fn legend(picture: &mut Picture, lights: &[Efficiency]) {
-    let mut x = 86.0;
-    for (index, line) in lights.first().map_or(&[][..], |light| &light.lines).iter().enumerate() {
-        let y = 98.0;
+/// Where each way's name begins: beside the one before it, or in a new line where the picture ends.
+fn places(lights: &[Efficiency], width: f64) -> Vec<(f64, f64)> {
+    let (mut x, mut y) = (LEFT, LEGEND_Y);
+    let lines = lights.first().map_or(&[][..], |light| &light.lines);
+    let place = |line: &Line| {
+        let needed = 34.0 + letters::width(&line.name, NUMBER);
+        if x > LEFT && x + needed > width - 20.0 {
+            (x, y) = (LEFT, y + 24.0);
+        }
+        let place = (x, y);
+        x += needed + 26.0;
+        place
+    };
+    lines.iter().map(place).collect()
+}
+
+fn legend(picture: &mut Picture, lights: &[Efficiency], places: &[(f64, f64)]) {
+    let lines = lights.first().map_or(&[][..], |light| &light.lines);
+    for (index, (line, &(x, y))) in lines.iter().zip(places).enumerate() {
         match line.points.len() {
             1 => picture.disc((x + 13.0, y), 5.5, color(index)),
             _ => picture.line([(x, y), (x + 26.0, y)], color(index), 2.8),
         }
         picture.text(&line.name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
-        x += 34.0 + letters::width(&line.name, NUMBER) + 26.0;
     }
 }
 
@@ -91,4 +112,21 @@ fn panel(picture: &mut Picture, rect: Rect, light: &Efficiency) {
         picture.line(points, color(index), 2.0);
     }
     axes.frame(picture);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_of_a_way_runs_out_of_the_picture() {
+        let line = |name: &str| Line { name: name.to_owned(), points: Vec::new() };
+        let names = ["uniform, 300-780 nm", "uniform, 400-700 nm", "sRGB product", "Meyer, published", "M"];
+        let light = Efficiency { light: "E".to_owned(), lines: names.map(line).to_vec() };
+        for width in [400.0, 860.0, 1260.0] {
+            for ((x, _), name) in places(core::slice::from_ref(&light), width).into_iter().zip(names) {
+                assert!(x + 34.0 + letters::width(name, NUMBER) < width, "{name}: {x} of {width}");
+            }
+        }
+    }
 }

@@ -7,7 +7,7 @@ use super::band;
 use super::curves::{Curve, draw, extent, names, title};
 use super::picture::{Anchor, Picture, Raster, Rect};
 use super::spectra::NamedCurve;
-use super::style::{GRAY, INK, NUMBER, Rgb8, curve};
+use super::style::{GRAY, INK, NUMBER, Rgb8, curve, dash};
 
 /// The values at the ends of the scale of colours; below it is white.
 const RANGE: (f64, f64) = (1e-3, 1.0);
@@ -42,7 +42,7 @@ pub fn reradiation(name: &str, matrix: &Reradiation, factors: &[NamedCurve]) -> 
             name: factor.name.clone(),
             points: factor.spectrum.points().collect(),
             color: curve(index),
-            dashed: false,
+            dash: dash(index),
         })
         .collect();
     let rect = Rect { x: 860.0, y: 96.0, width: 430.0, height: 560.0 };

@@ -16,7 +16,7 @@ pub fn meyer() -> Picture {
         name: name.to_owned(),
         points,
         color,
-        dashed: false,
+        dash: None,
     });
     let marked = NODES_NM.map(|nm| Marked { nm, label: nm.to_string() });
     Curves {

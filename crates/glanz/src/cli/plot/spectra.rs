@@ -4,7 +4,7 @@ use glanz_color::Spectrum;
 
 use super::curves::{Curve, Curves};
 use super::picture::Picture;
-use super::style::curve;
+use super::style::{curve, dash};
 
 /// A spectrum and what it is called.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedCurve])
         name: named.name.clone(),
         points: named.spectrum.points().collect(),
         color: if spectra.len() == 1 { super::style::INK } else { curve(index) },
-        dashed: false,
+        dash: dash(index),
     });
     Curves {
         title: title.to_owned(),

@@ -32,6 +32,14 @@ pub const LABEL: f64 = 15.5;
 /// The size of numbers at axes and of legends.
 pub const NUMBER: f64 = 14.0;
 
+/// How curves are dashed, by how often their colour has been used before.
+const DASHES: [Option<(f64, f64)>; 4] = [None, Some((9.0, 6.0)), Some((2.5, 4.0)), Some((16.0, 5.0))];
+
+/// The dashes of the curve of that number.
+pub fn dash(index: usize) -> Option<(f64, f64)> {
+    DASHES[index / CURVES.len() % DASHES.len()]
+}
+
 /// The colour of the curve of that number.
 pub fn curve(index: usize) -> Rgb8 {
     CURVES[index % CURVES.len()]

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use glanz_color::models::{Model, convert};
+use glanz_color::models::{Channel, Limit, Model, convert};
 use serde_json::json;
 
 use crate::cli::args;
@@ -63,6 +63,8 @@ impl ConvertArgs {
         let found = convert(&self.from, &self.to, &self.values.0).map_err(|error| usage(&error))?;
         let model = Model::from_name(&self.to).map_err(|error| usage(&error))?;
         let channels = model.info().channels;
+        let found = settled(channels, found);
+        note_outside(&self.to, channels, &found);
         if self.format.is_json() {
             let named: serde_json::Map<_, _> =
                 channels.iter().zip(&found).map(|(c, value)| (c.name.to_owned(), json!(value))).collect();
@@ -75,5 +77,44 @@ impl ConvertArgs {
             writeln!(text, "{:<4} {}", channel.name, number(*value)).expect("a string takes everything");
         }
         print::text(&text)
+    }
+}
+
+/// Numbers below this part of a channel's range are the rounding of matrices, which have some ten digits.
+const ROUNDING: f64 = 1e-9;
+/// Chroma and saturation below this are those of a grey, whose hue means nothing: the matrices of OKLab give
+/// greys up to 1e-7.
+const GREY: f64 = 1e-6;
+/// How far outside of its range a channel may lie without a remark, by the rounding of printed numbers.
+const OUTSIDE: f64 = 1e-6;
+
+/// The numbers without the noise of rounding: 0 where they are next to it, no hue where there is no chroma.
+fn settled(channels: &[Channel], mut values: Vec<f64>) -> Vec<f64> {
+    let span = |channel: &Channel| channel.range[1].min(100.0) - channel.range[0].max(-100.0);
+    let is_grey = channels.iter().zip(&values).any(|(channel, value)| {
+        let tells_hue = matches!(channel.name, "C" | "C*" | "S");
+        tells_hue && value.abs() <= GREY * if channel.name == "C*" { 100.0 } else { 1.0 }
+    });
+    let has_hue = channels.iter().any(|channel| channel.limit == Limit::Cyclic);
+    for (channel, value) in channels.iter().zip(&mut values) {
+        let is_of_grey = has_hue
+            && is_grey
+            && (channel.limit == Limit::Cyclic || matches!(channel.name, "C" | "C*" | "S"));
+        let rounding = if matches!(channel.name, "a" | "b") { GREY } else { ROUNDING * span(channel) };
+        if is_of_grey || value.abs() <= rounding {
+            *value = 0.0;
+        }
+    }
+    values
+}
+
+/// Says where a colour lies outside of what a device of the model shows.
+fn note_outside(model: &str, channels: &[Channel], values: &[f64]) {
+    let is_device = channels.iter().all(|c| c.range == [0.0, 1.0]) && !matches!(model, "xyy" | "lms");
+    let outside = channels.iter().zip(values).filter(|(_, v)| !(-OUTSIDE..=1.0 + OUTSIDE).contains(*v));
+    let outside: Vec<_> = outside.map(|(c, value)| format!("{} {}", c.name, number(*value))).collect();
+    if is_device && !outside.is_empty() {
+        let list = outside.join(", ");
+        print::note(format_args!("note: {model} cannot show this colour: {list} outside of 0 to 1"));
     }
 }

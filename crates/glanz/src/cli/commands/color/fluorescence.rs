@@ -28,8 +28,8 @@ XYZ are relative to the perfect diffuser under the same light, whose Y is 100; u
 hardly seen, as that of a black light, they grow very large, and the chromaticity tells the
 colour. 'reflected' is the diagonal of the matrix alone: the same material without its glow. The
 total radiance factor is the light that leaves over the light that arrives, by wavelength. Files:
-Labsphere .BFC, and CSV with wavelengths of incidence in the first line and of emission in the
-first column.";
+Labsphere .BFC, CSV with wavelengths of incidence in the first line and of emission in the first
+column, and bispectral OpenEXR pictures, of which the pixel in the middle is taken.";
 
 /// The scale of X, Y, Z that are printed: Y of the perfect diffuser.
 const WHITE_Y: f64 = 100.0;

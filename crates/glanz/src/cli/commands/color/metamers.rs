@@ -67,7 +67,11 @@ impl MetamersArgs {
     pub fn run(&self) -> Result<(), Failure> {
         self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
-        let pair = [surface(&self.first)?, surface(&self.second)?];
+        let mut pair = [surface(&self.first)?, surface(&self.second)?];
+        if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
+            pair[0].name = self.first.clone();
+            pair[1].name = self.second.clone();
+        }
         let observer = observer_source(&self.observer)?;
         if observer.kind != ObserverKind::Xyz {
             let name = &observer.name;
@@ -104,6 +108,14 @@ impl MetamersArgs {
             "reference": rows[0].light, "lights": lights.collect::<Vec<_>>(),
         })
     }
+}
+
+/// Whether a name, as a column of a table has it, says nothing of which surface it is.
+fn is_generic(name: &str) -> bool {
+    const WORDS: [&str; 9] =
+        ["spectral", "reflectance", "transmittance", "factor", "value", "values", "r", "sample", "data"];
+    let name = name.to_lowercase();
+    name.split(|c: char| !c.is_alphanumeric()).all(|word| word.is_empty() || WORDS.contains(&word))
 }
 
 /// A surface by name or file.

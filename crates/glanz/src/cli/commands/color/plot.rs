@@ -149,17 +149,17 @@ impl SpectraArgs {
             self.spectra.iter().map(|word| source(word, self.kind)).collect::<Result<Vec<_>, _>>()?;
         let curves: Vec<_> = sources.iter().map(|source| self.curve(source)).collect();
         let surfaces = sources.iter().all(|source| source.kind == Kind::Surface);
-        let label = match (self.normalize, surfaces) {
-            (true, _) => "relative to the greatest value",
-            (false, true) => "reflectance",
-            (false, false) => "relative power per nm",
+        let lights = sources.iter().all(|source| source.kind == Kind::Light);
+        let label = match (surfaces, lights) {
+            _ if self.normalize => "relative to the greatest value",
+            (true, _) => "reflectance",
+            (_, true) => "relative power per nm",
+            _ => "relative power per nm, or reflectance",
         };
         let (title, subtitle) = match sources.as_slice() {
             [only] => (only.name.clone(), only.title.clone()),
             _ if surfaces => ("Reflectances".to_owned(), "300 to 780 nm".to_owned()),
-            sources if sources.iter().all(|source| source.kind == Kind::Light) => {
-                ("Lights".to_owned(), "300 to 780 nm".to_owned())
-            }
+            _ if lights => ("Lights".to_owned(), "300 to 780 nm".to_owned()),
             _ => ("Spectra".to_owned(), "300 to 780 nm".to_owned()),
         };
         Ok(plot::spectra(&title, &subtitle, label, &curves))

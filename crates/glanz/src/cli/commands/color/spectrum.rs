@@ -90,6 +90,10 @@ impl SpectrumArgs {
         self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let source = source(&self.spectrum, self.kind)?;
+        if self.kind.is_some_and(|kind| kind != source.kind) {
+            let message = "is known by its name; --as tells what a file's spectrum is of";
+            return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
+        }
         let observer = observer_source(&self.observer)?;
         let mut facts = Facts::default();
         facts.value("name", source.name.as_str());
@@ -220,7 +224,7 @@ fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
     facts.value("duv", found.duv);
     facts.value("cct_is_meaningful", !far);
     let warning = if far { " (too far from black bodies to mean much)" } else { "" };
-    facts.line("CCT", format!("{:.0} K, Duv {:+.4}{warning}", found.cct_k, found.duv));
+    facts.line("CCT", format!("{:.1} K, Duv {:+.4}{warning}", found.cct_k, found.duv));
     if far {
         return;
     }
@@ -234,29 +238,29 @@ fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
     }
 }
 
-/// What the light is in photometric units.
+/// What the light is in photometric units; absolute figures only where its unit is understood.
 fn power_facts(facts: &mut Facts, source: &Source) {
     let light = &source.spectrum;
     let (day, night) = (luminous(light, Adapted::Photopic), luminous(light, Adapted::Scotopic));
     facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).map_or(Value::Null, finite));
-    facts.value("luminous", finite(day));
-    facts.value("scotopic", finite(night));
+    facts.value("sp_ratio", finite(night / day));
     facts.value("unit", source.unit.as_str());
     if let Some(efficacy) = efficacy_lm_per_w(light) {
         facts.line("efficacy", format!("{efficacy:.1} lm/W of 300 to 780 nm"));
     }
-    let unit = source.unit.as_str();
-    match unit {
-        "" => facts.line("S/P ratio", fixed(night / day, 3)),
-        _ => facts.line(
-            "luminous",
-            format!(
-                "{} by day, {} at night: cd/m² if {unit} is W/(m² sr nm), lx if it is W/(m² nm), lm if it is W/nm",
-                number(day),
-                number(night)
-            ),
-        ),
-    }
+    facts.line("S/P ratio", fixed(night / day, 3));
+    let Some(unit) = source.power_unit else {
+        if !source.unit.is_empty() {
+            facts.line("luminous", format!("none: the unit '{}' is not understood", source.unit));
+        }
+        return;
+    };
+    let (day, night) = (unit.factor * day, unit.factor * night);
+    let name = unit.radiometry.photometric_unit();
+    facts.value("luminous", finite(day));
+    facts.value("scotopic", finite(night));
+    facts.value("luminous_unit", name);
+    facts.line("luminous", format!("{} {name} by day, {} at night", number(day), number(night)));
 }
 
 fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &Observer) {
