@@ -10,9 +10,10 @@ use std::path::Path;
 use clap::ValueEnum;
 use glanz_color::read::{NamedSpectrum, PowerUnit, Quantity, is_bfc, read_reradiation, read_spectra};
 use glanz_color::{
-    Channel, IorKind, Observer, Outside, Reradiation, Spectrum, TableError, UnknownName, fluorescent,
-    fluorescents, ior, iors, light, lights, observer, observers, reflectance, reflectances,
+    IorKind, Observer, Outside, Reradiation, Spectrum, TableError, UnknownName, fluorescent, fluorescents,
+    ior, iors, light, lights, observer, observers, reflectance, reflectances,
 };
+use glanz_scene::read::read_sensor;
 
 use super::failure::{Failure, Report, without_number};
 use super::print;
@@ -106,12 +107,7 @@ pub fn observer_source(word: &str) -> Result<Observer, Failure> {
     let Some(Opened { bytes, file, .. }) = open(word)? else {
         return Err(unknown("observer", word, &observers().iter().map(|info| info.name).collect::<Vec<_>>()));
     };
-    let mut channels = Vec::new();
-    for named in read_spectra(&bytes, &file).map_err(Failure::new)? {
-        let sensitivity = told(&named, named.to_sensitivity())?;
-        channels.push(Channel { name: named.name, sensitivity });
-    }
-    Ok(Observer::from_channels(file, channels))
+    read_sensor(&bytes, &file).map_err(Failure::new)
 }
 
 /// The re-radiation matrix of that name, or of that file.

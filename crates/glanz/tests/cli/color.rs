@@ -143,7 +143,7 @@ fn values_below_0_are_refused_where_they_are_more_than_noise() {
     assert!(!run.text().is_empty() && run.stderr.contains("taken as noise"), "{}", run.stderr);
     folder.write("eye.csv", "nm,a,b\n300,1,-1\n780,1,-1\n");
     let failure = folder.glanz(&["color", "spectrum", "E", "--observer", "eye.csv"]).failure();
-    assert!(failure.contains("'b': expected a sensitivity above 0"), "{failure}");
+    assert!(failure.contains("channel 'b' of 'eye.csv': expected a sensitivity above 0"), "{failure}");
 }
 
 #[test]

@@ -112,7 +112,7 @@ fn a_sensor_from_a_file_sees_the_scene() {
     assert_eq!(white, [255; 3]);
     assert!(orange[0] > orange[2], "{orange:?}");
     let failure = folder.glanz(&["render", "scene.toml", "--observer", "nothing.csv"]).failure();
-    assert!(failure.contains("the sensor 'nothing.csv' cannot be read"), "{failure}");
+    assert!(failure.contains("cannot read 'nothing.csv'"), "{failure}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Sensors: a file with one curve for each channel.
 
-use glanz_color::read::read_spectra;
-use glanz_color::{Channel, Observer, Outside, rgb_spectra};
+use glanz_color::read::{NamedSpectrum, read_spectra};
+use glanz_color::{Channel, Observer, rgb_spectra};
 
 /// The most channels of a sensor.
 const MOST: usize = 97;
@@ -16,15 +16,14 @@ pub fn read_sensor(bytes: &[u8], file: &str) -> Result<Observer, String> {
             spectra.len()
         ));
     }
-    let channel = |spectrum: &glanz_color::read::NamedSpectrum| {
-        let (sensitivity, _) =
-            spectrum.to_spectrum(Some(Outside::Zero)).map_err(|error| error.to_string())?;
+    let channel = |spectrum: &NamedSpectrum| {
+        let failed =
+            |error: glanz_color::TableError| format!("channel '{}' of '{file}': {error}", spectrum.name);
+        let (sensitivity, _) = spectrum.to_sensitivity().map_err(failed)?;
         // It must answer to daylight, by which its channels are scaled.
         match sensitivity.dot(&rgb_spectra::daylight()) > 0.0 {
             true => Ok(Channel { name: spectrum.name.clone(), sensitivity }),
-            false => {
-                Err(format!("channel '{}' of '{file}' sees nothing between 300 and 780 nm", spectrum.name))
-            }
+            false => Err(format!("channel '{}' of '{file}' answers to no daylight", spectrum.name)),
         }
     };
     let channels = spectra.iter().map(channel).collect::<Result<Vec<_>, _>>()?;

@@ -1,17 +1,12 @@
 //! How colour is treated, and who looks.
 
-use std::path::Path;
-
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use glanz_color::Observer;
 use glanz_render::{Observation, Show};
 use glanz_scene::{ColorMode, Scene, White};
 
-use super::super::failure::{Failure, Report};
-
-/// The largest file of a sensor, in bytes.
-const MAX_SENSOR: u64 = 16 << 20;
+use super::super::failure::Failure;
+use super::super::spectra::observer_source;
 
 /// Colour otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
@@ -61,37 +56,11 @@ impl ColorArgs {
             return Ok(Look { observation: Observation::rgb(), white });
         }
         let chosen = match &self.observer {
-            Some(name) => Some(observer(name)?),
+            Some(name) => Some(observer_source(name)?),
             None => scene.observer.clone(),
         };
         let observation =
             Observation::new(mode, chosen).map_err(|error| Failure::Usage(error.to_string()))?;
         Ok(Look { observation, white })
     }
-}
-
-/// An observer by name, or a sensor from a file.
-pub fn observer(name: &str) -> Result<Observer, Failure> {
-    let known = match glanz_color::observer(name) {
-        Ok(observer) => return Ok(observer),
-        Err(error) => error,
-    };
-    let path = Path::new(name);
-    if path.extension().is_none() {
-        return Err(Failure::Usage(known.to_string()));
-    }
-    let problem = |message: String| Failure::from(Report::new(message));
-    let length = std::fs::metadata(path).map(|metadata| metadata.len());
-    let bytes = match length {
-        Ok(length) if length > MAX_SENSOR => {
-            return Err(problem(format!("'{name}' has {length} bytes; at most {MAX_SENSOR} are read")));
-        }
-        Ok(_) => std::fs::read(path),
-        Err(error) => Err(error),
-    };
-    let bytes = bytes.map_err(|error| {
-        let error = super::super::failure::without_number(&error.to_string()).to_owned();
-        problem(format!("the sensor '{name}' cannot be read: {error}"))
-    })?;
-    glanz_scene::read::read_sensor(&bytes, name).map_err(problem)
 }
