@@ -163,6 +163,8 @@ const MODELS: [Model; 4] = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::difference::ciede2000;
+    use crate::models::Lab;
     use crate::{light, observer, xyz_of_light, xyz_of_reflectance};
 
     fn xyz(matrix: &Reradiation, light: &Spectrum) -> [f64; 3] {
@@ -220,6 +222,8 @@ mod tests {
         let white = xyz(&Reradiation::diagonal(&Spectrum::ONE), &d65);
         let (with, without) = (lab(xyz(&paper, &d65), white), lab(xyz(&paper, &cut), white));
         assert!(without[2] - with[2] > 4.0, "b* from {} to {}", with[2], without[2]);
+        let apart = ciede2000(Lab(with), Lab(without));
+        assert!(apart > 3.0, "ΔE00 {apart}");
     }
 
     #[test]
