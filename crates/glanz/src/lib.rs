@@ -6,7 +6,7 @@
 //! | name | holds |
 //! |---|---|
 //! | [`math`] | numbers that run as f64, f32 and 16 lanes; vectors; quadrature |
-//! | [`color`] | linear RGB and the sRGB transfer |
+//! | [`color`] | spectra, light sources, observers, surfaces, colour models and their differences |
 //! | [`bsdf`] | the shapes of reflection lobes, from one list of models |
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels to picture files, on the CPU |
