@@ -7,8 +7,8 @@
 
 use glanz_math::{PI, Real};
 
-/// Places at which the function is taken, and the most terms that are kept. Silver in the infrared,
-/// the steepest at grazing incidence of the metals that ship, needs 26 for an error of 1e-5.
+/// Places at which the function is taken, and the most terms that are kept. A test holds that they keep 1e-4 for
+/// every medium that ships and for indices from 1.05 to 20.
 const NODES: usize = 32;
 
 /// Terms at the end of the series whose sum is below this share of the greatest value are left out:
