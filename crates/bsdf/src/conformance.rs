@@ -238,7 +238,8 @@ pub(crate) fn gives_the_same_bits_in_16_lanes<M: Model>() {
                 at_level!(level, simd => {
                     let [cos_o, cos_i, cos_io] = cosines.map(|c| Lanes::load(simd, &c));
                     let [ox, oy, ix, iy] = tangents.map(|t| Lanes::load(simd, &t));
-                    let pair = Pair { cos_o, cos_i, cos_io, tangent_o: (ox, oy), tangent_i: (ix, iy) };
+                    let widening = cos_o.one();
+                    let pair = Pair { cos_o, cos_i, cos_io, tangent_o: (ox, oy), tangent_i: (ix, iy), widening };
                     model.f_cos(&pair).store(&mut wide);
                 });
                 for (i, got) in wide.iter().enumerate() {

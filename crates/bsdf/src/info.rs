@@ -24,6 +24,16 @@ pub enum Law {
     Energy,
 }
 
+/// On which side of the surface the light must be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// On the viewer's.
+    #[default]
+    Reflection,
+    /// On the other: light passes through.
+    Transmission,
+}
+
 /// One parameter of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamInfo {
@@ -56,6 +66,13 @@ pub struct ModelInfo {
     pub params: &'static [ParamInfo],
     /// Which of a light's colours it answers to.
     pub part: Part,
+    /// On which side of the surface the light must be.
+    pub side: Side,
+    /// Whether it asks where the tangent is: only then must [`Pair`](crate::Pair) know it.
+    pub anisotropic: bool,
+    /// Whether it sends light into a single direction, as a mirror does. Such a lobe answers to
+    /// surroundings and not to lights, and its `f_cos` is 0.
+    pub delta: bool,
     /// Laws that it breaks, each with the reason.
     pub exempt: &'static [(Law, &'static str)],
 }

@@ -18,7 +18,7 @@ mod pair;
 pub mod terms;
 
 pub use albedo::albedo;
-pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part};
+pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
 
@@ -29,6 +29,10 @@ pub trait Model: Sized {
     /// Its name, parameters and laws.
     const INFO: ModelInfo;
 
+    /// Whether the pixel loop should hold its code in place rather than call it: for models so cheap that
+    /// a call would cost more.
+    const IN_PLACE: bool = false;
+
     /// The model from its parameters, in the order of `INFO.params` and already checked against
     /// their ranges.
     fn from_params(values: &[f64]) -> Self;
@@ -36,6 +40,14 @@ pub trait Model: Sized {
     /// The parameter values, in the order of `INFO.params`.
     fn params(&self) -> Vec<f64>;
 
-    /// The BSDF times the incident cosine, in 1/sr. Zero where the light is below the surface.
+    /// The BSDF times the incident cosine, in 1/sr. Zero where the light is on the wrong side of the surface
+    /// (see [`ModelInfo::side`]); the viewer is above it.
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R;
+
+    /// The cosine, 0 … 1, that a tint by Fresnel's law takes: that of the angle at which light meets the facet
+    /// that sends it to the viewer.
+    #[inline(always)]
+    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_view_half()
+    }
 }

@@ -48,7 +48,16 @@ macro_rules! models {
             #[inline(always)]
             pub fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
                 match self {
-                    $(Self::$model(model) => model.f_cos(pair),)+
+                    $(Self::$model(model) if $room::$model::IN_PLACE => model.f_cos(pair),)+
+                    $(Self::$model(model) => outlined(model, pair),)+
+                }
+            }
+
+            /// See [`Model::tint_cosine`].
+            #[inline(always)]
+            pub fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+                match self {
+                    $(Self::$model(model) => model.tint_cosine(pair),)+
                 }
             }
 
@@ -77,6 +86,16 @@ models! {
     4 => phong_normalized::PhongNormalized,
     5 => blinn_phong::BlinnPhong,
     6 => blinn_phong_normalized::BlinnPhongNormalized,
+}
+
+/// The model's value by a call: code that all lobes share would be a thousand instructions per model and
+/// SIMD level.
+#[inline(never)]
+fn outlined<M: Model, R: Real>(model: &M, pair: &Pair<R>) -> R {
+    pair.cos_o.at_own_level(
+        #[inline(always)]
+        || model.f_cos(pair),
+    )
 }
 
 impl Shape {

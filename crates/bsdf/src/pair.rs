@@ -18,6 +18,9 @@ pub struct Pair<R> {
     pub tangent_o: (R, R),
     /// The tangential coordinates of `wi`; zero from [`Pair::isotropic`].
     pub tangent_i: (R, R),
+    /// Multiplies the width of a microfacet distribution, 0 … 1: what a roughness texture says. Models that
+    /// textures cannot widen do not read it.
+    pub widening: R,
 }
 
 impl<R: Real> Pair<R> {
@@ -30,6 +33,7 @@ impl<R: Real> Pair<R> {
             cos_io: wo.dot(wi),
             tangent_o: (wo.x, wo.y),
             tangent_i: (wi.x, wi.y),
+            widening: wo.z.one(),
         }
     }
 
@@ -37,7 +41,8 @@ impl<R: Real> Pair<R> {
     #[inline(always)]
     pub fn isotropic(cos_o: R, cos_i: R, cos_io: R) -> Self {
         let zero = cos_o.zero();
-        Self { cos_o, cos_i, cos_io, tangent_o: (zero, zero), tangent_i: (zero, zero) }
+        let widening = cos_o.one();
+        Self { cos_o, cos_i, cos_io, tangent_o: (zero, zero), tangent_i: (zero, zero), widening }
     }
 
     /// R·wo, where R is `wi` mirrored about the normal: 2 (n·wi)(n·wo) − wi·wo.

@@ -103,6 +103,10 @@ impl<S: Simd> Real for Lanes<S> {
     type Mask = LanesMask<S>;
 
     #[inline(always)]
+    fn at_own_level<T>(self, f: impl FnOnce() -> T) -> T {
+        self.0.simd.vectorize(f)
+    }
+    #[inline(always)]
     fn lit(self, value: f64) -> Self {
         Self(self.0.simd.splat_f32x16(value as f32))
     }

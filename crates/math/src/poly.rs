@@ -3,7 +3,7 @@
 //! Coefficients: Remez exchange in 40 digits on the reduced interval, minimising the relative
 //! error; rounded to `f32` by the compiler. Errors stated are those of the exact polynomials.
 
-use crate::Real;
+use crate::{PI, Real};
 
 /// Bits of √½: a number is split as m·2^e with m in √½ … √2, so that log2 m is small around 1.
 pub(crate) const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
@@ -47,4 +47,57 @@ pub(crate) fn exp2_fraction<R: Real>(t: R) -> R {
     let even = (c(4) * t2 + c(2)) * t2 + c(0);
     let odd = (c(5) * t2 + c(3)) * t2 + c(1);
     t * (even + t * odd) + t.one()
+}
+
+/// acos x / √(1 − x) on 0 … 1, degree 7, error 2e-8: M. Abramowitz and I. Stegun, Handbook of Mathematical
+/// Functions, 1964, 4.4.46.
+const ACOS: [f64; 8] = [
+    1.5707963050,
+    -0.2145988016,
+    0.0889789874,
+    -0.0501743046,
+    0.0308918810,
+    -0.0170881256,
+    0.0066700901,
+    -0.0012624911,
+];
+
+/// atan t / t in t² on −1 … 1, degree 8, error 2e-8: the same book, 4.4.49.
+const ATAN: [f64; 9] = [
+    1.0,
+    -0.3333314528,
+    0.1999355085,
+    -0.1420889944,
+    0.1065626393,
+    -0.0752896400,
+    0.0429096138,
+    -0.0161657367,
+    0.0028662257,
+];
+
+#[inline(always)]
+fn horner<R: Real, const N: usize>(x: R, coefficients: &[f64; N]) -> R {
+    let mut sum = x.lit(coefficients[N - 1]);
+    for c in coefficients[..N - 1].iter().rev() {
+        sum = sum * x + x.lit(*c);
+    }
+    sum
+}
+
+#[inline(always)]
+pub(crate) fn acos<R: Real>(x: R) -> R {
+    let size = x.abs().min(x.one());
+    let angle = (size.one() - size).sqrt() * horner(size, &ACOS);
+    (x.lit(PI) - angle).select(x.lt(x.zero()), angle)
+}
+
+#[inline(always)]
+pub(crate) fn atan2<R: Real>(y: R, x: R) -> R {
+    let (ax, ay) = (x.abs(), y.abs());
+    // The floor makes the angle of the origin 0 rather than 0/0.
+    let t = ax.min(ay) / ax.max(ay).max(x.lit(1e-30));
+    let low = t * horner(t.sqr(), &ATAN);
+    let steep = (x.lit(PI / 2.0) - low).select(ax.lt(ay), low);
+    let around = (x.lit(PI) - steep).select(x.lt(x.zero()), steep);
+    (-around).select(y.lt(y.zero()), around)
 }

@@ -37,6 +37,12 @@ pub trait Real:
     /// 2 to the power `self`, for arguments in −126 … 127 (clamped to that range).
     fn exp2(self) -> Self;
 
+    /// What `f` gives, compiled for the SIMD level of the lanes: for code in a function of its own.
+    #[inline(always)]
+    fn at_own_level<T>(self, f: impl FnOnce() -> T) -> T {
+        f()
+    }
+
     /// 0 in every lane.
     #[inline(always)]
     fn zero(self) -> Self {
@@ -81,6 +87,23 @@ pub trait Real:
     #[inline(always)]
     fn rsqrt(self) -> Self {
         self.one() / self.sqrt()
+    }
+    /// The angle in radians, 0 … π, whose cosine `self` is; arguments beyond −1 … 1 count as these. Within
+    /// 3e-7 in single precision (see `poly`), exact to rounding in double.
+    #[inline(always)]
+    fn acos(self) -> Self {
+        poly::acos(self)
+    }
+    /// The angle in radians, −π … π, of the point (`x`, `self`) around the origin; 0 at the origin. As exact as
+    /// [`Real::acos`].
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        poly::atan2(self, x)
+    }
+    /// e to the power `self`, for arguments in −87 … 88 (clamped to that range).
+    #[inline(always)]
+    fn exp(self) -> Self {
+        (self * self.lit(core::f64::consts::LOG2_E)).exp2()
     }
     /// `self` to the power `n`, for a base in 0 … 1 or a little above it and `n` >= 0.
     ///
@@ -132,6 +155,14 @@ impl Real for f64 {
     #[inline(always)]
     fn exp2(self) -> Self {
         libm::exp2(self.clamp(-126.0, 127.0))
+    }
+    #[inline(always)]
+    fn acos(self) -> Self {
+        libm::acos(self.clamp(-1.0, 1.0))
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
     }
 }
 
@@ -231,6 +262,25 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Of angles in single precision: rounding of numbers up to π.
+    const ANGLE_F32: f64 = 6e-7;
+
+    #[test]
+    fn angles_agree_with_libm_all_around() {
+        for i in -1000..=1000 {
+            let x = i as f32 / 1000.0;
+            let error = (Real::acos(x) as f64 - libm::acos(x as f64)).abs();
+            assert!(error < ANGLE_F32, "acos({x}) is off by {error}");
+            let (y, x) = libm::sincos(i as f64 * 0.003_141);
+            for radius in [1e-12, 1.0, 1e12] {
+                let (x, y) = ((x * radius) as f32, (y * radius) as f32);
+                let error = (Real::atan2(y, x) as f64 - libm::atan2(y as f64, x as f64)).abs();
+                assert!(error < ANGLE_F32, "atan2({y}, {x}) is off by {error}");
+            }
+        }
+        assert_eq!((Real::acos(1.0f32), Real::acos(2.0f32), Real::atan2(0.0f32, 0.0)), (0.0, 0.0, 0.0));
     }
 
     #[test]

@@ -9,7 +9,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, Pair, Part};
+use crate::{Law, Model, ModelInfo, Pair, Part, Side};
 
 /// The ambient lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,11 +23,16 @@ impl Model for Ambient {
         source: "the classic lighting equation, I = Ia·ka",
         params: &[],
         part: Part::Ambient,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[
             (Law::Reciprocity, "ambient light has no direction to exchange"),
             (Law::Energy, "no cosine: over the hemisphere it would count twice"),
         ],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

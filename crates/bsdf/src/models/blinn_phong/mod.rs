@@ -13,7 +13,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Law, Model, ModelInfo, Pair, Part};
+use crate::{Law, Model, ModelInfo, Pair, Part, Side};
 
 /// Blinn's highlight: a power of the cosine between normal and half vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,11 +30,16 @@ impl Model for BlinnPhong {
         source: "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977",
         params: &[SHININESS],
         part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 5.38 the albedo seen along the normal, 8/(n+2)·(1 − 2^(−(n+2)/2)), is more than 1"),
         ],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }

@@ -11,7 +11,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Model, ModelInfo, Pair, Part};
+use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// Blinn's lobe scaled so that it keeps its energy at normal incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +30,13 @@ impl Model for BlinnPhongNormalized {
         source: "the normalisation factor for the half-vector lobe, after F. Giesen, 2009",
         params: &[SHININESS],
         part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         let n = values[0];

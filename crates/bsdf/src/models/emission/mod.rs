@@ -9,7 +9,7 @@
 
 use glanz_math::Real;
 
-use crate::{Law, Model, ModelInfo, Pair, Part};
+use crate::{Law, Model, ModelInfo, Pair, Part, Side};
 
 /// The emission lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,11 +23,16 @@ impl Model for Emission {
         source: "the classic lighting equation",
         params: &[],
         part: Part::Emission,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[
             (Law::Reciprocity, "there is no incident direction"),
             (Law::Energy, "it sends light without receiving any"),
         ],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

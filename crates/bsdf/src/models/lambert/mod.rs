@@ -9,7 +9,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, Pair, Part};
+use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// The matte lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,8 +23,13 @@ impl Model for Lambert {
         source: "J. H. Lambert, Photometria, 1760",
         params: &[],
         part: Part::Diffuse,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

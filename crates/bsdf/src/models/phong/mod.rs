@@ -14,7 +14,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part};
+use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// The exponent of the Phong and Blinn–Phong lobes, as files and command line name it.
 pub(crate) const SHININESS: ParamInfo = ParamInfo {
@@ -41,11 +41,16 @@ impl Model for Phong {
         source: "B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975",
         params: &[SHININESS],
         part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),
         ],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }

@@ -11,7 +11,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Model, ModelInfo, Pair, Part};
+use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// The Phong lobe scaled so that it keeps its energy whatever the exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +30,13 @@ impl Model for PhongNormalized {
         source: "R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994",
         params: &[SHININESS],
         part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: false,
         exempt: &[],
     };
+
+    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         let shininess = values[0];
