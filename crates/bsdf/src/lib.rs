@@ -15,12 +15,16 @@ mod conformance;
 mod info;
 pub mod models;
 mod pair;
+mod series;
 pub mod terms;
+mod veil;
 
 pub use albedo::albedo;
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
+pub use series::Series;
+pub use veil::{Angle, Veil, albedo_series, diffuse_fresnel, matte_under_coat};
 
 use glanz_math::Real;
 
