@@ -248,7 +248,7 @@ fn models(quick: bool, level: Level) {
     for info in MODELS.iter().filter(|info| matches!(info.part, Part::Diffuse | Part::Specular)) {
         let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
         let shape = Shape::named(info.name, &[]).expect("a name from the list");
-        let lobe = Lobe { shape: shape.clone(), tint: Rgb::gray(0.5).into(), textured: false };
+        let lobe = Lobe::new(shape.clone(), Rgb::gray(0.5));
         scene.materials = vec![Material::of_lobes(info.name, vec![lobe])];
         // A quad that fills the picture: all of it is shading.
         scene.meshes = vec![Builtin::Quad.mesh().expect("a quad")];

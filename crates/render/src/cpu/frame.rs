@@ -183,7 +183,8 @@ fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
 fn lit_test(material: &PreparedMaterial, lights: usize) -> PreparedMaterial {
     let shape = Shape::named("lambert", &[]).expect("lambert is in the list of models");
     PreparedMaterial {
-        lobes: vec![DirectLobe { shape, part: Part::Diffuse, textured: false, curved: false }],
+        lobes: vec![DirectLobe::new(shape)],
+        classic: true,
         tints: vec![[1.0; 3]; lights],
         curves: Vec::new(),
         ambient: Default::default(),

@@ -9,7 +9,7 @@ use glanz_math::{Lanes, Real, Vec3};
 
 use super::eye::{EyeCone, EyeFalloff, EyeLight};
 use super::{inlined, three};
-use crate::prepare::PreparedMaterial;
+use crate::prepare::{Along, PreparedMaterial};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
@@ -78,9 +78,9 @@ pub(crate) fn reflect<R: Real>(
         // none with what happens to be in memory, which is slow where that is a denormal number.
         let reach = incident.reach.unwrap_or(like.one());
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
-            let value = lobe.shape.f_cos(&pair) * reach;
+            let value = lobe.shape.f_cos_in_place(&pair) * reach;
             let tint = match &mix {
-                _ if lobe.curved => material.curves[first + k].at(pair.cos_view_half()),
+                _ if lobe.along == Along::Facet => material.curves[first + k].at(pair.cos_view_half()),
                 Some((mix, texel)) if lobe.textured => mixed(&mix.tints[first + k], texel),
                 _ => literal(like, tint),
             };

@@ -82,6 +82,18 @@ pub(super) fn is_directed(light: &Light) -> bool {
     light.kind != LightKind::Ambient
 }
 
+/// Whether a light's value is a radiance rather than that of a lamp.
+pub(super) fn is_radiance(light: &Light) -> bool {
+    let _ = light;
+    false
+}
+
+/// How many lights of the table a light is.
+pub(super) fn rows(light: &Light) -> usize {
+    let _ = light;
+    1
+}
+
 fn error(number: usize, what: &str) -> PrepareError {
     PrepareError::Scene { what: format!("light {}: {what}", number + 1) }
 }

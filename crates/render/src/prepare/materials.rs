@@ -1,10 +1,11 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{Part, Shape};
-use glanz_scene::{AlphaMode, Lobe, Material, TextureUse, Tint};
+use glanz_bsdf::{Part, Shape, Veil};
+use glanz_scene::{AlphaMode, Lobe, Material, Metalness, TextureUse, Tint};
 
+use super::along::Along;
 use super::curve::Curve;
-use super::tints::{Entry, Table, is_curved, part_of};
+use super::tints::{Entry, Table, part_of};
 use super::{PrepareError, with_model};
 
 /// A lobe that answers to lights with a direction.
@@ -16,8 +17,12 @@ pub struct DirectLobe {
     pub part: Part,
     /// Whether base colour texture and vertex colours multiply it.
     pub textured: bool,
-    /// Whether its tint depends on the cosine between viewer and half vector.
-    pub curved: bool,
+    /// On what its tint depends.
+    pub along: Along,
+    /// What lies over it.
+    pub veils: Vec<Veil>,
+    /// Which part of the surface it belongs to.
+    pub share: Metalness,
 }
 
 /// A material with its rows of the tint table.
@@ -49,6 +54,14 @@ pub struct PreparedMaterial {
     pub normal_map: Option<TextureUse>,
     /// Multiplies the emission.
     pub emission_map: Option<TextureUse>,
+    /// Green widens lobes, blue says where metal is.
+    pub metal_rough_map: Option<TextureUse>,
+    /// The angle from the tangent to the x axis of lobes that know one, in radians.
+    pub aniso: f64,
+    /// What is seen through it, per channel over the cosine of the line of sight.
+    pub through: Option<Curve>,
+    /// Whether it has nothing that the pixel loop of the classic models does not know.
+    pub classic: bool,
     /// Opacity.
     pub alpha: f32,
     /// What alpha means.
@@ -75,7 +88,8 @@ pub(super) fn prepare(
     table: &Table,
     model: Option<&str>,
 ) -> Result<PreparedMaterial, PrepareError> {
-    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) {
+    let finite_through = material.through.as_ref().is_none_or(glanz_scene::Through::is_finite);
+    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) || !finite_through {
         let what = format!("material '{}': tints must be finite numbers", material.name);
         return Err(PrepareError::Scene { what });
     }
@@ -86,6 +100,7 @@ pub(super) fn prepare(
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
     add(&mut ambient[0], table.emission(&terms.textured_emission, None));
     Ok(PreparedMaterial {
+        classic: lobes.iter().all(DirectLobe::is_classic) && material.metal_rough_map.is_none(),
         lobes,
         tints: table.direct(&direct, None),
         curves: table.curves(&direct),
@@ -98,6 +113,9 @@ pub(super) fn prepare(
         base_color: material.base_color,
         normal_map: material.normal_map,
         emission_map: material.emission_map,
+        metal_rough_map: material.metal_rough_map,
+        aniso: material.aniso,
+        through: material.through.as_ref().map(|through| table.through(through)),
         alpha: material.alpha,
         alpha_mode: material.alpha_mode,
     })
@@ -122,9 +140,23 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         Some(name) if part == Part::Specular => with_model(&lobe.shape, name)?,
         _ => lobe.shape.clone(),
     };
-    // A texel has no say in Fresnel reflection.
-    let curved = is_curved(lobe);
-    Ok(DirectLobe { shape, part, textured: lobe.textured && !curved, curved })
+    // A texel has no say in a tint that is a curve.
+    let along = Along::of(lobe);
+    let textured = lobe.textured && along == Along::Nothing;
+    Ok(DirectLobe { shape, part, textured, along, veils: lobe.veils.clone(), share: lobe.share })
+}
+
+impl DirectLobe {
+    /// A bare lobe.
+    pub fn new(shape: Shape) -> Self {
+        let (part, along) = (shape.info().part, Along::Nothing);
+        Self { shape, part, textured: false, along, veils: Vec::new(), share: Metalness::Any }
+    }
+
+    fn is_classic(&self) -> bool {
+        let bare = self.veils.is_empty() && self.share == Metalness::Any;
+        bare && self.shape.is_in_place() && !matches!(self.along, Along::Path { .. })
+    }
 }
 
 /// The tints of a material's lobes that no light with a direction touches.

@@ -2,6 +2,7 @@
 //!
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
+mod along;
 mod closed;
 mod curve;
 mod facets;
@@ -11,6 +12,7 @@ mod materials;
 mod observation;
 mod polygons;
 mod sampling;
+mod sheets;
 mod textures;
 mod tints;
 
@@ -21,6 +23,7 @@ use glanz_bsdf::{MODELS, ParamError, Shape};
 use glanz_scene::{Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
 
+pub use along::Along;
 pub use curve::Curve;
 pub use facets::Facets;
 pub use geometry::{Cluster, Geometry};

@@ -71,7 +71,7 @@ pub fn glow(color: Rgb) -> Material {
 /// A material of one ambient lobe, which textures multiply: its value is light × texture.
 pub fn ambient_only(tint: Rgb) -> Material {
     let shape = Shape::named("ambient", &[]).unwrap();
-    Material::of_lobes("ambient", vec![Lobe { shape, tint: tint.into(), textured: true }])
+    Material::of_lobes("ambient", vec![Lobe::new(shape, tint).textured()])
 }
 
 /// A red material with all terms.

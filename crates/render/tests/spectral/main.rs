@@ -30,7 +30,7 @@ pub fn unit(name: &str) -> Spectrum {
 
 /// A lobe of this shape and tint.
 pub fn lobe(shape: &str, tint: Tint) -> Lobe {
-    Lobe { shape: Shape::named(shape, &[]).unwrap(), tint, textured: false }
+    Lobe::new(Shape::named(shape, &[]).unwrap(), tint)
 }
 
 /// A Lambert surface.
@@ -158,8 +158,7 @@ fn a_metal_reflects_by_fresnels_law_at_every_wavelength() {
     let shape = Shape::named("phong-normalized", &[("shininess", 1.0)]).unwrap();
     for degrees in [0.0, 30.0, 60.0, 80.0, 86.0] {
         let tint = Tint::Ior(Arc::new(gold.clone()));
-        let material =
-            Material::of_lobes("metal", vec![Lobe { shape: shape.clone(), tint, textured: false }]);
+        let material = Material::of_lobes("metal", vec![Lobe::new(shape.clone(), tint)]);
         let mut scene = faced(material, &unit("D65"));
         let angle = f64::to_radians(degrees);
         // The camera looks along the normal: the half vector is half of the light's angle away.

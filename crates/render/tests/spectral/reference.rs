@@ -24,11 +24,8 @@ fn lamp(kind: LightKind, color: impl Into<LightColor>) -> Light {
 fn everything() -> Scene {
     let mut scene = empty(camera(6.0, 40.0));
     let at = |x: f64, y: f64| DMat4::from_translation(DVec3::new(x, y, 0.0));
-    let metal = Lobe {
-        shape: Shape::named("phong-normalized", &[("shininess", 12.0)]).unwrap(),
-        tint: Tint::Ior(Arc::new(ior("Cu").unwrap())),
-        textured: false,
-    };
+    let shape = Shape::named("phong-normalized", &[("shininess", 12.0)]).unwrap();
+    let metal = Lobe::new(shape, Tint::Ior(Arc::new(ior("Cu").unwrap())));
     let mut shiny = matte(Tint::Reradiation(glowing()));
     shiny.lobes.extend([
         metal,

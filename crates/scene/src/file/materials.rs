@@ -359,7 +359,7 @@ impl LobeTable {
         if let (Tint::Ior(_), Part::Specular, true) = (&tint, shape.info().part, textured) {
             return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
         }
-        Ok(Lobe { shape, tint, textured })
+        Ok(Lobe { textured, ..Lobe::new(shape, tint) })
     }
 
     fn explain(&self, error: &ParamError) -> Problem {
