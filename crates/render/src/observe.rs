@@ -50,6 +50,6 @@ pub fn draw_observed(
 fn bare(background: Background) -> Background {
     match background {
         Background::Color(_) => Background::Color(glanz_color::Rgb::BLACK),
-        Background::Transparent => Background::Transparent,
+        Background::Transparent | Background::Environment => Background::Transparent,
     }
 }

@@ -143,7 +143,7 @@ impl Slot {
 pub(crate) fn backdrop(background: Background) -> ([f32; 3], f32) {
     match background {
         Background::Color(color) => (color.0, 1.0),
-        Background::Transparent => ([0.0; 3], 0.0),
+        Background::Transparent | Background::Environment => ([0.0; 3], 0.0),
     }
 }
 

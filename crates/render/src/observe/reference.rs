@@ -80,7 +80,7 @@ impl Sum {
     fn over(self, like: Frame, background: Background) -> Frame {
         let (color, opaque) = match background {
             Background::Color(color) => (color.0, true),
-            Background::Transparent => ([0.0; 3], false),
+            Background::Transparent | Background::Environment => ([0.0; 3], false),
         };
         let mut planes = self.0.into_iter().enumerate().map(|(channel, sum)| {
             let behind = color.get(channel).copied().unwrap_or(0.0);

@@ -65,7 +65,13 @@ pub struct PreparedLight {
 /// The lights of the scene that have a direction, in order.
 pub(super) fn prepare(scene: &Scene) -> Result<Vec<PreparedLight>, PrepareError> {
     let mut lights = Vec::new();
+    if scene.render.shadows {
+        return Err(PrepareError::Scene { what: "shadows are not drawn yet".to_owned() });
+    }
     for (number, light) in scene.lights.iter().enumerate() {
+        if light.luminaire.is_some() {
+            return Err(error(number, "luminaire profiles are not drawn yet"));
+        }
         let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
         if !colors.iter().all(|color| color.is_finite()) {
             return Err(error(number, "colors must be finite numbers"));
@@ -121,6 +127,8 @@ fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
                 falloff: falloff(attenuation)?,
             }
         }
+        LightKind::Area { .. } => return Err("area lights are not drawn yet"),
+        LightKind::Environment { .. } => return Err("environment lights are not drawn yet"),
     }))
 }
 

@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use glanz_bsdf::{MODELS, ParamError, Shape};
-use glanz_scene::{Interpolation, Mesh, Scene, Shading};
+use glanz_scene::{Background, Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
 
 pub use along::Along;
@@ -140,6 +140,11 @@ impl Prepared {
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
     check_references(scene)?;
+    if scene.image.background == Background::Environment {
+        return Err(PrepareError::Scene {
+            what: "an environment as the background is not drawn yet".to_owned(),
+        });
+    }
     let mut prepared = Prepared {
         textures: textures::prepare(&scene.textures),
         materials: fill(scene, options)?,

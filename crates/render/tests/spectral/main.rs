@@ -15,7 +15,7 @@ use glam::{DMat4, DVec3};
 use glanz_bsdf::Shape;
 use glanz_color::{Fluorophore, Observer, Reradiation, Spectrum, ior, light, reflectance, rgb_spectra};
 use glanz_render::{Frame, Observation, PrepareOptions, View, draw, prepare};
-use glanz_scene::{ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Material, Scene, Space, Tint};
+use glanz_scene::{ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Material, Scene, Tint};
 
 /// A few roundings of f32.
 pub const ROUNDING: f64 = 1e-6;
@@ -63,12 +63,9 @@ pub fn glowing() -> Arc<Reradiation> {
 pub fn faced(material: Material, spectrum: &Spectrum) -> Scene {
     let mut scene = empty(pixel_camera(4, 4));
     add(&mut scene, rectangle([0.0, 0.0, 4.0, 4.0], 0.0), material, DMat4::IDENTITY);
-    scene.lights.push(Light {
-        name: String::new(),
-        kind: LightKind::Directional { direction: -DVec3::Z },
-        colors: LightColors::all(LightColor::Spectrum(Arc::new(*spectrum))),
-        space: Space::World,
-    });
+    let kind = LightKind::Directional { direction: -DVec3::Z };
+    let color = LightColor::Spectrum(Arc::new(*spectrum));
+    scene.lights.push(Light::new(kind, LightColors::all(color)));
     scene
 }
 

@@ -7,7 +7,7 @@ use glanz_bsdf::Shape;
 use glanz_color::{Rgb, ior};
 use glanz_scene::{
     Attenuation, ColorMode, Interpolation, Light, LightColor, LightColors, LightKind, Lobe, Scene, Shading,
-    Space, Texture, TextureUse, Tint,
+    Texture, TextureUse, Tint,
 };
 
 use super::common::{add, camera, empty, rectangle, sphere};
@@ -17,7 +17,7 @@ use super::{glowing, lobe, matte, patch, seen, unit};
 const AGREEMENT: f64 = 3e-6;
 
 fn lamp(kind: LightKind, color: impl Into<LightColor>) -> Light {
-    Light { name: String::new(), kind, colors: LightColors::all(color), space: Space::World }
+    Light::new(kind, LightColors::all(color))
 }
 
 /// Spheres and squares with everything that a table can hold.

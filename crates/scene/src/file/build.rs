@@ -15,7 +15,7 @@ use super::values::At;
 use crate::read::{FolderFiles, ReadOptions, ResolveError, Resolver, read_texture, resolve};
 use crate::{
     Camera, Image, Light, LightColor, LightColors, LightKind, Material, Projection, RenderSettings, Scene,
-    Space, Texture, TextureFilter, TextureUse, Wrap,
+    Texture, TextureFilter, TextureUse, Wrap,
 };
 
 /// The way from tables to a scene.
@@ -74,12 +74,8 @@ impl Builder {
         self.scene.observer = table.render.observer.as_ref().map(|name| self.observer(name)).transpose()?;
         if let Some(ambient) = &table.ambient {
             let colors = LightColors::ambient(self.ambient(ambient)?);
-            self.scene.lights.push(Light {
-                name: "ambient".to_owned(),
-                kind: LightKind::Ambient,
-                colors,
-                space: Space::World,
-            });
+            let light = Light::new(LightKind::Ambient, colors);
+            self.scene.lights.push(Light { name: "ambient".to_owned(), ..light });
         }
         for light in &table.lights {
             let light = light.build(&light.span, self)?;
@@ -113,6 +109,7 @@ impl Builder {
             interpolation: table.render.interpolation.interpolation(),
             mode: table.render.mode.0,
             white: table.render.white.0,
+            shadows: table.render.shadows,
         };
     }
 

@@ -230,7 +230,7 @@ impl LightTable {
             Some(AttachedTo::Camera) => Space::Camera,
             Some(AttachedTo::World) | None => Space::World,
         };
-        Ok(Light { name: self.name.clone(), kind, colors: self.colors(unit, span, builder)?, space })
+        Ok(Light { name: self.name.clone(), space, ..Light::new(kind, self.colors(unit, span, builder)?) })
     }
 
     /// The unit that the light's strength is given in.
