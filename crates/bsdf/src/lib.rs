@@ -24,7 +24,7 @@ pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
 pub use series::Series;
-pub use veil::{Angle, Veil, albedo_series, diffuse_fresnel, matte_under_coat};
+pub use veil::{Angle, Veil, diffuse_fresnel, matte_under_coat, veiled_albedo};
 
 use glanz_math::Real;
 

@@ -5,8 +5,9 @@
 
 use glanz_math::{GaussLegendre, Real};
 
+use crate::albedo::directional;
 use crate::terms::fresnel_dielectric;
-use crate::{Pair, Series, Shape, albedo};
+use crate::{Pair, Series, Shape};
 
 /// The angle whose cosine a factor takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,15 +106,15 @@ pub fn matte_under_coat(rho: f64, eta: f64) -> f64 {
     rho * (1.0 - inside) / (1.0 - inside * rho)
 }
 
-/// The directional albedo of an isotropic shape as a series in the cosine.
-pub fn albedo_series(shape: &Shape, terms: usize) -> Series {
-    Series::through(terms, |cosine| albedo(shape, cosine))
+/// The directional albedo of a shape under veils.
+pub fn veiled_albedo(shape: &Shape, veils: &[Veil], cos_o: f64) -> f64 {
+    let veil = |pair: &Pair<f64>| veils.iter().map(|veil| veil.factor(pair)).product::<f64>();
+    directional(shape.info(), shape.eta(), (cos_o, 0.0), |pair| shape.f_cos(pair) * veil(pair))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::albedo::directional;
 
     #[test]
     fn diffuse_light_is_reflected_by_9_percent_from_outside_and_60_from_inside() {
@@ -130,7 +131,7 @@ mod tests {
             for degrees in [0.0_f64, 45.0, 80.0] {
                 let cosine = libm::cos(degrees.to_radians());
                 let base = Shape::named("lambert", &[]).expect("lambert exists");
-                let got = directional(cosine, |pair| base.f_cos(pair) * veil.factor(pair));
+                let got = veiled_albedo(&base, core::slice::from_ref(&veil), cosine);
                 let entered = 1.0 - fresnel_dielectric(cosine, eta);
                 assert!((got - entered).abs() < 1e-4, "{eta}, {degrees}°: {got} for {entered}");
             }

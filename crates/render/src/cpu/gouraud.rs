@@ -55,7 +55,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let vertices = Sixteen { simd, frame, view, point: Point { position, normal, wo }, colors };
+            let vertices = Sixteen { simd, frame, view, point: Point::plain(position, normal, wo), colors };
             let (parts, more) = vertices.reflect();
             store(parts, side, &mut lit[row..row + 16]);
             if let Some(more) = more {

@@ -263,7 +263,7 @@ impl<'a, S: Simd> Group<'a, S> {
     #[inline(always)]
     fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> Point<Lanes<S>> {
         let (position, wo) = self.frame.eye.unproject(self.px, self.py, place.distance);
-        Point { position, normal: unit(Vec3::new(x, y, z)), wo }
+        Point::plain(position, unit(Vec3::new(x, y, z)), wo)
     }
 
     /// Colour and normal where there are no textures, no vertex colours and no special view. `value` is

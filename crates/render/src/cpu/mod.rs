@@ -24,6 +24,7 @@ mod geometry;
 mod gouraud;
 mod group;
 mod layered;
+mod lights;
 mod points;
 mod polygons;
 mod raster;
@@ -39,6 +40,7 @@ mod target;
 mod texturing;
 mod tile;
 mod visible;
+mod wide;
 
 pub use renderer::Renderer;
 

@@ -6,7 +6,7 @@ use glanz_math::Lanes;
 use super::block;
 use super::dust;
 use super::group::{self, Group, Shaded, is_simple};
-use super::reflect::reflect;
+use super::reflect::{reflect_classic, reflect_lanes};
 use super::runs::Run;
 use super::target::{Codes, over_backdrop};
 use super::three;
@@ -110,7 +110,10 @@ fn colors<S: Simd>(
             &located,
             value,
             #[inline(always)]
-            |point| reflect(&frame.lights, material, point, None),
+            |point| match material.classic && frame.lights.classic {
+                true => reflect_classic(&frame.lights.list, material, point, None),
+                false => reflect_lanes(simd, &frame.lights, material, point, None),
+            },
         )
         .0
 }

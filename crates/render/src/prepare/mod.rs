@@ -4,15 +4,23 @@
 
 mod along;
 mod closed;
+mod cosines;
 mod curve;
 mod facets;
+mod fields;
 mod geometry;
+mod glossy;
+mod irradiance;
 mod lights;
 mod materials;
 mod observation;
+mod occluders;
 mod polygons;
 mod sampling;
+mod shares;
 mod sheets;
+mod simplex;
+mod sky;
 mod textures;
 mod tints;
 
@@ -24,14 +32,21 @@ use glanz_scene::{Background, Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
 
 pub use along::Along;
+pub use cosines::Cosines;
 pub use curve::Curve;
 pub use facets::Facets;
+pub use fields::Field;
+pub(crate) use fields::is_cosine;
 pub use geometry::{Cluster, Geometry};
-pub use lights::{Falloff, LightShape, PreparedLight};
+pub use irradiance::Irradiance;
+pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, Surroundings};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
+pub use occluders::Occluders;
 pub use polygons::Polygons;
 use sampling::Sampling;
+pub use shares::Shares;
+pub use sky::Sky;
 pub use textures::Mipmap;
 
 /// What to change of a scene on the way.
@@ -128,6 +143,8 @@ pub struct Prepared {
     pub textures: Vec<Arc<Mipmap>>,
     /// The number of facets of all objects.
     pub facet_count: u32,
+    /// What keeps light from surfaces; none where nothing casts a shadow.
+    pub occluders: Option<Arc<Occluders>>,
 }
 
 impl Prepared {
@@ -145,27 +162,38 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
             what: "an environment as the background is not drawn yet".to_owned(),
         });
     }
+    let lights = lights::prepare(scene)?;
     let mut prepared = Prepared {
         textures: textures::prepare(&scene.textures),
-        materials: fill(scene, options)?,
-        lights: lights::prepare(scene)?,
+        materials: fill(scene, options, &lights, &[])?,
+        lights,
         ..Prepared::default()
     };
     for object in &scene.objects {
         prepared.add_object(scene, object, options)?;
     }
+    if scene.render.shadows {
+        prepared.occluders = Some(Arc::new(Occluders::new(&prepared)));
+    }
     Ok(prepared)
 }
 
 /// Every material with its rows of the tint table.
-fn fill(scene: &Scene, options: &PrepareOptions) -> Result<Vec<PreparedMaterial>, PrepareError> {
+fn fill(
+    scene: &Scene,
+    options: &PrepareOptions,
+    lights: &[PreparedLight],
+    before: &[PreparedMaterial],
+) -> Result<Vec<PreparedMaterial>, PrepareError> {
     if let Some(model) = &options.model {
         glanz_bsdf::models::info_named(model)?;
     }
     let sampling = Sampling::new(&options.observation, options.first_channel);
     let table = tints::Table::new(&sampling, scene);
-    let materials = scene.materials.iter();
-    materials.map(|material| materials::prepare(material, &table, options.model.as_deref())).collect()
+    let prepare = |material| materials::prepare(material, &table, options.model.as_deref());
+    let mut materials = scene.materials.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+    fields::attach(&mut materials, lights, before);
+    Ok(materials)
 }
 
 impl Prepared {
@@ -175,8 +203,9 @@ impl Prepared {
     /// `scene` may differ from the one that was prepared in colours only; of it only lights and materials
     /// are read.
     pub fn refilled(&self, scene: &Scene, options: &PrepareOptions) -> Result<Self, PrepareError> {
-        let (lights, materials) = (lights::prepare(scene)?, fill(scene, options)?);
-        Ok(Self { lights, materials, ..self.clone() })
+        lights::check_colors(scene)?;
+        let materials = fill(scene, options, &self.lights, &self.materials)?;
+        Ok(Self { materials, ..self.clone() })
     }
 }
 
