@@ -50,6 +50,8 @@ pub fn draw_observed(
 fn bare(background: Background) -> Background {
     match background {
         Background::Color(_) => Background::Color(glanz_color::Rgb::BLACK),
-        Background::Transparent | Background::Environment => Background::Transparent,
+        Background::Transparent => Background::Transparent,
+        // Surroundings are seen in every channel.
+        Background::Environment => Background::Environment,
     }
 }

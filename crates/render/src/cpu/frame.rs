@@ -3,6 +3,7 @@
 use glanz_bsdf::{Part, Shape};
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
+use super::backdrop::Backdrop;
 use super::eye::Eye;
 use super::lights::EyeLights;
 use super::polygons::PolygonView;
@@ -85,6 +86,14 @@ impl<'a> FrameView<'a> {
         let any_mix = objects.iter().any(is_mixed);
         let samples = samples::positions(options.samples);
         Self { prepared, eye, lights, materials, objects, options, samples, any_gouraud, any_mix }
+    }
+}
+
+impl FrameView<'_> {
+    /// What is where nothing is.
+    #[inline(always)]
+    pub fn backdrop(&self) -> Backdrop<'_> {
+        Backdrop::new(self.options.background, &self.eye, &self.lights, self.prepared.backdrop)
     }
 }
 

@@ -7,7 +7,6 @@ use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
 use super::group::{self, Shaded};
 use super::samples::SUBPIXEL;
-use super::target::backdrop;
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
@@ -57,12 +56,12 @@ fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usi
 /// Shades the layers of a block and adds them up with the background and what is blended.
 #[inline(always)]
 fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
-    let background = tile.frame.options.background;
+    let backdrop = tile.frame.backdrop();
     let TileScratch { records, layers, glass, pixels, .. } = scratch;
     let zero = Lanes::splat(simd, 0.0);
     let mut sum = [zero; 3];
     let mut covered = zero;
-    pixels.touch(at, background);
+    pixels.touch(simd, &backdrop, &tile.grid, at);
     for layer in &layers.list {
         let runs = &layers.runs[layer.runs.clone()];
         let place = block::coordinates(simd, &tile.grid, at, layer.at);
@@ -81,14 +80,14 @@ fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: us
             keep_planes(simd, pixels, records, &shaded, runs, at);
         }
     }
-    let (color, alpha) = backdrop(background);
+    let (color, alpha) = backdrop.block(simd, &tile.grid, at);
     let open = Lanes::load(simd, &layers.open);
     sum = three(
         [0, 1, 2],
         #[inline(always)]
-        |c| sum[c] + open * Lanes::splat(simd, color[c]),
+        |c| sum[c] + open * color[c],
     );
-    covered = covered + open * Lanes::splat(simd, alpha);
+    covered = covered + open * alpha;
     if tile.blended {
         let light = glass.light(simd, at);
         sum = three(

@@ -95,7 +95,7 @@ impl<'a> EyeLights<'a> {
     }
 
     /// The surroundings that are seen behind everything: the first.
-    pub fn backdrop(&self) -> Option<&EyeLight<'a>> {
+    pub fn surroundings(&self) -> Option<&EyeLight<'a>> {
         self.list.iter().find(|light| matches!(light, EyeLight::Environment { .. }))
     }
 }

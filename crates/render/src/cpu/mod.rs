@@ -13,6 +13,7 @@
 //! Nothing depends on the number of threads or the order of triangles: of two surfaces at the same
 //! depth the one with the smaller number is seen.
 
+mod backdrop;
 mod bins;
 mod blend;
 mod block;

@@ -8,7 +8,7 @@ use super::dust;
 use super::group::{self, Group, Shaded, is_simple};
 use super::reflect::{reflect_classic, reflect_lanes};
 use super::runs::Run;
-use super::target::{Codes, over_backdrop};
+use super::target::Codes;
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
@@ -16,7 +16,7 @@ use super::visible::Owners;
 /// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
-    let background = tile.frame.options.background;
+    let backdrop = tile.frame.backdrop();
     let mut owners = Owners::default();
     tile.slot.for_each_block(
         #[inline(always)]
@@ -31,7 +31,7 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
                 return;
             }
             if owners.bits != 0xffff {
-                rgb = over_backdrop(simd, rgb, owners.bits, background).0;
+                rgb = backdrop.behind(simd, rgb, owners.bits, (&tile.grid, at)).0;
             }
             codes.put(&tile.slot, at, rgb);
         },
@@ -48,12 +48,12 @@ fn keep<S: Simd>(
     covered: u32,
     at: usize,
 ) {
-    let background = tile.frame.options.background;
+    let backdrop = tile.frame.backdrop();
     if covered == 0 && !tile.blended {
         return;
     }
-    scratch.pixels.touch(at, background);
-    let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
+    scratch.pixels.touch(simd, &backdrop, &tile.grid, at);
+    let (mut rgb, mut alpha) = backdrop.behind(simd, rgb, covered, (&tile.grid, at));
     if tile.blended {
         let through = Lanes::load(simd, scratch.glass.through(at));
         let light = scratch.glass.light(simd, at);
@@ -134,7 +134,7 @@ fn any_colors<S: Simd>(
             let mut shaded = Shaded::nothing(simd);
             group::shade(simd, tile.frame, &scratch.records, runs, place, &mut shaded);
             if tile.keeps_planes() {
-                scratch.pixels.touch(at, tile.frame.options.background);
+                scratch.pixels.touch(simd, &tile.frame.backdrop(), &tile.grid, at);
                 keep_planes(simd, &mut scratch.pixels, &scratch.records, &shaded, runs, at);
             }
             shaded.rgb

@@ -69,7 +69,7 @@ pub(crate) fn draw<S: Simd>(
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
     let slot = Slot { stride: frame.eye.width, left, top, size: grid.size };
-    let background = frame.options.background;
+    let behind = (&frame.backdrop(), &grid);
     let chunks = projected.chunks;
     let any = |blended: bool| {
         chunks.iter().any(|chunk| match blended {
@@ -83,7 +83,7 @@ pub(crate) fn draw<S: Simd>(
     let blended = any(true);
     scratch.pixels.clear();
     if !blended && !any(false) {
-        band.write_empty(simd, &mut scratch.pixels, slot, background);
+        band.write_empty(simd, &mut scratch.pixels, slot, behind);
         return;
     }
     let tile = Tile { frame, projected, grid, slot, blended };
@@ -96,7 +96,7 @@ pub(crate) fn draw<S: Simd>(
         _ if frame.samples.len() == 1 => solid::shade(simd, &tile, scratch, None),
         _ => layered::shade(simd, &tile, scratch),
     }
-    band.write(simd, &mut scratch.pixels, slot, background);
+    band.write(simd, &mut scratch.pixels, slot, behind);
 }
 
 impl Tile<'_> {

@@ -143,6 +143,8 @@ pub struct Prepared {
     pub textures: Vec<Arc<Mipmap>>,
     /// The number of facets of all objects.
     pub facet_count: u32,
+    /// What each of the three spectra of the first surroundings gives in the channels, seen directly.
+    pub backdrop: Option<[[f32; 3]; 3]>,
     /// What keeps light from surfaces; none where nothing casts a shadow.
     pub occluders: Option<Arc<Occluders>>,
 }
@@ -163,9 +165,11 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
         });
     }
     let lights = lights::prepare(scene)?;
+    let (materials, backdrop) = fill(scene, options, &lights, &[])?;
     let mut prepared = Prepared {
         textures: textures::prepare(&scene.textures),
-        materials: fill(scene, options, &lights, &[])?,
+        materials,
+        backdrop,
         lights,
         ..Prepared::default()
     };
@@ -178,13 +182,13 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
     Ok(prepared)
 }
 
-/// Every material with its rows of the tint table.
+/// Every material with its rows of the tint table, and the channels of surroundings that are seen directly.
 fn fill(
     scene: &Scene,
     options: &PrepareOptions,
     lights: &[PreparedLight],
     before: &[PreparedMaterial],
-) -> Result<Vec<PreparedMaterial>, PrepareError> {
+) -> Result<(Vec<PreparedMaterial>, Option<[[f32; 3]; 3]>), PrepareError> {
     if let Some(model) = &options.model {
         glanz_bsdf::models::info_named(model)?;
     }
@@ -193,7 +197,7 @@ fn fill(
     let prepare = |material| materials::prepare(material, &table, options.model.as_deref());
     let mut materials = scene.materials.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
     fields::attach(&mut materials, lights, before);
-    Ok(materials)
+    Ok((materials, table.backdrop()))
 }
 
 impl Prepared {
@@ -204,8 +208,8 @@ impl Prepared {
     /// are read.
     pub fn refilled(&self, scene: &Scene, options: &PrepareOptions) -> Result<Self, PrepareError> {
         lights::check_colors(scene)?;
-        let materials = fill(scene, options, &self.lights, &self.materials)?;
-        Ok(Self { materials, ..self.clone() })
+        let (materials, backdrop) = fill(scene, options, &self.lights, &self.materials)?;
+        Ok(Self { materials, backdrop, ..self.clone() })
     }
 }
 

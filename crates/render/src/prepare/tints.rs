@@ -17,6 +17,8 @@ struct LightRows {
     specular: Row,
     is_spot: bool,
     is_directed: bool,
+    /// Whether it is one of three.
+    is_mixed: bool,
 }
 
 /// The scene's lights as a colour mode takes them: one side of every entry of the table. Surroundings are
@@ -112,6 +114,14 @@ impl<'a> Table<'a> {
         if along == Along::Nothing { Vec::new() } else { curve::nodes().map(at).collect() }
     }
 
+    /// What each spectrum of the first surroundings gives in the channels, seen directly.
+    pub fn backdrop(&self) -> Option<[Entry; 3]> {
+        let first = self.lights.iter().position(|light| light.is_mixed)?;
+        let everything = Surface::Share(vec![1.0; self.sampling.white().len()]);
+        let whole = self.sampling.response(&everything, None);
+        Some([0, 1, 2].map(|basis: usize| short(whole.under(&self.lights[first + basis].specular))))
+    }
+
     /// What is seen through a surface: the share of each channel, over the cosine of the line of sight, for
     /// white light from behind.
     pub fn through(&self, through: &Through) -> Curve {
@@ -146,6 +156,7 @@ fn light_rows(sampling: &Sampling, light: &Light) -> Vec<LightRows> {
         specular: scaled(&light.colors.specular),
         is_spot: matches!(light.kind, LightKind::Spot { .. }),
         is_directed: lights::is_directed(light),
+        is_mixed: lights::rows(light) > 1,
     };
     if lights::rows(light) == 1 {
         return vec![whole];
