@@ -2,7 +2,7 @@
 
 mod falloff;
 mod fresnel;
-mod ward;
+pub(crate) mod ward;
 
 pub(crate) use falloff::exp2_or_zero;
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick};

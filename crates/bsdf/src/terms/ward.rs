@@ -9,6 +9,9 @@ use glanz_math::{PI, Real};
 use crate::terms::exp2_or_zero;
 use crate::{Pair, ParamInfo};
 
+#[cfg(test)]
+pub(crate) mod checks;
+
 /// The narrowest highlight that the models are computed for.
 const NARROWEST: f64 = 1e-3;
 

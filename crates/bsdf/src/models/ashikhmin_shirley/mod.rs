@@ -4,7 +4,8 @@
 //! (wo·h · max(cosθi, cosθo)).
 //! **Parameters** `nu`: nu, the exponent along the tangent, 0 … 10⁵, default 100; `nv`: nv, the exponent across
 //! it, 0 … 10⁵, default 0, which means "as `nu`".
-//! **Laws** reciprocal; ENERGY.
+//! **Laws** reciprocal; keeps energy, though not all of it: with F = 1 the exponent 100 returns 0.961 at 0°, 0.846 at
+//! 60°, and every exponent half of the light at the horizon.
 //! **Limits** n → ∞ is a perfect mirror of reflectance 1.
 //! **Source** M. Ashikhmin and P. Shirley, "An Anisotropic Phong BRDF Model", Journal of Graphics Tools 5(2),
 //! 2000, equation 4 for F = 1: Fresnel's law (there Schlick's) is a tint. With H = wi + wo not normalised,
@@ -17,7 +18,7 @@ use core::f64::consts::LOG2_E;
 use glanz_math::{PI, Real};
 
 use crate::terms::{above, exp2_or_zero, height_squared};
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// Below this x the series is used: its first term left out is 1/15 · (x/(2+x))¹⁴ = 3e-15 there.
 const SERIES_UP_TO: f64 = 0.25;
@@ -61,7 +62,7 @@ impl Model for AshikhminShirley {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
-        exempt: &[(Law::Energy, "unknown yet")],
+        exempt: &[],
     };
 
     fn from_params(values: &[f64]) -> Self {

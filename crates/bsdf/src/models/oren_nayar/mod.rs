@@ -7,7 +7,8 @@
 //! **Parameters** `sigma_deg`: σ, the standard deviation of the slope angle of the walls, degrees, 0 … 90,
 //! default 20; `rho`: ρ, the reflectance of the walls for light that meets two of them, 0 … 1, default 1. The
 //! lobe is for a tint of ρ: the tint multiplies L1 + ρ L2, and the paper's radiance comes out where both agree.
-//! **Laws** reciprocal. Energy: the fit is not bounded, see below.
+//! **Laws** reciprocal. Energy: the paper's fit of its integrals does not mind it. For σ up to 35° a grazing
+//! view gets more than arrives, 1.05 at most (σ = 17°); rougher surfaces lose (σ = 90° returns 0.72 at 0°).
 //! **Limits** σ = 0 is Lambert's law. The fit has no floor: L1 + L2 falls below 0 for forward light at grazing
 //! angles of very rough surfaces; that counts as 0.
 //! **Source** M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, equations
@@ -62,7 +63,7 @@ impl Model for OrenNayar {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        exempt: &[(Law::Energy, "the fit is not bounded")],
+        exempt: &[(Law::Energy, "a fit of integrals: for σ up to 35° grazing views get up to 1.05")],
     };
 
     fn from_params(values: &[f64]) -> Self {
