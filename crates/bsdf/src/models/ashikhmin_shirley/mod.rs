@@ -2,15 +2,15 @@
 //!
 //! **Formula** f_cos = cosθi · √((nu+1)(nv+1)) / (8π) · (n·h)^((nu hx² + nv hy²)/(1 − hz²)) /
 //! (wo·h · max(cosθi, cosθo)).
-//! **Parameters** `nu`: nu, the exponent along the tangent, 0 … 10⁵, default 100; `nv`: nv, the exponent across
-//! it, 0 … 10⁵, default 0, which means "as `nu`".
-//! **Laws** reciprocal; keeps energy, though not all of it: with F = 1 the exponent 100 returns 0.961 at 0°, 0.846 at
-//! 60°, and every exponent half of the light at the horizon.
+//! **Parameters** `nu`: nu, the exponent along the tangent, 0 … 10⁵, default 100; `nv`: nv, the exponent
+//! across it, 0 … 10⁵, default 0, which means "as `nu`".
+//! **Laws** reciprocal; keeps energy, though not all of it: with F = 1 the exponent 100 returns 0.961 at 0°,
+//! 0.846 at 60°, and every exponent half of the light at the horizon.
 //! **Limits** n → ∞ is a perfect mirror of reflectance 1.
 //! **Source** M. Ashikhmin and P. Shirley, "An Anisotropic Phong BRDF Model", Journal of Graphics Tools 5(2),
-//! 2000, equation 4 for F = 1: Fresnel's law (there Schlick's) is a tint. With H = wi + wo not normalised,
-//! (n·h)^… = exp(−(nu Hx² + nv Hy²)/(2 Hz²) · ln(1 + x)/x), x = (Hx² + Hy²)/Hz²; ln(1 + x)/x comes from a series
-//! where the light is near the mirror direction, so that great exponents cost no digits.
+//! 2000, the specular part for F = 1: Fresnel's law (there Schlick's) is a tint. With H = wi + wo not
+//! normalised, (n·h)^… = exp(−(nu Hx² + nv Hy²)/(2 Hz²) · ln(1 + x)/x), x = (Hx² + Hy²)/Hz²; ln(1 + x)/x
+//! comes from a series where the light is near the mirror direction, so that great exponents cost no digits.
 //! **Cost** three divisions, a square root, a logarithm and an exponential.
 
 use core::f64::consts::LOG2_E;

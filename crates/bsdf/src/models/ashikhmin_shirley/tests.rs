@@ -11,7 +11,12 @@ fn lobe(nu: f64, nv: f64) -> Shape {
 
 #[test]
 fn is_the_formula_of_the_paper_with_a_unit_half_vector() {
-    let directions = [((0.3, 0.2), (0.3, 3.4)), ((1.2, 1.0), (0.9, 3.9)), ((0.0, 0.0), (0.1, 0.4)), ((1.5, 0.0), (1.3, 0.5))];
+    let directions = [
+        ((0.3, 0.2), (0.3, 3.4)),
+        ((1.2, 1.0), (0.9, 3.9)),
+        ((0.0, 0.0), (0.1, 0.4)),
+        ((1.5, 0.0), (1.3, 0.5)),
+    ];
     for (nu, nv) in [(10.0, 10.0), (1000.0, 10.0), (0.0, 50.0), (1.0, 1e5)] {
         for ((to, po), (ti, pi)) in directions {
             let (wo, wi) = (Vec3::<f64>::from_angles(to, po), Vec3::from_angles(ti, pi));

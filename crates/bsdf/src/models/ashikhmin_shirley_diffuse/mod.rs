@@ -1,11 +1,12 @@
 //! The matte part of Ashikhmin and Shirley: light that a glossy coat let in, and lets out again.
 //!
 //! **Formula** f_cos = cosθi · 28/(23π) · (1 − Rs) (1 − (1 − cosθi/2)⁵) (1 − (1 − cosθo/2)⁵).
-//! **Parameters** `rs`: Rs, the reflectance of the coat along the normal, 0 … 1, default 0.04 (an index of 1.5).
+//! **Parameters** `rs`: Rs, the reflectance of the coat along the normal, 0 … 1, default 0.04 (an index of
+//! 1.5).
 //! **Laws** reciprocal; keeps energy: seen at θo the albedo is (1 − Rs) (1 − (1 − cosθo/2)⁵), at most 31/32.
 //! **Limits** at the horizon all is reflected by the coat and the lobe vanishes. Rs = 1 is black.
 //! **Source** M. Ashikhmin and P. Shirley, "An Anisotropic Phong BRDF Model", Journal of Graphics Tools 5(2),
-//! 2000, equation 5. The tint is the paper's Rd; since Rs may not depend on the wavelength here, metals and other
+//! 2000. The tint is the paper's Rd; since Rs may not depend on the wavelength here, metals and other
 //! coloured coats take an average.
 //! **Cost** a dozen products.
 
@@ -25,7 +26,7 @@ impl Model for AshikhminShirleyDiffuse {
         name: "ashikhmin-shirley-diffuse",
         title: "Ashikhmin–Shirley 2000, diffuse",
         formula: "cosθi · 28/(23π) · (1 − Rs) (1 − (1 − cosθi/2)⁵) (1 − (1 − cosθo/2)⁵)",
-        source: "M. Ashikhmin and P. Shirley, An Anisotropic Phong BRDF Model, JGT 5(2), 2000, equation 5",
+        source: "M. Ashikhmin and P. Shirley, An Anisotropic Phong BRDF Model, JGT 5(2), 2000",
         params: &[ParamInfo {
             name: "rs",
             symbol: "Rs",

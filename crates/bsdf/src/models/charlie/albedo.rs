@@ -8,8 +8,8 @@ use crate::{Model, Pair};
 /// Terms of the series: enough for an error of 0.003 (see [`Albedo`]).
 const TERMS: usize = 13;
 
-/// The cosine of the flattest view that is told apart, 89.9°. Closer to the horizon the fit of Λ makes the albedo
-/// rise once more, which no cloth does.
+/// The cosine of the flattest view that is told apart, 89.9°. Closer to the horizon the fit of Λ makes the
+/// albedo rise once more, which no cloth does.
 const FLATTEST: f64 = 0.002;
 
 /// Points of the quadrature per direction.
@@ -17,10 +17,10 @@ const POINTS: usize = 32;
 
 /// The directional albedo E(cosθ) of a sheen, as a series in √cosθ: what glTF's scaling of the base wants.
 ///
-/// Made by quadrature for one α, in about 13 × 1024 values of the lobe; then twelve products for a view. Off by 0.003
-/// at most from 0.001 (narrow, where it comes to 4) to 1 (0.0003). Cosines below 0.002 count as that. It is more
-/// than 1 where the lobe breaks the law of energy, for α below 0.07 near the horizon: a layer below must then get
-/// nothing, and not less.
+/// Made by quadrature for one α, in about 13 × 1024 values of the lobe; then twelve products for a view. Off
+/// by 0.003 at most from 0.001 (narrow, where it comes to 4) to 1 (0.0003). Cosines below 0.002 count as
+/// that. It is more than 1 where the lobe breaks the law of energy, for α below 0.07 near the horizon: a
+/// layer below must then get nothing, and not less.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Albedo {
     /// Of the Chebyshev polynomials in √cosθ, from the flattest view to the normal.
@@ -52,7 +52,8 @@ impl Albedo {
         let flattest = libm::sqrt(FLATTEST);
         let root = cosine.clamp(FLATTEST, 1.0).sqrt();
         // Clenshaw's recurrence in twice the polynomials' argument.
-        let twice = root * root.lit(4.0 / (1.0 - flattest)) - root.lit(2.0 * (1.0 + flattest) / (1.0 - flattest));
+        let twice =
+            root * root.lit(4.0 / (1.0 - flattest)) - root.lit(2.0 * (1.0 + flattest) / (1.0 - flattest));
         let (mut sum, mut before) = (root.zero(), root.zero());
         for coefficient in self.series[1..].iter().rev() {
             (sum, before) = (twice * sum - before + root.lit(*coefficient), sum);

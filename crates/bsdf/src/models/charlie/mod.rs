@@ -1,18 +1,20 @@
 //! Sheen: the haze at the limb of cloth, from fibres that stand up from the surface.
 //!
-//! **Formula** f_cos = cosθi · D / (4 cosθi cosθo (1 + Λ(cosθo) + Λ(cosθi))), D = (2 + 1/α) sinθh^(1/α) / (2π);
-//! Λ(c) = exp(l(c)) for c < ½, else exp(2 l(½) − l(1 − c)); l(x) = a/(1 + b xᶜ) + d x + e, a … e from the table
-//! of the paper for α = 0 and 1, mixed by (1 − α)².
-//! **Parameters** `alpha`: α, how far the fibres lean, 0.001 … 1, default 0.25. glTF's `sheenRoughnessFactor` is √α.
-//! **Laws** reciprocal. Energy: smooth sheens break it. For α below 0.07 views within a few degrees of the horizon get
-//! more than arrives (α = 0.01 returns 1.29 at 88°), since the fit of Λ was made for rougher cloth; from 0.07 to 1 the
-//! albedo stays below 1 down to 89.9°. E at α = 0.25: 0.027 at 0°, 0.188 at 60°, 0.592 at 85°.
+//! **Formula** f_cos = cosθi · D / (4 cosθi cosθo (1 + Λ(cosθo) + Λ(cosθi))), D = (2 + 1/α) sinθh^(1/α) /
+//! (2π); Λ(c) = exp(l(c)) for c < ½, else exp(2 l(½) − l(1 − c)); l(x) = a/(1 + b xᶜ) + d x + e, a … e from
+//! the table of the paper for α = 0 and 1, mixed by (1 − α)².
+//! **Parameters** `alpha`: α, how far the fibres lean, 0.001 … 1, default 0.25. glTF's `sheenRoughnessFactor`
+//! is √α.
+//! **Laws** reciprocal. Energy: smooth sheens break it. For α below 0.07 views within a few degrees of the
+//! horizon get more than arrives (α = 0.01 returns 1.29 at 88°); from 0.07 to 1 the albedo stays below 1 down
+//! to 89.9°. E at α = 0.25: 0.027 at 0°, 0.188 at 60°, 0.592 at 85°.
 //! **Limits** α → 0 is dark but for a thin line at the limb; α = 1 is a soft haze.
-//! **Source** A. Conty Estevez and C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH course 2017,
-//! equations 2 and 3, without the softening of the terminator. It is the form that the Khronos extension
-//! KHR_materials_sheen gives first; its implementation notes are not normative and allow Ashikhmin's visibility
-//! 1/(4 (cosθi + cosθo − cosθi cosθo)) instead, of which they say that it does not keep energy.
-//! **Cost** three powers, five divisions and two exponentials. [`Albedo`] is what a layer below has to give way to.
+//! **Source** A. Conty Estevez and C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH course
+//! 2017, without the softening of the terminator. It is the form that the Khronos extension
+//! KHR_materials_sheen gives first; its implementation notes are not normative and allow Ashikhmin's
+//! visibility 1/(4 (cosθi + cosθo − cosθi cosθo)) instead, of which they say that it does not keep energy.
+//! **Cost** three powers, five divisions and two exponentials. [`Albedo`] is what a layer below has to give
+//! way to.
 
 mod albedo;
 
@@ -24,13 +26,8 @@ use crate::terms::above;
 use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// a, b, c, d, e of l for α = 1 and for α = 0.
-const FIT: [[f64; 2]; 5] = [
-    [21.5473, 25.3245],
-    [3.82987, 3.32435],
-    [0.19823, 0.16801],
-    [-1.97760, -1.27393],
-    [-4.32054, -4.85967],
-];
+const FIT: [[f64; 2]; 5] =
+    [[21.5473, 25.3245], [3.82987, 3.32435], [0.19823, 0.16801], [-1.97760, -1.27393], [-4.32054, -4.85967]];
 
 /// The sheen of cloth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +57,10 @@ impl Model for Charlie {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        exempt: &[(Law::Energy, "for α below 0.07 views within a few degrees of the horizon get more than arrives")],
+        exempt: &[(
+            Law::Energy,
+            "for α below 0.07 views within a few degrees of the horizon get more than arrives",
+        )],
     };
 
     fn from_params(values: &[f64]) -> Self {

@@ -61,7 +61,8 @@ fn keeps_energy_from_alpha_7_hundredths_on() {
 
 #[test]
 fn the_series_of_the_albedo_agrees_with_quadrature() {
-    for (alpha, error) in [(1e-3, 4e-3), (0.003, 1e-3), (0.01, 6e-4), (0.06, 3e-4), (0.25, 3e-4), (1.0, 3e-4)] {
+    for (alpha, error) in [(1e-3, 4e-3), (0.003, 1e-3), (0.01, 6e-4), (0.06, 3e-4), (0.25, 3e-4), (1.0, 3e-4)]
+    {
         let series = Albedo::new(alpha);
         for root in 0..=20 {
             let cosine = 0.002 + 0.998 * libm::pow(f64::from(root) / 20.0, 2.0);

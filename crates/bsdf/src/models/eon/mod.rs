@@ -8,11 +8,11 @@
 //! scattering after the first, 0 … 1, default 1. The lobe is for a tint of ρ: the paper's f is the tint times
 //! this, and takes ρ² where light is scattered more than once.
 //! **Laws** reciprocal; keeps energy, and for ρ = 1 all of it: a white furnace stays white.
-//! **Limits** r = 0 is Lambert's law. Unlike the paper's listing nothing is divided by 1 − Ē, so that r = 0 needs
-//! no floor: (1 − Eo)(1 − Ei)/(1 − Ē) = A r g(cosθo) g(cosθi)/(k1 − k2).
-//! **Source** J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF", JCGT
-//! 14(1), 2025 (preprint 2024), with the exact albedo; sinθ (1 − sin³θ)/c is computed as
-//! sinθ c (1 + sinθ + sin²θ)/(1 + sinθ), which is finite at the horizon.
+//! **Limits** r = 0 is Lambert's law. Unlike the paper's listing nothing is divided by 1 − Ē, so that r = 0
+//! needs no floor: (1 − Eo)(1 − Ei)/(1 − Ē) = A r g(cosθo) g(cosθi)/(k1 − k2).
+//! **Source** J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF",
+//! JCGT 14(1), 2025 (preprint 2024), with the exact albedo; sinθ (1 − sin³θ)/c is computed as sinθ c (1 +
+//! sinθ + sin²θ)/(1 + sinθ), which is finite at the horizon.
 //! **Cost** three divisions, four square roots and two arc cosines' polynomials.
 
 use glanz_math::{PI, Real};
@@ -38,7 +38,7 @@ impl Model for Eon {
     const INFO: ModelInfo = ModelInfo {
         name: "eon",
         title: "EON 2024",
-        formula: "cosθi/π · [A (1 + r t) + M (1 − Eo)(1 − Ei)]",
+        formula: "cosθi/π · [A (1 + r t) + M g(cosθo) g(cosθi)]",
         source: "J. Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse BRDF, JCGT 14(1), 2025",
         params: &[
             ParamInfo {

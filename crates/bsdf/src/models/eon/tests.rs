@@ -26,7 +26,9 @@ fn single_albedo(r: f64, theta_o: f64) -> f64 {
     let (low, high, half) = (theta_o, PI / 2.0, PI / 2.0);
     let strip = |theta: f64| {
         let f = |phi| single(r, theta, theta_o, phi);
-        2.0 * (rule.integrate(0.0, half, f) + rule.integrate(half, PI, f)) * libm::sin(theta) * libm::cos(theta)
+        2.0 * (rule.integrate(0.0, half, f) + rule.integrate(half, PI, f))
+            * libm::sin(theta)
+            * libm::cos(theta)
     };
     rule.integrate(0.0, low, strip) + rule.integrate(low, high, strip)
 }

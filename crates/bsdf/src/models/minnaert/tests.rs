@@ -17,7 +17,8 @@ fn with_exponent_1_is_lambert() {
 fn has_a_power_of_the_view_for_its_albedo() {
     for k in [0.0, 0.5, 0.7, 1.0, 2.5] {
         for cos_o in [1.0, 0.6, 0.1] {
-            let (got, expected) = (albedo(&Shape::Minnaert(Minnaert { k }), cos_o), libm::pow(cos_o, k - 1.0));
+            let (got, expected) =
+                (albedo(&Shape::Minnaert(Minnaert { k }), cos_o), libm::pow(cos_o, k - 1.0));
             assert!((got / expected - 1.0).abs() < 1e-4, "k = {k}, cosθ = {cos_o}: {got} for {expected}");
         }
     }

@@ -6,13 +6,14 @@
 //! C3 = 0.125 σ²/(σ²+0.09) (4αβ/π²)².
 //! **Parameters** `sigma_deg`: σ, the standard deviation of the slope angle of the walls, degrees, 0 … 90,
 //! default 20; `rho`: ρ, the reflectance of the walls for light that meets two of them, 0 … 1, default 1. The
-//! lobe is for a tint of ρ: the tint multiplies L1 + ρ L2, and the paper's radiance comes out where both agree.
+//! lobe is for a tint of ρ: the tint multiplies L1 + ρ L2, and the paper's radiance comes out where both
+//! agree.
 //! **Laws** reciprocal. Energy: the paper's fit of its integrals does not mind it. For σ up to 35° a grazing
 //! view gets more than arrives, 1.05 at most (σ = 17°); rougher surfaces lose (σ = 90° returns 0.72 at 0°).
-//! **Limits** σ = 0 is Lambert's law. The fit has no floor: L1 + L2 falls below 0 for forward light at grazing
-//! angles of very rough surfaces; that counts as 0.
-//! **Source** M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, equations
-//! 27 to 29 (the functional approximation with interreflection). The angles α and β enter through sinα, tanβ and
+//! **Limits** σ = 0 is Lambert's law. The fit has no floor: L1 + L2 falls below 0 for forward light at
+//! grazing angles of very rough surfaces; that counts as 0.
+//! **Source** M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, the
+//! functional model with interreflection. The angles α and β enter through sinα, tanβ and
 //! tan((α+β)/2) = (sinα + sinβ) / (cosα + cosβ), so that only the powers of β need an arc cosine.
 //! **Cost** three divisions, four square roots and two arc cosines' polynomials.
 
@@ -93,7 +94,8 @@ impl Model for OrenNayar {
         let (a, b) = (cos_a.acos() * zero.lit(2.0 / PI), cos_b.acos() * zero.lit(2.0 / PI));
         let forward = cos_phi.min(zero) * sin_b * (b.sqr() * b);
         let grooves = c2 * (s - forward) / cos_b.max(nothing);
-        let sides = (one - cos_phi.abs()) * c3 * (a * b).sqr() * (sin_a + sin_b) / (cos_a + cos_b).max(nothing);
+        let sides =
+            (one - cos_phi.abs()) * c3 * (a * b).sqr() * (sin_a + sin_b) / (cos_a + cos_b).max(nothing);
         let between = l2 * (one - cos_phi * b.sqr());
         cos_i * zero.lit(1.0 / PI) * (c1 + grooves + sides + between).max(zero)
     }

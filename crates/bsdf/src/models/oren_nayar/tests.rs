@@ -6,7 +6,8 @@ use super::*;
 use crate::models::lambert::Lambert;
 use crate::{Shape, albedo};
 
-/// Equations 27 to 29 in angles, as printed, for reflectance 1: L1 and L2 over the incident cosine, times π.
+/// The functional model in angles, as printed, for reflectance 1: L1 and L2 over the incident cosine, times
+/// π.
 fn printed(sigma_deg: f64, theta_i: f64, theta_o: f64, phi: f64) -> (f64, f64) {
     let v = libm::pow(sigma_deg * PI / 180.0, 2.0);
     let (alpha, beta) = (theta_i.max(theta_o), theta_i.min(theta_o));
@@ -28,13 +29,22 @@ fn pair(theta_i: f64, theta_o: f64, phi: f64) -> Pair<f64> {
 fn is_the_formula_of_the_paper_in_angles() {
     let radians = PI / 180.0;
     for sigma_deg in [5.0, 20.0, 60.0] {
-        for (i, o, phi) in [(0.0, 0.0, 0.0), (30.0, 70.0, 10.0), (70.0, 30.0, 80.0), (50.0, 40.0, 130.0), (60.0, 60.0, 179.0)] {
+        for (i, o, phi) in [
+            (0.0, 0.0, 0.0),
+            (30.0, 70.0, 10.0),
+            (70.0, 30.0, 80.0),
+            (50.0, 40.0, 130.0),
+            (60.0, 60.0, 179.0),
+        ] {
             let (i, o, phi) = (i * radians, o * radians, phi * radians);
             let (first, second) = printed(sigma_deg, i, o, phi);
             for rho in [0.0, 0.3, 1.0] {
                 let got = OrenNayar::from_params(&[sigma_deg, rho]).f_cos(&pair(i, o, phi));
                 let expected = libm::cos(i) / PI * (first + rho * second);
-                assert!((got - expected).abs() < 1e-9 * expected, "σ = {sigma_deg}°, ρ = {rho}: {got} for {expected}");
+                assert!(
+                    (got - expected).abs() < 1e-9 * expected,
+                    "σ = {sigma_deg}°, ρ = {rho}: {got} for {expected}"
+                );
             }
         }
     }

@@ -4,13 +4,13 @@
 //! B = 0.45 σ²/(σ²+0.09), α the greater and β the lesser of both angles.
 //! **Parameters** `sigma_deg`: σ, the standard deviation of the slope angle of the grooves, degrees, 0 … 90,
 //! default 20.
-//! **Laws** reciprocal. Energy: both ways wrong, see the exemption. Slightly rough surfaces (σ up to about 20°)
-//! return up to 1.5 % more than arrives to a grazing view, and very rough ones lose a third, since light that
-//! meets two walls is left out.
-//! **Limits** σ = 0 is Lambert's law. All light off the plane of view and forward gets the same dark value A/π,
-//! with a crease where cosφ passes 0: the dark ring on spheres lit from the side.
-//! **Source** M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, equation
-//! 30; cosφ sinα tanβ = (wo·wi − cosθo cosθi) / max(cosθo, cosθi) needs no angle.
+//! **Laws** reciprocal. Energy: both ways wrong, see the exemption. Slightly rough surfaces (σ up to about
+//! 20°) return up to 1.5 % more than arrives to a grazing view, and very rough ones lose a third, since light
+//! that meets two walls is left out.
+//! **Limits** σ = 0 is Lambert's law. All light off the plane of view and forward gets the same dark value
+//! A/π, with a crease where cosφ passes 0: the dark ring on spheres lit from the side.
+//! **Source** M. Oren and S. K. Nayar, "Generalization of Lambert's Reflectance Model", SIGGRAPH 1994, the
+//! qualitative model; cosφ sinα tanβ = (wo·wi − cosθo cosθi) / max(cosθo, cosθi) needs no angle.
 //! **Cost** one division.
 
 use glanz_math::{PI, Real};
@@ -31,13 +31,16 @@ impl Model for OrenNayarQualitative {
         name: "oren-nayar-qualitative",
         title: "Oren–Nayar 1994, qualitative",
         formula: "cosθi/π · (A + B max(0, cosφ) sinα tanβ)",
-        source: "M. Oren and S. K. Nayar, Generalization of Lambert's Reflectance Model, SIGGRAPH 1994, equation 30",
+        source: "M. Oren and S. K. Nayar, Generalization of Lambert's Reflectance Model, SIGGRAPH 1994",
         params: &[SIGMA_DEG],
         part: Part::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        exempt: &[(Law::Energy, "for σ below about 20° B outgrows what A takes: grazing views get up to 1.015")],
+        exempt: &[(
+            Law::Energy,
+            "for σ below about 20° B outgrows what A takes: grazing views get up to 1.015",
+        )],
     };
 
     fn from_params(values: &[f64]) -> Self {

@@ -1,17 +1,17 @@
 //! Ward's highlight: a Gaussian of the slope, with one width along the grain of a surface and one across it.
 //!
 //! **Formula** f_cos = cosθi · e / (4π αx αy √(cosθi cosθo)), e = exp(−[(hx/αx)² + (hy/αy)²] / hz²).
-//! **Parameters** `alpha`: αx, the width along the tangent, a slope, 0.001 … 1, default 0.2; `alpha_y`: αy, the
-//! width across it, 0 … 1, default 0, which means "as `alpha`" (values below 0.001 count as 0.001).
+//! **Parameters** `alpha`: αx, the width along the tangent, a slope, 0.001 … 1, default 0.2; `alpha_y`: αy,
+//! the width across it, 0 … 1, default 0, which means "as `alpha`" (values below 0.001 count as 0.001).
 //! **Laws** reciprocal. Energy: lost where the view is flat, for the albedo of a narrow highlight is cosθo
-//! (αx = αy = 0.2 returns 0.895 at 0°, 0.638 at 45°, 0.459 at 60°, 0.269 at 75°, 0.182 at 85°): a facet under flat
-//! light sends it into a smaller solid angle, by cosθ, and 1/√(cosθi cosθo) makes up for half of that. Within a
-//! degree of the horizon f_cos grows like 1/√cosθo and the highlight, which no longer narrows, returns more than
-//! arrives (2.1 at 89.99°).
+//! (αx = αy = 0.2 returns 0.895 at 0°, 0.638 at 45°, 0.459 at 60°, 0.269 at 75°, 0.182 at 85°): at the mirror
+//! direction f_cos is the same for every angle, while the solid angle of the highlight shrinks with cosθ.
+//! Within a quarter of a degree of the horizon f_cos grows like 1/√cosθo and the highlight, which no longer
+//! narrows, returns more than arrives (2.1 at 89.99°).
 //! **Limits** α → 0 is a mirror of reflectance cosθ. Ward states the formula for widths up to about 0.2.
-//! **Source** G. J. Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, equations 4 and 5a, in
-//! the form of Walter 2005 with H = wi + wo not normalised. Where both cosines multiply to less than 1e-30 that
-//! is used for them.
+//! **Source** G. J. Ward, "Measuring and Modeling Anisotropic Reflection", SIGGRAPH 1992, the elliptical
+//! Gaussian, in the form of Walter 2005 with H = wi + wo not normalised. Where both cosines multiply to less
+//! than 1e-30 that is used for them.
 //! **Cost** a division, a square root and an exponential.
 
 use glanz_math::Real;
@@ -36,7 +36,10 @@ impl Model for Ward {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
-        exempt: &[(Law::Energy, "f_cos grows like 1/√cosθo: views within half a degree of the horizon get more than arrives")],
+        exempt: &[(
+            Law::Energy,
+            "f_cos grows like 1/√cosθo: views within a quarter of a degree of the horizon get more than arrives",
+        )],
     };
 
     fn from_params(values: &[f64]) -> Self {

@@ -2,12 +2,13 @@
 //!
 //! **Formula** f_cos = e / (4π αx αy cosθo), e = exp(−[(hx/αx)² + (hy/αy)²] / hz²), where cosθi > 0.
 //! **Parameters** `alpha`, `alpha_y`: as of Ward's model.
-//! **Laws** reciprocal. Energy: kept well up to about 75° (αx = αy = 0.2 returns 0.928 at 0°, 0.917 at 60°, 0.889 at
-//! 75°), but f_cos grows like 1/cosθo, so that grazing views get more than arrives (1.13 at 85°, 3.4 at 89°).
+//! **Laws** reciprocal. Energy: kept well up to about 75° (αx = αy = 0.2 returns 0.928 at 0°, 0.917 at 60°,
+//! 0.889 at 75°), but f_cos grows like 1/cosθo, so that grazing views get more than arrives (1.13 at 85°, 3.4
+//! at 89°).
 //! **Limits** α → 0 is a perfect mirror of reflectance 1 away from the horizon.
 //! **Source** A. Dür, "An Improved Normalization for the Ward Reflectance Model", Journal of Graphics Tools
-//! 11(1), 2006: the factor 1/(cosθi cosθo) in place of its square root. Where both cosines multiply to less than
-//! 1e-30 that is used for them.
+//! 11(1), 2006: the factor 1/(cosθi cosθo) in place of its square root. Where both cosines multiply to less
+//! than 1e-30 that is used for them.
 //! **Cost** two divisions and an exponential.
 
 use glanz_math::Real;

@@ -16,7 +16,10 @@ fn is_the_formula_of_the_paper_in_angles() {
             let (e, _) = printed_exponential(wo, wi, widths);
             let f = e / (4.0 * PI * widths.0 * widths.1 * wo.z * wi.z);
             let (got, expected) = (value("ward-dur", widths, wo, wi), f * wi.z);
-            assert!((got - expected).abs() <= 1e-9 * expected + FADED, "{widths:?}, {o:?}, {i:?}: {got} for {expected}");
+            assert!(
+                (got - expected).abs() <= 1e-9 * expected + FADED,
+                "{widths:?}, {o:?}, {i:?}: {got} for {expected}"
+            );
         }
     }
 }

@@ -22,8 +22,8 @@ pub(crate) fn direction((theta, phi): (f64, f64)) -> Vec3<f64> {
     Vec3::from_angles(theta * PI / 180.0, phi * PI / 180.0)
 }
 
-/// Ward's exponential as he printed it: exp(−tan²δ (cos²φ/αx² + sin²φ/αy²)), in angles of the unit half vector.
-/// With it the cosine wo·h.
+/// Ward's exponential as he printed it: exp(−tan²δ (cos²φ/αx² + sin²φ/αy²)), in angles of the unit half
+/// vector. With it the cosine wo·h.
 pub(crate) fn printed_exponential(
     wo: Vec3<f64>,
     wi: Vec3<f64>,
@@ -45,8 +45,8 @@ pub(crate) fn lobe(model: &str, alpha: f64, alpha_y: f64) -> Shape {
     Shape::named(model, &[("alpha", alpha), ("alpha_y", alpha_y)]).unwrap()
 }
 
-/// The directional albedo of a lobe with α = 0.2 on a plain grid in angles: it has no cells to cut at the horizon
-/// as that of [`crate::albedo`] has, and is exact to 1e-6 for lobes as wide as this one.
+/// The directional albedo of a lobe with α = 0.2 on a plain grid in angles: it has no cells to cut at the
+/// horizon as that of [`crate::albedo`] has, and is exact to 1e-6 for lobes as wide as this one.
 pub(crate) fn albedo_in_angles(model: &str, degrees: f64) -> f64 {
     let (shape, rule) = (lobe(model, 0.2, 0.0), GaussLegendre::new(200));
     let wo = direction((degrees, 0.0));
@@ -56,8 +56,8 @@ pub(crate) fn albedo_in_angles(model: &str, degrees: f64) -> f64 {
     })
 }
 
-/// Turned a quarter about the normal, a surface with exchanged widths is the same one; and `alpha` alone stands
-/// for both.
+/// Turned a quarter about the normal, a surface with exchanged widths is the same one; and `alpha` alone
+/// stands for both.
 pub(crate) fn widths_belong_to_their_axes(model: &str) {
     let quarter = |v: Vec3<f64>| Vec3::new(-v.y, v.x, v.z);
     for [o, i] in DIRECTIONS {
