@@ -6,8 +6,8 @@ use glanz_math::Lanes;
 use super::backdrop::Backdrop;
 use super::bins::{TILE_PIXELS, TILE_WIDTH};
 use super::block::{self, BLOCK, SIDE};
-use super::raster::Grid;
 use super::inlined;
+use super::raster::Grid;
 use crate::Develop;
 use crate::develop::DevelopKernel;
 

@@ -1,6 +1,6 @@
 //! What boundaries, films, panes and coats do to each wavelength at an angle.
 
-use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric};
+use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_film, fresnel_slab};
 use glanz_color::{Ior, Spectrum, lambda_nm};
 use glanz_scene::{Film, Pane};
 
@@ -16,7 +16,7 @@ pub(super) fn boundary(ior: &Ior, cosine: f64) -> Spectrum {
 pub(super) fn film(film: &Film, cosine: f64) -> Spectrum {
     let base = |i: usize| (film.base.eta[i], film.base.k[i]);
     Spectrum(core::array::from_fn(|i| {
-        fresnel_film(cosine, film.film.eta[i], film.thickness_nm, base(i), lambda_nm(i))
+        fresnel_film(cosine, lambda_nm(i), film.film.eta[i], film.thickness_nm, base(i))
     }))
 }
 
@@ -41,17 +41,6 @@ pub(super) fn left(depth: &Spectrum, path: f64) -> Spectrum {
 pub(super) fn cosine_inside(cosine: f64, eta: f64) -> f64 {
     let sin2 = (1.0 - cosine * cosine) / (eta * eta);
     libm::sqrt((1.0 - sin2).max(0.0))
-}
-
-fn fresnel_film(cosine: f64, _n: f64, _nm: f64, (eta, k): (f64, f64), _lambda: f64) -> f64 {
-    fresnel_conductor(cosine, eta, k)
-}
-
-fn fresnel_slab(cosine: f64, eta: f64, left: f64) -> (f64, f64) {
-    let f = fresnel_dielectric(cosine, eta);
-    let (t, round) = (1.0 - f, f * left);
-    let echo = 1.0 / (1.0 - round * round);
-    (f + t * t * left * round * echo, t * t * left * echo)
 }
 
 #[cfg(test)]
