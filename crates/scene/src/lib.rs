@@ -5,6 +5,7 @@
 
 pub mod builtin;
 mod camera;
+mod coat;
 mod color_mode;
 mod default_lights;
 mod environment;
@@ -25,6 +26,7 @@ mod topology;
 
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
+pub use coat::Coat;
 pub use color_mode::{COLOR_MODES, ColorMode, White};
 pub use default_lights::add_default_lights;
 pub use environment::EnvironmentMap;
