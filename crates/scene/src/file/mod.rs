@@ -7,13 +7,17 @@
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
 //! more than 50 million triangles.
 
+mod attenuation;
 mod build;
 mod colors;
+mod environment;
 mod error;
 mod explain;
 mod hash;
 mod instances;
+mod light_keys;
 mod lights;
+mod luminaires;
 mod materials;
 mod near;
 mod objects;
@@ -21,12 +25,16 @@ mod place;
 mod schema;
 mod sets;
 mod spectra;
+mod strength;
+mod surfaces;
 mod table;
 mod types;
 mod values;
 
 #[cfg(test)]
 mod error_tests;
+#[cfg(test)]
+mod light_tests;
 #[cfg(test)]
 mod proptests;
 #[cfg(test)]
