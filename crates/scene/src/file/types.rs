@@ -60,7 +60,7 @@ pub(crate) struct ImageTable {
     /// Shade every sample rather than once per pixel and surface.
     pub supersample: bool,
     /// What is where nothing is: a colour, "transparent", or "environment", the first light of that kind.
-    pub background: BackgroundValue,
+    pub background: Option<At<BackgroundValue>>,
 }
 
 impl Default for ImageTable {
@@ -71,7 +71,7 @@ impl Default for ImageTable {
             height: Side(image.height),
             samples: Samples(image.samples),
             supersample: image.supersample,
-            background: BackgroundValue(image.background),
+            background: None,
         }
     }
 }

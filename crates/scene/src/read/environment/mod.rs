@@ -3,7 +3,7 @@
 mod exr;
 mod radiance;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use glanz_color::models::{RgbSpace, Transfer};
 

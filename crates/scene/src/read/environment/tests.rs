@@ -49,6 +49,16 @@ fn exr(width: usize, height: usize, of: impl Fn(usize, usize) -> [f32; 3] + Sync
     bytes.into_inner()
 }
 
+/// Files of all kinds.
+pub(in crate::read) fn samples() -> Vec<Vec<u8>> {
+    let pixels: Vec<Rgbe> = (0..16u8).map(|i| [i, 3 * i, 200 - i, 120 + i]).collect();
+    vec![
+        radiance("EXPOSURE=2\n", "-Y 1 +X 16", &new_line(&pixels, false)),
+        radiance("", "+X 4 -Y 4", &flat(&pixels)),
+        exr(8, 4, |x, y| [x as f32, y as f32, 0.25]),
+    ]
+}
+
 fn read(bytes: &[u8]) -> (EnvironmentMap, Vec<String>) {
     read_environment(bytes, "sky", &ReadOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -247,12 +257,7 @@ proptest! {
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..5),
         keep in 0.0..1.5,
     ) {
-        let pixels: Vec<Rgbe> = (0..16u8).map(|i| [i, 3 * i, 200 - i, 120 + i]).collect();
-        let mut bytes = match which {
-            0 => radiance("EXPOSURE=2\n", "-Y 1 +X 16", &new_line(&pixels, false)),
-            1 => radiance("", "+X 4 -Y 4", &flat(&pixels)),
-            _ => exr(8, 4, |x, y| [x as f32, y as f32, 0.25]),
-        };
+        let mut bytes = samples().swap_remove(which);
         for (place, value) in edits {
             let at = place.index(bytes.len());
             bytes[at] = value;

@@ -6,7 +6,7 @@ mod eulumdat;
 mod lm63;
 mod planes;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use super::error::excerpt;
 use super::notes::Notes;

@@ -40,6 +40,17 @@ fn ldt(isym: u8, all: usize, given: usize) -> String {
     lines.join("\r\n")
 }
 
+/// Files of all kinds, with their names.
+pub(in crate::read) fn samples() -> Vec<(String, &'static str)> {
+    vec![
+        (ies(HEAD, &[0.0, 45.0, 90.0], &[0.0, 30.0, 90.0]), "a.ies"),
+        (ies(HEAD, &[0.0, 90.0, 180.0], &[90.0, 180.0, 270.0]), "a.ies"),
+        (ldt(4, 4, 2), "a.ldt"),
+        (ldt(3, 8, 5), "a.ldt"),
+        (ldt(0, 4, 4), "a.ldt"),
+    ]
+}
+
 fn read(text: &str, file: &str) -> (Profile, Vec<String>) {
     read_profile(text.as_bytes(), file).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
@@ -261,13 +272,7 @@ proptest! {
         edits in prop::collection::vec((any::<prop::sample::Index>(), "[0-9 .,e-]{0,4}|\n|TILT=|nan|9999999"), 1..4),
         keep in 0.0..1.5,
     ) {
-        let (text, file) = match which {
-            0 => (ies(HEAD, &[0.0, 45.0, 90.0], &[0.0, 30.0, 90.0]), "a.ies"),
-            1 => (ies(HEAD, &[0.0, 90.0, 180.0], &[90.0, 180.0, 270.0]), "a.ies"),
-            2 => (ldt(4, 4, 2), "a.ldt"),
-            3 => (ldt(3, 8, 5), "a.ldt"),
-            _ => (ldt(0, 4, 4), "a.ldt"),
-        };
+        let (text, file) = samples().swap_remove(which);
         let mut bytes = text.into_bytes();
         for (place, piece) in edits {
             let at = place.index(bytes.len());
