@@ -107,6 +107,7 @@ impl ObjectView {
     ) -> Self {
         let material = &materials[object.material];
         let pass = match material.alpha_mode {
+            _ if material.through.is_some() => Pass::Blended,
             AlphaMode::Opaque => Pass::Opaque,
             AlphaMode::Mask { .. } => Pass::Masked,
             AlphaMode::Blend => Pass::Blended,
@@ -141,9 +142,11 @@ impl Layout {
         };
         let Attributes { uv: has_uv, color: has_color, tangent: has_tangent } = object.attributes;
         let per_pixel = object.shading == Shading::Phong;
-        let maps = [material.base_color, material.normal_map, material.emission_map];
+        let maps =
+            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
         let textured = has_uv && maps.iter().any(Option::is_some);
-        let bent = per_pixel && has_uv && has_tangent && material.normal_map.is_some();
+        let turned = material.normal_map.is_some() || material.anisotropic;
+        let bent = per_pixel && has_uv && has_tangent && turned;
         let plain = group(!per_pixel && textured);
         let mix = group(!per_pixel && textured && material.mix.is_some());
         group(mix.is_some());

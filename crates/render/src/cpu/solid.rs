@@ -1,7 +1,7 @@
 //! One sample per pixel: each pixel of a block is what its triangle is, or background.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, Real};
 
 use super::block;
 use super::dust;
@@ -55,14 +55,18 @@ fn keep<S: Simd>(
     scratch.pixels.touch(simd, &backdrop, &tile.grid, at);
     let (mut rgb, mut alpha) = backdrop.behind(simd, rgb, covered, (&tile.grid, at));
     if tile.blended {
-        let through = Lanes::load(simd, scratch.glass.through(at));
+        let through = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| Lanes::load(simd, scratch.glass.through(c, at)),
+        );
         let light = scratch.glass.light(simd, at);
         rgb = three(
             [0, 1, 2],
             #[inline(always)]
-            |c| rgb[c] * through + light[c],
+            |c| rgb[c] * through[c] + light[c],
         );
-        alpha = alpha * through + light[3];
+        alpha = alpha * through[0].max(through[1]).max(through[2]) + light[3];
     }
     scratch.pixels.put(at, rgb, alpha);
 }

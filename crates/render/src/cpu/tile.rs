@@ -23,7 +23,8 @@ use crate::Layers as PlaneChoice;
 pub(crate) struct TileScratch {
     pub visible: Visible,
     pub records: Records,
-    pub layers: Layers,
+    pub layers: Layers<1>,
+    pub tinted_layers: Layers<3>,
     pub glass: Glass,
     pub dust: Dust,
     pub pixels: TilePixels,
@@ -94,6 +95,7 @@ pub(crate) fn draw<S: Simd>(
             return;
         }
         _ if frame.samples.len() == 1 => solid::shade(simd, &tile, scratch, None),
+        _ if blended => layered::shade_blended(simd, &tile, scratch),
         _ => layered::shade(simd, &tile, scratch),
     }
     band.write(simd, &mut scratch.pixels, slot, behind);

@@ -38,7 +38,6 @@ pub use facets::Facets;
 pub use fields::Field;
 pub(crate) use fields::is_cosine;
 pub use geometry::{Cluster, Geometry};
-pub use irradiance::Irradiance;
 pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, Surroundings};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
@@ -257,7 +256,7 @@ impl Prepared {
     }
 }
 
-/// The mesh with normals, and with tangents where the material maps normals.
+/// The mesh with normals, and with tangents where the material maps normals or has a lobe that asks for them.
 fn with_needed_attributes<'a>(
     mesh: &'a Mesh,
     material: &glanz_scene::Material,
@@ -266,7 +265,9 @@ fn with_needed_attributes<'a>(
     if mesh.normals.is_empty() && !mesh.corners.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_normals(glanz_scene::Normals::Given));
     }
-    if material.normal_map.is_some() && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
+    let turned = |lobe: &glanz_scene::Lobe| lobe.shape.info().anisotropic;
+    let asks = material.normal_map.is_some() || material.lobes.iter().any(turned);
+    if asks && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_tangents());
     }
     mesh
@@ -288,7 +289,8 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
         }
     }
     for material in &scene.materials {
-        let maps = [material.base_color, material.normal_map, material.emission_map];
+        let maps =
+            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
         if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
             return fail(format!("material '{}' names a texture that is not there", material.name));
         }

@@ -7,7 +7,7 @@ use std::ops::Range;
 use glanz_bsdf::{MODELS, ParamError, Part};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, MapAccess, Visitor};
+use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::build::Builder;
