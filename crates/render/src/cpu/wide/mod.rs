@@ -21,9 +21,22 @@ use crate::prepare::{Along, DirectLobe, MixTints, PreparedMaterial};
 const LEAST_COS_O: f64 = 1e-4;
 
 /// All light that `material` sends from `point` to the viewer, without its own emission; see
-/// [`super::reflect::reflect`].
-#[inline(always)]
+/// [`super::reflect::reflect`]. A function of its own, once per kind of number and SIMD level.
+#[inline(never)]
 pub(crate) fn reflect<R: Real>(
+    lights: &EyeLights,
+    material: &PreparedMaterial,
+    point: &Point<R>,
+    texel: Option<[R; 3]>,
+) -> Reflected<R> {
+    point.normal.x.at_own_level(
+        #[inline(always)]
+        || reflect_here(lights, material, point, texel),
+    )
+}
+
+#[inline(always)]
+fn reflect_here<R: Real>(
     lights: &EyeLights,
     material: &PreparedMaterial,
     point: &Point<R>,
