@@ -93,6 +93,18 @@ models! {
     4 => phong_normalized::PhongNormalized,
     5 => blinn_phong::BlinnPhong,
     6 => blinn_phong_normalized::BlinnPhongNormalized,
+    7 => cook_torrance::CookTorrance,
+    8 => cook_torrance_gaussian::CookTorranceGaussian,
+    9 => beckmann::Beckmann,
+    10 => ggx::Ggx,
+    11 => beckmann_multiple::BeckmannMultiple,
+    12 => ggx_multiple::GgxMultiple,
+    13 => beckmann_transmission::BeckmannTransmission,
+    14 => ggx_transmission::GgxTransmission,
+    15 => ggx_thin_transmission::GgxThinTransmission,
+    16 => lambert_transmission::LambertTransmission,
+    17 => mirror::Mirror,
+    18 => refraction::Refraction,
 }
 
 /// The model's value by a call: code that all lobes share would be a thousand instructions per model and

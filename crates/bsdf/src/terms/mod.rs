@@ -3,8 +3,10 @@
 mod distribution;
 mod film;
 mod fresnel;
+mod half;
 mod masking;
 mod missing;
+mod refracted;
 mod smith;
 
 pub use distribution::{d_beckmann, d_charlie, d_gaussian, d_ggx, gaussian_scale};
@@ -14,4 +16,6 @@ pub use masking::{g_v_cavity, lambda_beckmann, lambda_ggx, smith_g1, smith_g2};
 pub use smith::{Distribution, smith_albedo, smith_albedo_average};
 
 pub(crate) use distribution::exp_of_minus;
+pub(crate) use half::{Half, stretched2};
 pub(crate) use missing::Missing;
+pub(crate) use refracted::{Refracted, bending, refracted_cosine};
