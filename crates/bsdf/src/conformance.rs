@@ -26,10 +26,6 @@ const COSINE_F64: f64 = 5e-16;
 /// Rounding of a cosine formed in `f32` from three products.
 const COSINE_F32: f64 = 3e-7;
 
-/// What f32 may add where a lobe is all but dark, in 1/sr: 3e-8 of a white surface, below the last place beside it.
-/// A lobe that is a difference of terms about 1 leaves so much.
-const DARK_F32: f64 = 1e-20;
-
 macro_rules! suite {
     ($model:ty) => {
         #[test]
@@ -325,7 +321,7 @@ pub(crate) fn agrees_in_f32_and_f64<M: Model>() {
         for (wo, wi) in pairs().into_iter().filter(clear) {
             let (low, high) = around(&model, &Pair::new(wo, wi), COSINE_F32);
             let got = f64::from(model.f_cos(&Pair::new(short(wo), short(wi))));
-            let fits = got >= low * (1.0 - 1e-5) - DARK_F32 && got <= high * (1.0 + 1e-5) + DARK_F32;
+            let fits = got >= low * (1.0 - 1e-5) - 1e-20 && got <= high * (1.0 + 1e-5) + 1e-20;
             assert!(fits, "{:?} for {wo:?} and {wi:?}: {got} not in {low} … {high}", model.params());
         }
     }
