@@ -15,6 +15,10 @@ const RECIPROCITY_F64: f64 = 1e-12;
 const RECIPROCITY_F32: f64 = 1e-5;
 /// What the quadrature may add to an albedo of exactly 1 (see `albedo`).
 const ENERGY: f64 = 2e-4;
+/// An angle of view, in degrees, at which faults of the horizon show.
+const FLAT: f64 = 89.99;
+/// What the quadrature may add to the albedo there: 0.01 of the narrowest lobes, and as much again.
+const ENERGY_FLAT: f64 = 0.02;
 /// Corners of the box of parameters that are tried.
 const CORNERS: usize = 8;
 /// Rounding of a cosine formed in `f64` from three products.
@@ -254,13 +258,21 @@ fn around<M: Model>(model: &M, pair: &Pair<f64>, rounding: f64) -> (f64, f64) {
 
 pub(crate) fn keeps_energy_unless_it_says_so<M: Model>() {
     let mut worst: (f64, String) = (0.0, String::new());
-    let azimuths: &[f64] = if M::INFO.anisotropic { &[0.0, 50.0, 90.0] } else { &[0.0] };
+    let views: &[(f64, &[f64])] = match M::INFO.anisotropic {
+        true => {
+            &[(0.0, &[0.0]), (45.0, &[0.0, 50.0, 90.0]), (75.0, &[0.0, 90.0]), (89.0, &[0.0, 50.0, 90.0])]
+        }
+        false => &[(0.0, &[0.0]), (20.0, &[0.0]), (45.0, &[0.0]), (70.0, &[0.0]), (89.0, &[0.0])],
+    };
+    // So flat, the quadrature finds a fault but proves no virtue: it is for lobes that say that they have one.
+    let flat: &[(f64, &[f64])] = if exempt::<M>(Law::Energy) { &[(FLAT, &[0.0])] } else { &[] };
     for model in instances::<M>() {
-        for degrees in [0.0, 20.0, 45.0, 70.0, 89.0, 89.99] {
-            for azimuth in azimuths {
+        for (degrees, azimuths) in views.iter().chain(flat) {
+            for azimuth in *azimuths {
                 let view = (libm::cos(degrees * PI / 180.0), azimuth * PI / 180.0);
                 let radiance = directional(&M::INFO, model.eta(), view, |pair| model.f_cos(pair));
-                let albedo = radiance * model.eta() * model.eta();
+                let slack = if *degrees == FLAT { ENERGY_FLAT } else { 0.0 };
+                let albedo = radiance * model.eta() * model.eta() - slack;
                 if albedo > worst.0 {
                     worst = (albedo, format!("{:?} at {degrees}°, azimuth {azimuth}°", model.params()));
                 }
