@@ -18,7 +18,7 @@ pub mod models;
 mod pair;
 pub mod terms;
 
-pub use albedo::albedo;
+pub use albedo::{albedo, albedo_at};
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
@@ -44,6 +44,13 @@ pub trait Model: Sized {
     /// The BSDF times the incident cosine, in 1/sr. Zero where the light is on the wrong side of the surface
     /// (see [`ModelInfo::side`]); the viewer is above it.
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R;
+
+    /// The index of refraction below the surface over that above it, where light is bent on its way through: then
+    /// the albedo of a lossless surface is 1/η², since radiance is spread or squeezed, and the law of reciprocity
+    /// is f(wo, wi) / η_o² = f(wi, wo) / η_i².
+    fn eta(&self) -> f64 {
+        1.0
+    }
 
     /// The cosine, 0 … 1, that a tint by Fresnel's law takes: that of the angle at which light meets the facet
     /// that sends it to the viewer.

@@ -44,6 +44,13 @@ macro_rules! models {
                 }
             }
 
+            /// See [`Model::eta`].
+            pub fn eta(&self) -> f64 {
+                match self {
+                    $(Self::$model(model) => model.eta(),)+
+                }
+            }
+
             /// The BSDF times the incident cosine, in 1/sr.
             #[inline(always)]
             pub fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
