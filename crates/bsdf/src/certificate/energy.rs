@@ -1,6 +1,5 @@
 //! Whether more light leaves than arrives.
 
-use super::directional::albedo_by;
 use super::grid::{THETA, azimuths, direction};
 use super::report::{Check, Finding};
 use super::subject::Subject;
@@ -13,11 +12,12 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
     if let Some(reason) = subject.excuse() {
         return Finding::not_applicable(Check::Energy, reason);
     }
-    let side = subject.info().side;
+    // Radiance is squeezed by η² where light enters a denser medium.
+    let spread = subject.eta() * subject.eta();
     let mut worst = (0.0, 0.0, 0.0);
     for &phi in azimuths(subject) {
         for theta in THETA {
-            let albedo = albedo_by(side, direction(theta, phi), |pair| subject.long(pair));
+            let albedo = spread * subject.integral(direction(theta, phi), &|pair| subject.long(pair));
             if albedo > worst.0 || albedo.is_nan() {
                 worst = (albedo, theta, phi);
             }

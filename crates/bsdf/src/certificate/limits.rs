@@ -2,11 +2,10 @@
 
 use glanz_math::{PI, Vec3};
 
-use super::directional::albedo_by;
 use super::grid::direction;
 use super::report::{Check, Finding};
 use super::subject::Subject;
-use crate::{Pair, Part, Side};
+use crate::{Pair, Part};
 
 /// The view angle at which a highlight is followed, in degrees.
 const VIEW: f64 = 30.0;
@@ -74,9 +73,8 @@ fn narrow(subject: &dyn Subject) -> Finding {
 /// How far all light comes from one direction (the length of the mean direction, 1 if it does), and which.
 fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
     let wo = direction(VIEW, 0.0);
-    let moment = |weight: &dyn Fn(&Pair<f64>) -> f64| {
-        albedo_by(Side::Reflection, wo, |pair| subject.long(pair) * weight(pair))
-    };
+    let moment =
+        |weight: &dyn Fn(&Pair<f64>) -> f64| subject.integral(wo, &|pair| subject.long(pair) * weight(pair));
     let all = moment(&|_| 1.0);
     let sum = Vec3::new(
         moment(&|pair| pair.tangent_i.0),

@@ -7,8 +7,8 @@
 //!
 //! | check | what is looked at | holds within |
 //! |---|---|---|
-//! | reciprocity | f(wo, wi) = f(wi, wo), in `f64` | 1e-9 of the greater |
-//! | energy | the greatest directional albedo, up to 89.999° | 1 + 2e-4, what quadrature may add |
+//! | reciprocity | f(wo, wi) = f(wi, wo), in `f64`; from below with the surface turned over | 1e-9 of the greater, 1e-6 where light is bent |
+//! | energy | the greatest directional albedo (times η² where light is bent), up to 89.999° | 1 + 2e-4, what quadrature may add |
 //! | positivity | f_cos >= 0, and 0 where the light is on the wrong side | exactly |
 //! | grazing | finite in `f64` and `f32` up to 89.999° | exactly |
 //! | normalization | ∫ D cosθ dω = 1, for models of facets | 1e-3 |
@@ -30,7 +30,6 @@ mod subject;
 mod tests;
 mod values;
 
-pub use directional::{albedo_by, albedo_towards};
 pub use report::{Certificate, Check, Finding, Verdict};
 
 use subject::Subject;

@@ -2,6 +2,7 @@
 
 use glanz_math::Vec3;
 
+use super::directional::albedo_by;
 use crate::{ModelInfo, Pair, Part, Shape, Side};
 
 /// Why lobes without a light's direction keep no laws.
@@ -21,6 +22,8 @@ pub(super) trait Subject {
     fn long(&self, pair: &Pair<f64>) -> f64;
     /// The same in single precision.
     fn short(&self, pair: &Pair<f32>) -> f32;
+    /// The index of refraction below the surface over that above it.
+    fn eta(&self) -> f64;
     /// The distribution of facets, if it has one.
     fn distribution(&self, half: Vec3<f64>) -> Option<f64>;
 
@@ -32,6 +35,24 @@ pub(super) trait Subject {
             _ if info.delta => Some(SINGLE_DIRECTION),
             _ => None,
         }
+    }
+
+    /// The same surface turned over: its parameter `eta` becomes the inverse. None where that is out of range.
+    fn turned_over(&self) -> Option<Box<dyn Subject>> {
+        let mut params = self.params();
+        for (value, info) in params.iter_mut().zip(self.info().params).filter(|(_, info)| info.name == "eta")
+        {
+            *value = 1.0 / *value;
+            if !(info.min..=info.max).contains(value) {
+                return None;
+            }
+        }
+        Some(self.with(&params))
+    }
+
+    /// ∫ f_cos dωi over the light's hemisphere, for the function given in place of its own.
+    fn integral(&self, wo: Vec3<f64>, f_cos: &dyn Fn(&Pair<f64>) -> f64) -> f64 {
+        albedo_by(self.info(), self.eta(), wo, f_cos)
     }
 
     /// Whether light passes through.
@@ -57,6 +78,9 @@ impl Subject for Shape {
     }
     fn short(&self, pair: &Pair<f32>) -> f32 {
         self.f_cos(pair)
+    }
+    fn eta(&self) -> f64 {
+        Self::eta(self)
     }
     fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
         Self::distribution(self, half)

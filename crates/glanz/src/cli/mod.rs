@@ -15,6 +15,7 @@ mod frames;
 mod heat_sheet;
 mod judge;
 mod load;
+mod lobes;
 mod pipeline;
 mod plot;
 mod preview;
