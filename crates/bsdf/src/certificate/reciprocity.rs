@@ -39,7 +39,13 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
         }
     }
     let detail = match worst.1 {
-        Some(place) => format!("both ways differ by up to {:.3e} of the greater: {}", worst.0, place.words()),
+        Some(place) => {
+            let share = match worst.0 {
+                much if much > 1e-3 => format!("{:.1} %", 100.0 * much),
+                little => format!("{little:.1e}"),
+            };
+            format!("both ways differ by up to {share} of the greater: {}", place.words())
+        }
         None => "both ways are the same".to_owned(),
     };
     let tolerance = if subject.eta() == 1.0 { TOLERANCE } else { BENT };

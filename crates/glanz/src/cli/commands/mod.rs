@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod bsdf;
+mod check;
 mod color;
 mod compare;
 mod compare_pictures;
@@ -47,6 +48,9 @@ pub enum Command {
         after_help = "Examples:\n  glanz bsdf list\n  glanz bsdf eval phong --wo 30,0 --wi 45,180"
     )]
     Bsdf(bsdf::BsdfCommand),
+    /// Check which laws of physics models keep, and where they break them
+    #[command(after_help = check::EXAMPLES)]
+    Check(check::CheckArgs),
     /// Spectra, lights and colours, and their numbers
     #[command(
         subcommand,
@@ -75,6 +79,7 @@ impl Command {
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
+            Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Schema => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
@@ -92,6 +97,7 @@ impl Command {
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),
+            Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
             Self::Schema => schema::run(),
             Self::Completions(args) => args.run(root()),
