@@ -18,7 +18,7 @@ pub mod models;
 mod pair;
 pub mod terms;
 
-pub use albedo::{albedo, albedo_at};
+pub use albedo::{albedo, albedo_at, albedo_with};
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
