@@ -12,6 +12,7 @@ mod efficiency;
 mod encode;
 mod failure;
 mod frames;
+mod grid;
 mod heat_sheet;
 mod judge;
 mod load;

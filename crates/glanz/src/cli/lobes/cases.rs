@@ -15,14 +15,6 @@ pub fn model_names() -> PossibleValuesParser {
     PossibleValuesParser::new(MODELS.iter().map(|info| PossibleValue::new(info.name).help(info.title)))
 }
 
-/// Names of models; at least one.
-#[derive(Args, Clone, Debug)]
-pub struct ModelNames {
-    /// Names of models, from `glanz bsdf list`
-    #[arg(value_name = "MODEL", value_parser = model_names(), required = true, hide_possible_values = true)]
-    pub models: Vec<String>,
-}
-
 /// Parameters of models.
 #[derive(Args, Clone, Debug)]
 pub struct SetArgs {
@@ -32,15 +24,6 @@ pub struct SetArgs {
     pub set: Vec<Vary>,
 }
 
-/// Models with all combinations of their parameters.
-#[derive(Args, Clone, Debug)]
-pub struct LobeArgs {
-    #[command(flatten)]
-    pub names: ModelNames,
-    #[command(flatten)]
-    pub set: SetArgs,
-}
-
 /// A shape, and what tells it from the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
@@ -48,13 +31,6 @@ pub struct Case {
     pub shape: Shape,
     /// Its model and the parameters that were set.
     pub label: String,
-}
-
-impl LobeArgs {
-    /// Every combination, models first.
-    pub fn cases(&self) -> Result<Vec<Case>, Failure> {
-        self.set.cases(&self.names.models)
-    }
 }
 
 impl SetArgs {

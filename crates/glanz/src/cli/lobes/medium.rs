@@ -35,6 +35,25 @@ impl Medium {
     }
 }
 
+impl Medium {
+    /// The same of light that is polarised across (s) and in (p) the plane of incidence.
+    pub fn polarised(&self, cosine: f64) -> (f64, f64) {
+        // √(η² − sin²θ) of the complex index, as a + i b (Born and Wolf, §14.2).
+        let sin2 = 1.0 - cosine * cosine;
+        let (re, im) = (self.eta * self.eta - self.k * self.k - sin2, 2.0 * self.eta * self.k);
+        let length = (re * re + im * im).sqrt();
+        let (a, b) = ((0.5 * (length + re)).max(0.0).sqrt(), (0.5 * (length - re)).max(0.0).sqrt());
+        let share = |c: f64, (a, b): (f64, f64)| {
+            ((c - a) * (c - a) + b * b) / ((c + a) * (c + a) + b * b).max(f64::MIN_POSITIVE)
+        };
+        let s = share(cosine, (a, b));
+        // The ratio of p to s: |(a − sinθ tanθ) + i b|² over the same with +.
+        let grazing = sin2 / cosine.max(1e-300);
+        let p = if cosine > 1e-12 { s * share(a, (grazing, b)) } else { 1.0 };
+        (s, p)
+    }
+}
+
 /// The medium of that name, or of that refractive index, at a wavelength.
 pub fn medium(word: &str, nm: f64) -> Result<Medium, Failure> {
     if let Ok(eta) = word.trim().parse::<f64>() {
@@ -72,7 +91,7 @@ pub struct FactorArgs {
 }
 
 /// A wavelength within the grid of spectra.
-fn wavelength(text: &str) -> Result<f64, String> {
+pub fn wavelength(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(nm) if (FIRST_NM..=LAST_NM).contains(&nm) => Ok(nm),
         Ok(nm) => Err(format!("{nm} nm is not between {FIRST_NM} and {LAST_NM}")),
@@ -155,6 +174,22 @@ mod tests {
         for wrong in ["unobtainium", "0", "-1", "1e9", "nan", ""] {
             assert!(medium(wrong, 550.0).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn unpolarised_light_is_the_mean_of_both_polarisations() {
+        for word in ["1.5", "0.7", "Au", "Cu", "4"] {
+            let medium = medium(word, 600.0).unwrap();
+            for degrees in [0.0_f64, 20.0, 45.0, 56.3099, 80.0, 89.0] {
+                let cosine = degrees.to_radians().cos();
+                let (s, p) = medium.polarised(cosine);
+                let mean = medium.reflectance(cosine);
+                assert!((0.5 * (s + p) - mean).abs() < 1e-9, "{word} at {degrees}°: {s} {p} {mean}");
+            }
+        }
+        // Brewster's angle: nothing of p comes back.
+        let glass = medium("1.5", 600.0).unwrap();
+        assert!(glass.polarised(libm::cos(libm::atan(1.5))).1 < 1e-12);
     }
 
     #[test]
