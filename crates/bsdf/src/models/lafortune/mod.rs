@@ -1,0 +1,106 @@
+//! The generalised cosine lobe: Phong's highlight about any direction that depends on the light's linearly.
+//!
+//! **Formula** f_cos = cosθi · (n+2)/(2π) · (max(Cx wox wix + Cy woy wiy + Cz cosθo cosθi, 0) / max|C|)ⁿ.
+//! **Parameters** `cx`, `cy`, `cz`: pure numbers, −2 … 2, default −1, −1, 1 (Phong's mirror); only their
+//! ratios count. `n`: the exponent, 0 … 1000, default 32.
+//! **Laws** reciprocal; keeps energy: the albedo is 1 at most, where the lobe stands on the normal.
+//! **Limits** Cx = Cy = −Cz is Phong's lobe, normalised after Lewis 1994; Cx = Cy = Cz sends light back; Cx =
+//! Cy = 0 is matte and darker at the limb; n = 0 is Lambert's law. All of C 0 is black. Lobes that lean to
+//! the horizon are cut by it and darken, as Phong's do.
+//! **Source** E. P. F. Lafortune, S.-C. Foo, K. E. Torrance and D. P. Greenberg, "Non-Linear Approximation of
+//! Reflectance Functions", SIGGRAPH 1997. The paper puts reflectance and normalisation into C; published fits
+//! are of that raw kind. Here a lobe is normalised as the paper's classic one, where (n+2)/(2π) goes with
+//! max|C| = 1, so that a tint is its greatest albedo: [`Lafortune::raw_tint`] gives the tint of a raw lobe.
+//! **Cost** one power.
+
+use glanz_math::{PI, Real};
+
+use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+
+/// The generalised cosine lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lafortune {
+    cx: f64,
+    cy: f64,
+    cz: f64,
+    n: f64,
+    /// C / max|C|.
+    direction: [f64; 3],
+    /// (n+2)/(2π), or 0 for a lobe without direction.
+    height: f64,
+}
+
+/// One of the three coefficients.
+const fn coefficient(name: &'static str, symbol: &'static str, doc: &'static str, default: f64) -> ParamInfo {
+    ParamInfo { name, symbol, doc, min: -2.0, max: 2.0, default }
+}
+
+impl Model for Lafortune {
+    const INFO: ModelInfo = ModelInfo {
+        name: "lafortune",
+        title: "Lafortune 1997",
+        formula: "cosθi · (n+2)/(2π) · (max(Cx wox wix + Cy woy wiy + Cz cosθo cosθi, 0) / max|C|)ⁿ",
+        source: "E. P. F. Lafortune et al., Non-Linear Approximation of Reflectance Functions, SIGGRAPH 1997",
+        params: &[
+            coefficient("cx", "Cx", "weight along the tangent: negative mirrors, positive sends back", -1.0),
+            coefficient("cy", "Cy", "weight across the tangent: negative mirrors, positive sends back", -1.0),
+            coefficient(
+                "cz",
+                "Cz",
+                "weight along the normal: less than |Cx| leans the lobe to the horizon",
+                1.0,
+            ),
+            ParamInfo {
+                name: "n",
+                symbol: "n",
+                doc: "exponent: the greater, the narrower the lobe",
+                min: 0.0,
+                max: 1000.0,
+                default: 32.0,
+            },
+        ],
+        part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: true,
+        delta: false,
+        exempt: &[],
+    };
+
+    fn from_params(values: &[f64]) -> Self {
+        let (cx, cy, cz, n) = (values[0], values[1], values[2], values[3]);
+        let greatest = cx.abs().max(cy.abs()).max(cz.abs());
+        let (direction, height) = if greatest > 0.0 {
+            ([cx, cy, cz].map(|c| c / greatest), (n + 2.0) / (2.0 * PI))
+        } else {
+            ([0.0; 3], 0.0)
+        };
+        Self { cx, cy, cz, n, direction, height }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.cx, self.cy, self.cz, self.n]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let [x, y, z] = self.direction.map(|c| zero.lit(c));
+        let cosine = pair.tangent_o.0 * pair.tangent_i.0 * x
+            + pair.tangent_o.1 * pair.tangent_i.1 * y
+            + pair.cos_o * pair.cos_i * z;
+        let power = cosine.max(zero).pow(zero.lit(self.n));
+        pair.cos_i.max(zero) * power * zero.lit(self.height)
+    }
+}
+
+impl Lafortune {
+    /// The tint that makes this lobe the raw one of a published fit, whose f is (Cx wox wix + …)ⁿ: 2π/(n+2)
+    /// max|C|ⁿ.
+    pub fn raw_tint(&self) -> f64 {
+        let greatest = self.cx.abs().max(self.cy.abs()).max(self.cz.abs());
+        2.0 * PI / (self.n + 2.0) * libm::pow(greatest, self.n)
+    }
+}
+
+#[cfg(test)]
+mod tests;
