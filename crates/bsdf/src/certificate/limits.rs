@@ -28,13 +28,18 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
     }
 }
 
-/// Each parameter in turn at its least, its own and its greatest value: the subject for which `score` is
-/// greatest.
-fn best(subject: &dyn Subject, score: impl Fn(&dyn Subject) -> f64) -> (f64, Box<dyn Subject>) {
-    let mut params = subject.params();
-    let mut found = (score(subject), subject.with(&params));
-    for (index, info) in subject.info().params.iter().enumerate() {
-        for end in [info.min, info.max] {
+/// The first subject whose score reaches `enough` when one parameter after the other, that which helps most first,
+/// is set to its least or greatest value; else the best that is found.
+fn best(subject: &dyn Subject, enough: f64, score: impl Fn(&dyn Subject) -> f64) -> (f64, Box<dyn Subject>) {
+    let mut found = (score(subject), subject.with(&subject.params()));
+    for _ in subject.info().params {
+        if found.0 >= enough {
+            break;
+        }
+        let params = found.1.params();
+        let ends =
+            subject.info().params.iter().enumerate().flat_map(|(i, info)| [(i, info.min), (i, info.max)]);
+        for (index, end) in ends {
             let mut changed = params.clone();
             changed[index] = end;
             let candidate = subject.with(&changed);
@@ -43,7 +48,6 @@ fn best(subject: &dyn Subject, score: impl Fn(&dyn Subject) -> f64) -> (f64, Box
                 found = (value, candidate);
             }
         }
-        params = found.1.params();
     }
     found
 }
@@ -59,7 +63,7 @@ fn changes(subject: &dyn Subject, at: &dyn Subject) -> String {
 
 /// A highlight whose light gathers in one direction must do so in the mirror direction.
 fn narrow(subject: &dyn Subject) -> Finding {
-    let (together, narrowest) = best(subject, |candidate| middle(candidate).0);
+    let (together, narrowest) = best(subject, GATHERED, |candidate| middle(candidate).0);
     if together < GATHERED {
         return Finding::not_applicable(Check::Limits, "no parameter narrows it to a mirror");
     }
@@ -90,7 +94,7 @@ fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
 
 /// A matte surface that becomes smooth becomes Lambert's, whatever share of light it returns.
 fn smooth(subject: &dyn Subject) -> Finding {
-    let (score, smoothest) = best(subject, |candidate| -from_lambert(candidate));
+    let (score, smoothest) = best(subject, -LAMBERT, |candidate| -from_lambert(candidate));
     let away = -score;
     if away > LAMBERT {
         return Finding::not_applicable(Check::Limits, "no end of a parameter makes it Lambert's");

@@ -102,11 +102,24 @@ pub fn side_by_side(heading: &str, below: &str, plots: &[Lines]) -> Picture {
     picture
 }
 
-/// The pieces of a curve that can be drawn: between values that are not finite, and on a logarithmic axis above
-/// its lower end.
-fn runs<'a>(points: &'a [(f64, f64)], axis: &Axis) -> Vec<&'a [(f64, f64)]> {
-    let drawn = |(_, y): &(f64, f64)| y.is_finite() && (!axis.log || *y >= axis.range.0);
-    points.split(|point| !drawn(point)).filter(|run| run.len() > 1).collect()
+/// The pieces of a curve that can be drawn: between values that are not finite, that a logarithmic axis does not
+/// have, or that lie beyond the upper end. Of the latter one remains on each side, at the edge.
+fn runs(points: &[(f64, f64)], axis: &Axis) -> Vec<Vec<(f64, f64)>> {
+    let beyond = |index: usize| points.get(index).is_none_or(|(_, y)| *y > axis.range.1);
+    let drawn = |index: usize| {
+        let y = points[index].1;
+        let hidden = beyond(index) && beyond(index.wrapping_sub(1)) && beyond(index + 1);
+        y.is_finite() && (!axis.log || y >= axis.range.0) && !hidden
+    };
+    let mut runs = vec![Vec::new()];
+    for (index, point) in points.iter().enumerate() {
+        match drawn(index) {
+            true => runs.last_mut().expect("begins with one run").push(*point),
+            false => runs.push(Vec::new()),
+        }
+    }
+    runs.retain(|run| run.len() > 1);
+    runs
 }
 
 #[cfg(test)]
@@ -116,7 +129,7 @@ mod tests {
     #[test]
     fn a_curve_is_broken_where_it_has_no_value() {
         let points = [(0.0, 1.0), (1.0, 1.0), (2.0, f64::NAN), (3.0, 0.0), (4.0, 1.0), (5.0, 2.0)];
-        let lengths = |axis: &Axis| runs(&points, axis).iter().map(|run| run.len()).collect::<Vec<_>>();
+        let lengths = |axis: &Axis| runs(&points, axis).iter().map(Vec::len).collect::<Vec<_>>();
         assert_eq!(lengths(&Axis::exact("", (0.0, 2.0), 4)), [2, 3]);
         assert_eq!(lengths(&Axis::decades("", (-2, 1))), [2, 2]);
     }

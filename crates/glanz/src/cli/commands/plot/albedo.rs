@@ -8,6 +8,9 @@ use crate::cli::plot::{Axis, Curve, Lines, Picture, color_of_curve, dash_of_curv
 /// The view angles, in degrees: every 2°, and closer where lobes begin to leave the surface.
 const NEAR_HORIZON: [f64; 6] = [85.0, 87.0, 88.5, 89.0, 89.4, 89.8];
 
+/// View angles up to this, in degrees, decide on the scale: nearer to the horizon some models grow without bound.
+const CLEAR: f64 = 85.0;
+
 impl Request<'_> {
     /// A curve for each lobe.
     pub(super) fn albedo(&self) -> Picture {
@@ -27,8 +30,10 @@ impl Request<'_> {
             }
         };
         let curves: Vec<_> = self.cases.iter().enumerate().map(curve).collect();
-        let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|(_, value)| *value));
-        let most = values().filter(|value| value.is_finite()).fold(0.0, f64::max);
+        let points = || curves.iter().flat_map(|curve| curve.points.iter().copied());
+        let values = || points().map(|(_, value)| value);
+        let clear = points().filter(|(theta, value)| *theta <= CLEAR && value.is_finite());
+        let most = clear.map(|(_, value)| value).fold(0.0, f64::max);
         const LABEL: &str = "part of the light that leaves";
         let y = match self.log {
             true => super::plane::decades(LABEL, values(), most),

@@ -61,11 +61,13 @@ impl Request<'_> {
             false => value / most,
             true => (1.0 + libm::log10((value / most).max(1e-30)) / DECADES).max(0.0),
         };
-        let points = directions.iter().zip(&values).map(|(wi, value)| {
-            let scaled = *wi * if value.is_finite() { length(*value) } else { 1.0 };
-            [scaled.x, scaled.y, scaled.z]
-        });
-        let array = |v: Vec3<f64>| [v.x, v.y, v.z];
+        // The plane of incidence stands still, and the grain turns.
+        let (sine, cosine) = libm::sincos(self.phi.to_radians());
+        let array = |v: Vec3<f64>| [v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z];
+        let points = directions
+            .iter()
+            .zip(&values)
+            .map(|(wi, value)| array(*wi * if value.is_finite() { length(*value) } else { 1.0 }));
         Ok(Surface {
             caption: format!("{view}: up to {}", number(most)),
             points: points.collect(),

@@ -2,14 +2,16 @@
 
 use glanz_bsdf::Side;
 
-use super::Request;
 use super::sample::sampled;
+use super::{Quantity, Request};
 use crate::cli::lobes::Case;
 use crate::cli::plot::{Axis, Curve, LineMark, Lines, Picture, Polar, Ray, Rgb8, color_of_curve, dash_of};
 use crate::cli::print::number;
 
 /// The most decades that a logarithmic plot shows.
 const DECADES: i32 = 6;
+/// How near to the horizon, in degrees, values of f do not decide on the scale.
+const HORIZON: f64 = 3.0;
 /// The colour of rays that belong to no curve alone.
 const RAY: Rgb8 = [0x5b, 0x63, 0x6e];
 
@@ -116,8 +118,12 @@ impl Request<'_> {
 
     /// The axis of the values.
     pub(super) fn axis(&self, curves: &[Curve], about: usize) -> Axis {
-        let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|(_, value)| *value));
-        let most = values().filter(|value| value.is_finite()).fold(0.0, f64::max);
+        let points = || curves.iter().flat_map(|curve| curve.points.iter().copied());
+        let values = || points().map(|(_, value)| value);
+        // Near the horizon f may grow without bound: what is there does not decide on the scale.
+        let clear = |degrees: f64| self.quantity == Quantity::FCos || (degrees.abs() - 90.0).abs() > HORIZON;
+        let most = points().filter(|(degrees, value)| value.is_finite() && clear(*degrees));
+        let most = most.map(|(_, value)| value).fold(0.0, f64::max);
         if !self.log {
             return Axis::round(self.quantity_name(), (0.0, most), about);
         }
