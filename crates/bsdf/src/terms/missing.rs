@@ -2,7 +2,7 @@
 //!
 //! (1 − E(wo)) (1 − E(wi)) cosθi / (π (1 − Eavg)) sends out exactly what is missing, reciprocally: C. Kulla and
 //! A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017, after C. Kelemen and
-//! L. Szirmay-Kalos 2001. Here 1 − E is the series x Σ pₖ (1 − x)ᵏ with x = cosθ / (cosθ + c α), c a constant near 2: in
+//! L. Szirmay-Kalos 2001. Here 1 − E is the series x Σ pₖ (1 − x)ᵏ, or x Σ pₖ (½ − x)ᵏ, with x = cosθ / (cosθ + c α), c a constant near 2: in
 //! x, and not in cosθ, surfaces of all widths are alike, since what is missing is missing at cosines about α.
 //! Along an elongated surface α is the width along the direction, and p has a part that goes with the cosine of twice
 //! the azimuth. The series lies below what is missing rather than above it, so that no energy is made.
@@ -43,12 +43,18 @@ const CENTER: f64 = 2.0;
 /// What a fitted series is moved down by beside its own error: the error of [`smith_albedo`].
 const MARGIN: f64 = 5e-4;
 
+/// Holds down coefficients that the fitted values hardly tell apart: to some hundreds, so that a sum in `f32` is
+/// exact to 1e-5.
+const RIDGE: f64 = 1e-10;
+
 /// The lobe of the energy that single reflections miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Missing {
     alpha: (f64, f64),
     /// c α where the width along the direction is α; the width itself is a factor where it is not everywhere the same.
     center: f64,
+    /// What is taken off 1 − x before its powers: 0 keeps all digits where little is missing, ½ keeps coefficients small.
+    origin: f64,
     /// pₖ, and what goes with the cosine of twice the azimuth.
     series: [[f64; TERMS]; 2],
     /// What is taken off the series.
@@ -63,7 +69,15 @@ impl Missing {
     ///
     /// A series is known for GGX surfaces of one width; for others one is fitted, which takes about a millisecond.
     pub(crate) fn new(distribution: Distribution, alpha: (f64, f64), weight: f64) -> Self {
-        let none = Self { alpha, center: 1.0, series: [[0.0; TERMS]; 2], less: 0.0, scale: 0.0, weight };
+        let none = Self {
+            alpha,
+            center: 1.0,
+            origin: 0.0,
+            series: [[0.0; TERMS]; 2],
+            less: 0.0,
+            scale: 0.0,
+            weight,
+        };
         if weight == 0.0 {
             return none;
         }
@@ -73,6 +87,7 @@ impl Missing {
             lobe.series[0] = GGX.map(|row| polynomial(&row, alpha.0));
         } else {
             lobe.center = if lobe.is_isotropic() { CENTER * alpha.0 } else { CENTER };
+            lobe.origin = 0.5;
             lobe.fit(distribution);
         }
         let average = lobe.average();
@@ -103,14 +118,15 @@ impl Missing {
         if self.is_isotropic() {
             let center = cosine.lit(self.center);
             let q = cosine.one() / (cosine + center);
-            let sum = series(|k| cosine.lit(self.series[0][k]), center * q);
+            let sum = series(|k| cosine.lit(self.series[0][k]), center * q - cosine.lit(self.origin));
             return (cosine * q * sum - cosine.lit(self.less)).max(cosine.zero());
         }
         let (width, twice) = self.along(tangent);
         let center = cosine.lit(self.center) * width;
         let q = cosine.one() / (cosine + center);
         let term = |k: usize| cosine.lit(self.series[0][k]) + twice * cosine.lit(self.series[1][k]);
-        (cosine * q * series(term, center * q) - cosine.lit(self.less)).max(cosine.zero())
+        let sum = series(term, center * q - cosine.lit(self.origin));
+        (cosine * q * sum - cosine.lit(self.less)).max(cosine.zero())
     }
 
     /// The width along a direction, and the cosine of twice its azimuth.
@@ -182,7 +198,7 @@ impl Missing {
                 points.push((cosine, (sine * cos, sine * sin)));
                 let factors = [1.0, twice];
                 let row =
-                    factors[..parts].iter().flat_map(|f| (0..TERMS).map(move |k| f * x * power(1.0 - x, k)));
+                    factors[..parts].iter().flat_map(|f| (0..TERMS).map(move |k| f * x * power(0.5 - x, k)));
                 rows.push((row.collect(), 1.0 - smith_albedo(distribution, self.alpha, cosine, azimuth)));
             }
         }
@@ -194,7 +210,7 @@ impl Missing {
     }
 }
 
-/// x in 0 … 1 to a small power.
+/// x to a small power.
 fn power(x: f64, k: usize) -> f64 {
     (0..k).fold(1.0, |product, _| product * x)
 }
@@ -225,16 +241,13 @@ fn series<R: Real>(term: impl Fn(usize) -> R, y: R) -> R {
 /// The coefficients for which Σ (row · coefficients − value)² is least, those of great size held down a little: by
 /// the normal equations and Cholesky's factors.
 fn least_squares(rows: &[(Vec<f64>, f64)]) -> Vec<f64> {
-    /// Holds down coefficients that the rows hardly tell apart: to some hundreds, so that a sum in `f32` is exact to
-    /// 1e-5.
-    const RIDGE: f64 = 1e-9;
     let n = rows[0].0.len();
     let sum = |f: &dyn Fn(&(Vec<f64>, f64)) -> f64| rows.iter().map(f).sum::<f64>();
     let mut lower = vec![vec![0.0; n]; n];
     for i in 0..n {
         for j in 0..=i {
-            let ridge = if i == j { RIDGE * rows.len() as f64 } else { 0.0 };
-            let dot = sum(&|row| row.0[i] * row.0[j]) + ridge;
+            let more = if i == j { RIDGE * rows.len() as f64 } else { 0.0 };
+            let dot = sum(&|row| row.0[i] * row.0[j]) + more;
             let rest = dot - (0..j).map(|k| lower[i][k] * lower[j][k]).sum::<f64>();
             lower[i][j] = if i == j { libm::sqrt(rest.max(1e-300)) } else { rest / lower[j][j] };
         }

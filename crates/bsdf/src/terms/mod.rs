@@ -4,8 +4,10 @@ mod distribution;
 mod falloff;
 mod film;
 mod fresnel;
+mod half;
 mod masking;
 mod missing;
+mod refracted;
 mod smith;
 pub(crate) mod ward;
 
@@ -17,5 +19,7 @@ pub use smith::{Distribution, smith_albedo, smith_albedo_average};
 
 pub(crate) use distribution::exp_of_minus;
 pub(crate) use falloff::exp2_or_zero;
+pub(crate) use half::{Half, stretched2};
 pub(crate) use missing::Missing;
+pub(crate) use refracted::{Refracted, bending, refracted_cosine};
 pub(crate) use ward::{ALPHA, ALPHA_Y, Widths, above, height_squared};

@@ -23,11 +23,19 @@ impl Distribution {
         }
     }
 
-    /// The slope in parts of the width which a share `u` of the facets is flatter than.
-    fn slope(self, u: f64) -> f64 {
+    /// The slope in parts of the width which a share `rest` of the facets is steeper than.
+    fn slope(self, rest: f64) -> f64 {
         match self {
-            Self::Beckmann => libm::sqrt(-libm::log1p(-u)),
-            Self::Ggx => libm::sqrt(u / (1.0 - u)),
+            Self::Beckmann => libm::sqrt(-libm::log(rest)),
+            Self::Ggx => libm::sqrt(1.0 / rest - 1.0),
+        }
+    }
+
+    /// The inverse of that.
+    fn steeper(self, slope: f64) -> f64 {
+        match self {
+            Self::Beckmann => libm::exp(-slope * slope),
+            Self::Ggx => 1.0 / (1.0 + slope * slope),
         }
     }
 }
@@ -44,10 +52,12 @@ pub fn smith_albedo(distribution: Distribution, alpha: (f64, f64), cos_o: f64, a
     let (angles, circle) = if even { (32, PI) } else { (64, 2.0 * PI) };
     let wo = Vec3::from_angles(libm::acos(cos_o.clamp(1e-6, 1.0)), azimuth);
     let lambda_o = distribution.lambda(wo, alpha);
-    // Shares near 1 are the steepest facets; the cube puts points there.
-    let share = |t: f64| 1.0 - (1.0 - t) * (1.0 - t) * (1.0 - t);
-    GaussLegendre::new(32).integrate(0.0, 1.0, |t| {
-        let slope = distribution.slope(share(t));
+    // The share of steeper facets is t³, which puts points among the steepest. Along the normal facets steeper than 45
+    // degrees turn light down: a kink, and so the border of two cells.
+    let kink = libm::cbrt(distribution.steeper(1.0 / alpha.0.max(alpha.1))).clamp(0.1, 0.9);
+    let rule = GaussLegendre::new(24);
+    let at = |t: f64| {
+        let slope = distribution.slope(t * t * t);
         let ring: f64 = (0..angles)
             .map(|i| {
                 let (sin, cos) = libm::sincos((f64::from(i) + 0.5) * circle / f64::from(angles));
@@ -59,8 +69,9 @@ pub fn smith_albedo(distribution: Distribution, alpha: (f64, f64), cos_o: f64, a
                 cosine / (h.z * wo.z) * smith_g2(lambda_o, distribution.lambda(wi, alpha))
             })
             .sum();
-        3.0 * (1.0 - t) * (1.0 - t) * ring / f64::from(angles)
-    })
+        3.0 * t * t * ring / f64::from(angles)
+    };
+    rule.integrate(0.0, kink, at) + rule.integrate(kink, 1.0, at)
 }
 
 /// The mean of [`smith_albedo`] over diffuse light, 2 ∫ E cosθ dcosθ, of an isotropic surface.

@@ -1,0 +1,55 @@
+//! A perfect mirror.
+//!
+//! **Formula** no lobe: light arrives from the mirror direction only. f_cos is 0.
+//! **Parameters** none.
+//! **Laws** trivially reciprocal and within its energy as a lobe without width.
+//! **Limits** none.
+//! **Source** Euclid, Catoptrics.
+//! **Cost** none: it answers to surroundings, not to lights.
+
+use glanz_math::Real;
+
+use crate::{Model, ModelInfo, Pair, Part, Side};
+
+/// A perfect mirror.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror;
+
+impl Model for Mirror {
+    const INFO: ModelInfo = ModelInfo {
+        name: "mirror",
+        title: "Perfect mirror",
+        formula: "0, but for the one direction with θi = θo on the other side of the normal",
+        source: "Euclid, Catoptrics",
+        params: &[],
+        part: Part::Specular,
+        side: Side::Reflection,
+        anisotropic: false,
+        delta: true,
+        exempt: &[],
+    };
+
+    const IN_PLACE: bool = true;
+
+    fn from_params(_values: &[f64]) -> Self {
+        Self
+    }
+
+    fn params(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_o.zero()
+    }
+
+    /// The cosine of the view angle: the facet is the surface.
+    #[inline(always)]
+    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_o.clamp(0.0, 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests;

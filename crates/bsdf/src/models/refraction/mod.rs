@@ -1,0 +1,75 @@
+//! A perfectly smooth boundary to another medium: the light that is bent on its way through.
+//!
+//! **Formula** no lobe: light arrives from one direction only, sinθt = sinθo / η on the other side. f_cos is 0.
+//! **Parameters** `eta`: the index of refraction below the surface over that above, 0.25 … 4, default 1.5.
+//! **Laws** trivially reciprocal and within its energy as a lobe without width; radiance is divided by η², as that of
+//! all that is refracted.
+//! **Limits** η = 1 lets light pass as if there were no surface. For η < 1 nothing passes beyond the angle of total
+//! reflection.
+//! **Source** W. Snellius 1621; the factor of radiance in E. Veach, Robust Monte Carlo Methods for Light Transport
+//! Simulation, 1997, §5.2.
+//! **Cost** none: it answers to surroundings, not to lights.
+
+use glanz_math::Real;
+
+use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+
+/// The index below over the index above.
+pub const ETA: ParamInfo = ParamInfo {
+    name: "eta",
+    symbol: "η",
+    doc: "index of refraction below the surface over that above it",
+    min: 0.25,
+    max: 4.0,
+    default: 1.5,
+};
+
+/// A perfectly smooth boundary, seen through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refraction {
+    /// The index below over the index above.
+    pub eta: f64,
+}
+
+impl Model for Refraction {
+    const INFO: ModelInfo = ModelInfo {
+        name: "refraction",
+        title: "Perfect refraction",
+        formula: "0, but for the one direction with sinθt = sinθo / η",
+        source: "W. Snellius, 1621",
+        params: &[ETA],
+        part: Part::Specular,
+        side: Side::Transmission,
+        anisotropic: false,
+        delta: true,
+        exempt: &[],
+    };
+
+    const IN_PLACE: bool = true;
+
+    fn from_params(values: &[f64]) -> Self {
+        Self { eta: values[0] }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.eta]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_o.zero()
+    }
+
+    fn eta(&self) -> f64 {
+        self.eta
+    }
+
+    /// The cosine of the view angle: the facet is the surface.
+    #[inline(always)]
+    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+        pair.cos_o.clamp(0.0, 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests;

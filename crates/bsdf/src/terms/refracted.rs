@@ -1,0 +1,54 @@
+//! The half vector of refraction, unnormalised.
+//!
+//! With H = wo + η wi, where η is the index on the light's side over that on the viewer's: the facet that sends wi to
+//! wo has its normal along H or −H, whichever points up. Walter and others 2007, equation 16.
+
+use glanz_math::Real;
+
+use crate::Pair;
+
+/// H = wo + η wi.
+pub(crate) struct Refracted<R: Real> {
+    /// (n·H)².
+    pub(crate) up2: R,
+    /// |H|², at least `up2`; not below (η − 1)².
+    pub(crate) length2: R,
+    /// |wo·H| |wi·H|.
+    pub(crate) product: R,
+    /// Whether there is light on the other side and the facet is seen and lit.
+    pub(crate) lit: R::Mask,
+}
+
+impl<R: Real> Refracted<R> {
+    #[inline(always)]
+    pub(crate) fn new(pair: &Pair<R>, eta: f64) -> Self {
+        let (zero, one, eta) = (pair.cos_o.zero(), pair.cos_o.one(), pair.cos_o.lit(eta));
+        let up = pair.cos_o + eta * pair.cos_i;
+        let (with_o, with_i) = (one + eta * pair.cos_io, pair.cos_io + eta);
+        let length2 = with_o + eta * with_i;
+        let up2 = up.sqr();
+        // The normal has the sign of `up`: seen is (wo·H) up > 0, lit from behind (wi·H) up < 0.
+        let faces = zero.lt(with_o * up) & (with_i * up).lt(zero);
+        let lit = zero.lt(pair.cos_o) & pair.cos_i.lt(zero) & faces;
+        Self { up2, length2: length2.max(up2), product: (with_o * with_i).abs(), lit }
+    }
+}
+
+/// |wo·h|, 0 … 1: the cosine at which light meets the facet, on the viewer's side.
+#[inline(always)]
+pub(crate) fn refracted_cosine<R: Real>(pair: &Pair<R>, eta: f64) -> R {
+    let (one, eta) = (pair.cos_o.one(), pair.cos_o.lit(eta));
+    let with_o = one + eta * pair.cos_io;
+    let length2 = with_o + eta * (pair.cos_io + eta);
+    (with_o.abs() * length2.max(one.lit(1e-12)).rsqrt()).clamp(0.0, 1.0)
+}
+
+/// The index that rough refraction is computed with: at 1 no facet bends light and the lobe has no width, so that
+/// values nearer to 1 than 0.01 count as 0.01 off.
+pub(crate) fn bending(eta: f64) -> f64 {
+    match eta - 1.0 {
+        d if d.abs() >= 0.01 => eta,
+        d if d < 0.0 => 0.99,
+        _ => 1.01,
+    }
+}
