@@ -45,6 +45,12 @@ pub fn albedo_at(shape: &Shape, cos_o: f64, azimuth: f64) -> f64 {
     directional(shape.info(), shape.eta(), (cos_o, azimuth), |pair| shape.f_cos(pair))
 }
 
+/// [`albedo_at`] of a shape with any factor: ∫ `f_cos` dωi by the shape's own quadrature, where `f_cos` is about as
+/// narrow as the shape.
+pub fn albedo_with(shape: &Shape, cos_o: f64, azimuth: f64, f_cos: impl Fn(&Pair<f64>) -> f64) -> f64 {
+    directional(shape.info(), shape.eta(), (cos_o, azimuth), f_cos)
+}
+
 /// [`albedo_at`] of any function of two directions, with the view as cosine and azimuth.
 pub(crate) fn directional(
     info: &ModelInfo,

@@ -10,6 +10,7 @@
 //! cosine**, in 1/sr.
 
 mod albedo;
+pub mod certificate;
 #[cfg(test)]
 mod conformance;
 mod info;
@@ -19,14 +20,14 @@ mod series;
 pub mod terms;
 mod veil;
 
-pub use albedo::{albedo, albedo_at};
+pub use albedo::{albedo, albedo_at, albedo_with};
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
 pub use series::Series;
 pub use veil::{Angle, Veil, diffuse_fresnel, matte_under_coat, veiled_albedo};
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 /// One reflection model.
 pub trait Model: Sized {
@@ -60,5 +61,17 @@ pub trait Model: Sized {
     #[inline(always)]
     fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
         pair.cos_view_half()
+    }
+
+    /// The distribution D of facet normals towards the unit vector `half`, in 1/sr, so that ∫ D cosθ dω over the
+    /// hemisphere is 1. None for models that are not made of facets. For plots and certificates, not for
+    /// pictures.
+    fn distribution(&self, _half: Vec3<f64>) -> Option<f64> {
+        None
+    }
+
+    /// The share G of facets that both directions see. None for models without such a factor.
+    fn shadowing(&self, _pair: &Pair<f64>) -> Option<f64> {
+        None
     }
 }

@@ -1,6 +1,6 @@
 //! The list of models, and what follows from it.
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::{Model, ModelInfo, Pair, ParamError};
 
@@ -81,6 +81,20 @@ macro_rules! models {
             pub fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
                 match self {
                     $(Self::$model(model) => model.tint_cosine(pair),)+
+                }
+            }
+
+            /// See [`Model::distribution`].
+            pub fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+                match self {
+                    $(Self::$model(model) => model.distribution(half),)+
+                }
+            }
+
+            /// See [`Model::shadowing`].
+            pub fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+                match self {
+                    $(Self::$model(model) => model.shadowing(pair),)+
                 }
             }
 

@@ -1,6 +1,7 @@
 //! One file per command.
 
 mod bsdf;
+mod check;
 mod color;
 mod compare;
 mod compare_pictures;
@@ -8,9 +9,11 @@ mod completions;
 mod film;
 mod info;
 mod modes;
+mod plot;
 mod relight;
 mod render;
 mod schema;
+mod sheet;
 mod sweep;
 
 use clap::{Command as ClapCommand, Subcommand};
@@ -47,6 +50,15 @@ pub enum Command {
         after_help = "Examples:\n  glanz bsdf list\n  glanz bsdf eval phong --wo 30,0 --wi 45,180"
     )]
     Bsdf(bsdf::BsdfCommand),
+    /// Draw a sheet of balls of one model in which its parameters and its metal vary
+    #[command(after_help = sheet::EXAMPLES)]
+    Sheet(Box<sheet::SheetArgs>),
+    /// Plot lobes of models, albedos and Fresnel reflectance
+    #[command(after_help = plot::EXAMPLES)]
+    Plot(Box<plot::PlotArgs>),
+    /// Check which laws of physics models keep, and where they break them
+    #[command(after_help = check::EXAMPLES)]
+    Check(check::CheckArgs),
     /// Spectra, lights and colours, and their numbers
     #[command(
         subcommand,
@@ -75,6 +87,9 @@ impl Command {
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
+            Self::Sheet(_) => vec!["sheet"],
+            Self::Plot(_) => vec!["plot"],
+            Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Schema => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
@@ -92,6 +107,9 @@ impl Command {
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),
+            Self::Sheet(args) => args.run(),
+            Self::Plot(args) => args.run(),
+            Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
             Self::Schema => schema::run(),
             Self::Completions(args) => args.run(root()),

@@ -44,6 +44,16 @@ impl Axis {
         Self { label: label.into(), range, log: false, ticks, decimals: decimals(step) }
     }
 
+    /// A logarithmic axis from power of ten to power of ten, with a number at each.
+    pub fn decades(label: impl Into<String>, (low, high): (i32, i32)) -> Self {
+        // Read from text, 1e-7 has no rounding to show.
+        let power = |exponent: i32| format!("1e{exponent}").parse::<f64>().unwrap_or(0.0);
+        let high = high.max(low + 1);
+        let step = ((high - low + 9) / 10).max(1) as usize;
+        let ticks: Vec<_> = (low..=high).step_by(step).map(power).collect();
+        Self::log(label, (power(low), power(high)), &ticks)
+    }
+
     /// A logarithmic axis with numbers at these values.
     pub fn log(label: impl Into<String>, range: (f64, f64), ticks: &[f64]) -> Self {
         let ticks = ticks.iter().copied().filter(|tick| (range.0..=range.1).contains(tick)).collect();
@@ -51,14 +61,17 @@ impl Axis {
     }
 
     /// Where a value lies, 0 … 1 along the axis; values beyond the ends are held there.
-    fn part(&self, value: f64) -> f64 {
+    pub fn part(&self, value: f64) -> f64 {
         let place = |value: f64| if self.log { libm::log(value.max(f64::MIN_POSITIVE)) } else { value };
         let (low, high) = (place(self.range.0), place(self.range.1));
         ((place(value) - low) / (high - low)).clamp(0.0, 1.0)
     }
 
-    fn number(&self, value: f64) -> String {
+    /// A value as it stands at the axis.
+    pub fn number(&self, value: f64) -> String {
         let text = match self.log {
+            // Beyond a few zeros a power of ten is read faster.
+            true if !(1e-3..1e5).contains(&value.abs()) && value != 0.0 => format!("{value:e}"),
             true => format!("{value}"),
             // A tick at 0 may be the rounding of a difference.
             false => format!("{:.*}", self.decimals, value + 0.0),

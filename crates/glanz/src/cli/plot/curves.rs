@@ -17,9 +17,9 @@ const LONGEST_NAME: usize = 26;
 /// A curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What it is called in the legend.
+    /// What it is called in the legend; empty for a curve that is not in it.
     pub name: String,
-    /// Wavelengths in nm and values, in order.
+    /// Wavelengths in nm (angles in degrees for lobes) and values, in order.
     pub points: Vec<(f64, f64)>,
     /// Its colour.
     pub color: Rgb8,

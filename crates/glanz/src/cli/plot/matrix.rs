@@ -6,23 +6,12 @@ use super::axes::{Axes, Axis};
 use super::band;
 use super::curves::{Curve, draw, extent, names, title};
 use super::picture::{Anchor, Picture, Raster, Rect};
+use super::scale::magma;
 use super::spectra::NamedCurve;
 use super::style::{GRAY, INK, NUMBER, Rgb8, curve, dash};
 
 /// The values at the ends of the scale of colours; below it is white.
 const RANGE: (f64, f64) = (1e-3, 1.0);
-
-/// The scale "magma" of S. van der Walt and N. Smith (2015, CC0) from its light end, at even steps.
-const SCALE: [Rgb8; 8] = [
-    [0xfc, 0xfd, 0xbf],
-    [0xfe, 0xc2, 0x87],
-    [0xfa, 0x7f, 0x5e],
-    [0xe0, 0x4c, 0x67],
-    [0xa8, 0x32, 0x7d],
-    [0x6b, 0x1d, 0x81],
-    [0x2c, 0x11, 0x5f],
-    [0x00, 0x00, 0x04],
-];
 
 /// The matrix alone.
 pub fn matrix(name: &str, matrix: &Reradiation) -> Picture {
@@ -92,14 +81,7 @@ fn color(value: f64) -> Rgb8 {
     if value < RANGE.0 || value.is_nan() {
         return [0xff; 3];
     }
-    let part = libm::log(value / RANGE.0) / libm::log(RANGE.1 / RANGE.0);
-    let position = part.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
-    let left = (position as usize).min(SCALE.len() - 2);
-    let t = position - left as f64;
-    core::array::from_fn(|i| {
-        let (a, b) = (f64::from(SCALE[left][i]), f64::from(SCALE[left + 1][i]));
-        (a + (b - a) * t).round() as u8
-    })
+    magma(libm::log(value / RANGE.0) / libm::log(RANGE.1 / RANGE.0))
 }
 
 /// The colours with their values.
@@ -132,7 +114,7 @@ mod tests {
     fn greater_entries_are_darker_and_nothing_is_white() {
         assert_eq!(color(0.0), [0xff; 3]);
         assert_eq!(color(f64::NAN), [0xff; 3]);
-        assert_eq!((color(RANGE.0), color(2.0)), (SCALE[0], SCALE[7]));
+        assert_eq!((color(RANGE.0), color(2.0)), (magma(0.0), magma(1.0)));
         let sum = |value| color(value).into_iter().map(u32::from).sum::<u32>();
         assert!(sum(1e-3) > sum(1e-2) && sum(1e-2) > sum(1e-1));
     }

@@ -40,6 +40,11 @@ pub fn dash(index: usize) -> Option<(f64, f64)> {
     DASHES[index / CURVES.len() % DASHES.len()]
 }
 
+/// The dashes of that number: none for the first.
+pub fn dash_of(number: usize) -> Option<(f64, f64)> {
+    DASHES[number % DASHES.len()]
+}
+
 /// The colour of the curve of that number.
 pub fn curve(index: usize) -> Rgb8 {
     CURVES[index % CURVES.len()]

@@ -1,0 +1,118 @@
+//! What becomes of a lobe at the ends of its parameters.
+
+use glanz_math::{PI, Vec3};
+
+use super::grid::direction;
+use super::report::{Check, Finding};
+use super::subject::Subject;
+use crate::{Pair, Part};
+
+/// The view angle at which a highlight is followed, in degrees.
+const VIEW: f64 = 30.0;
+/// A highlight is narrow if the mean of its directions is this long: the cosine of 5°.
+const GATHERED: f64 = 0.996;
+/// How far the middle may be from the mirror direction, in degrees.
+const AWAY: f64 = 1.0;
+/// How far a matte surface may be from Lambert's, in parts of it.
+const LAMBERT: f64 = 1e-6;
+
+/// Follows every parameter to the end at which the lobe becomes simpler.
+pub(super) fn check(subject: &dyn Subject) -> Finding {
+    if let Some(reason) = subject.excuse() {
+        return Finding::not_applicable(Check::Limits, reason);
+    }
+    match (subject.info().part, subject.transmits()) {
+        (_, true) => Finding::not_applicable(Check::Limits, "where light passes through, it bends"),
+        (Part::Specular, _) => narrow(subject),
+        _ => smooth(subject),
+    }
+}
+
+/// The first subject whose score reaches `enough` when one parameter after the other, that which helps most first,
+/// is set to its least or greatest value; else the best that is found.
+fn best(subject: &dyn Subject, enough: f64, score: impl Fn(&dyn Subject) -> f64) -> (f64, Box<dyn Subject>) {
+    let mut found = (score(subject), subject.with(&subject.params()));
+    for _ in subject.info().params {
+        if found.0 >= enough {
+            break;
+        }
+        let params = found.1.params();
+        let ends =
+            subject.info().params.iter().enumerate().flat_map(|(i, info)| [(i, info.min), (i, info.max)]);
+        for (index, end) in ends {
+            let mut changed = params.clone();
+            changed[index] = end;
+            let candidate = subject.with(&changed);
+            let value = score(candidate.as_ref());
+            if value > found.0 {
+                found = (value, candidate);
+            }
+        }
+    }
+    found
+}
+
+/// The parameters that differ from the subject's, in words.
+fn changes(subject: &dyn Subject, at: &dyn Subject) -> String {
+    let own = subject.params();
+    let changed = at.params();
+    let words = subject.info().params.iter().zip(own.iter().zip(&changed)).filter(|(_, (a, b))| a != b);
+    let words: Vec<_> = words.map(|(info, (_, value))| format!("{} = {value}", info.name)).collect();
+    if words.is_empty() { "as it is".to_owned() } else { words.join(", ") }
+}
+
+/// A highlight whose light gathers in one direction must do so in the mirror direction.
+fn narrow(subject: &dyn Subject) -> Finding {
+    let (together, narrowest) = best(subject, GATHERED, |candidate| middle(candidate).0);
+    if together < GATHERED {
+        return Finding::not_applicable(Check::Limits, "no parameter narrows it to a mirror");
+    }
+    let (_, axis) = middle(narrowest.as_ref());
+    let away = libm::acos(axis.dot(direction(VIEW, 180.0)).clamp(-1.0, 1.0)) * 180.0 / PI;
+    let changes = changes(subject, narrowest.as_ref());
+    let detail = format!("{changes}: the middle of its light is {away:.3}° from the mirror direction");
+    Finding::judged(Check::Limits, subject.info(), away <= AWAY, away, detail)
+}
+
+/// How far all light comes from one direction (the length of the mean direction, 1 if it does), and which.
+fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
+    let wo = direction(VIEW, 0.0);
+    let moment =
+        |weight: &dyn Fn(&Pair<f64>) -> f64| subject.integral(wo, &|pair| subject.long(pair) * weight(pair));
+    let all = moment(&|_| 1.0);
+    let sum = Vec3::new(
+        moment(&|pair| pair.tangent_i.0),
+        moment(&|pair| pair.tangent_i.1),
+        moment(&|pair| pair.cos_i),
+    );
+    let length = sum.dot(sum).sqrt();
+    match all > 0.0 && length.is_finite() && length > 0.0 {
+        true => (length / all, sum * (1.0 / length)),
+        false => (0.0, Vec3::new(0.0, 0.0, 1.0)),
+    }
+}
+
+/// A matte surface that becomes smooth becomes Lambert's, whatever share of light it returns.
+fn smooth(subject: &dyn Subject) -> Finding {
+    let (score, smoothest) = best(subject, -LAMBERT, |candidate| -from_lambert(candidate));
+    let away = -score;
+    if away > LAMBERT {
+        return Finding::not_applicable(Check::Limits, "no end of a parameter makes it Lambert's");
+    }
+    let detail = format!("{}: Lambert's", changes(subject, smoothest.as_ref()));
+    Finding::judged(Check::Limits, subject.info(), true, away, detail)
+}
+
+/// How far f_cos / cosθi is from being the same everywhere, in parts of it.
+fn from_lambert(subject: &dyn Subject) -> f64 {
+    let angles = [0.0, 30.0, 60.0, 80.0];
+    let (mut low, mut high) = (f64::MAX, 0.0_f64);
+    for theta_o in angles {
+        for (theta_i, phi) in angles.iter().flat_map(|theta| [0.0, 70.0, 180.0].map(|phi| (*theta, phi))) {
+            let wi = direction(theta_i, phi);
+            let value = subject.long(&Pair::new(direction(theta_o, 0.0), wi)) / wi.z;
+            (low, high) = (low.min(value), high.max(value));
+        }
+    }
+    if high > 0.0 && high.is_finite() { (high - low) / high } else { f64::MAX }
+}

@@ -1,0 +1,215 @@
+//! Every check finds what is wilfully broken, and passes what is not.
+
+use glanz_math::{PI, Real, Vec3};
+
+use super::*;
+use crate::{Law, MODELS, ModelInfo, Pair, ParamInfo, Part, Side};
+
+/// What is wrong with a lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fault {
+    Nothing,
+    OneWay,
+    TooBright,
+    BrightAtGrazing,
+    Negative,
+    Through,
+    NotANumber,
+    ShortNotANumber,
+    ThinFacets,
+    Askew,
+    Imprecise,
+}
+
+/// A Phong lobe times cosine, with a fault.
+#[derive(Clone, Copy)]
+struct Broken {
+    fault: Fault,
+    shininess: f64,
+}
+
+const SHARP: ParamInfo =
+    ParamInfo { name: "shininess", symbol: "n", doc: "exponent", min: 1.0, max: 1e5, default: 10.0 };
+const INFO: ModelInfo = ModelInfo {
+    name: "broken",
+    title: "A lobe with a fault",
+    formula: "(R·wo)ⁿ cosθi",
+    source: "a test",
+    params: &[SHARP],
+    part: Part::Specular,
+    side: Side::Reflection,
+    anisotropic: false,
+    delta: false,
+    exempt: &[(Law::Energy, "it glows, and says so")],
+};
+
+/// The cosine to a direction 5° and more nearer to the normal than the mirror direction.
+fn askew<R: Real>(pair: &Pair<R>) -> R {
+    let lift = pair.cos_i.lit(0.2);
+    let length = (pair.cos_i.one() + lift.sqr() + (lift + lift) * pair.cos_o).sqrt();
+    (pair.cos_mirror() + lift * pair.cos_i) / length
+}
+
+impl Broken {
+    fn value<R: Real>(&self, pair: &Pair<R>) -> R {
+        let zero = pair.cos_i.zero();
+        let lobe = |cosine: R| cosine.max(zero).pow(zero.lit(self.shininess));
+        let scale = zero.lit((self.shininess + 2.0) / (2.0 * PI));
+        let value = lobe(pair.cos_mirror()) * scale * pair.cos_i;
+        let value = match self.fault {
+            Fault::OneWay => value * pair.cos_i,
+            Fault::TooBright => value * zero.lit(1.01),
+            Fault::BrightAtGrazing => value / (pair.cos_o * pair.cos_i).max(zero.lit(1e-9)).sqrt(),
+            Fault::Negative => value - zero.lit(1e-9) * pair.cos_i,
+            Fault::Askew => lobe(askew(pair)) * scale,
+            Fault::NotANumber => value / (pair.cos_o - zero.lit(1e-3)).max(zero),
+            _ => value,
+        };
+        if self.fault == Fault::Through { value.abs() } else { value.select(zero.lt(pair.cos_i), zero) }
+    }
+}
+
+impl Subject for Broken {
+    fn info(&self) -> &'static ModelInfo {
+        &INFO
+    }
+    fn params(&self) -> Vec<f64> {
+        vec![self.shininess]
+    }
+    fn with(&self, params: &[f64]) -> Box<dyn Subject> {
+        Box::new(Self { shininess: params[0], ..*self })
+    }
+    fn long(&self, pair: &Pair<f64>) -> f64 {
+        self.value(pair)
+    }
+    fn short(&self, pair: &Pair<f32>) -> f32 {
+        match self.fault {
+            Fault::ShortNotANumber if pair.cos_i < 1e-4 => f32::NAN,
+            Fault::Imprecise => self.value(pair) * 1.001,
+            _ => self.value(pair),
+        }
+    }
+    fn eta(&self) -> f64 {
+        1.0
+    }
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        let share = if self.fault == Fault::ThinFacets { 0.99 } else { 1.0 };
+        let n = self.shininess;
+        Some(share * (n + 2.0) / (2.0 * PI) * libm::pow(half.z.max(0.0), n))
+    }
+}
+
+fn broken(fault: Fault) -> Certificate {
+    certify_subject(&Broken { fault, shininess: 10.0 })
+}
+
+/// The checks that find the fault.
+fn found(fault: Fault) -> Vec<Check> {
+    broken(fault).findings.iter().filter(|finding| finding.is_broken()).map(|finding| finding.check).collect()
+}
+
+#[test]
+fn a_lobe_without_fault_is_healthy() {
+    let certificate = broken(Fault::Nothing);
+    assert!(certificate.is_healthy(), "{certificate:?}");
+    assert_eq!(certificate.params, [("shininess", 10.0)]);
+}
+
+#[test]
+fn each_fault_is_found_by_its_check_alone() {
+    for (fault, check) in [
+        (Fault::OneWay, Check::Reciprocity),
+        (Fault::TooBright, Check::Energy),
+        (Fault::BrightAtGrazing, Check::Energy),
+        (Fault::Through, Check::Positivity),
+        (Fault::ShortNotANumber, Check::Grazing),
+        (Fault::ThinFacets, Check::Normalization),
+        (Fault::Imprecise, Check::Precision),
+    ] {
+        assert_eq!(found(fault), [check], "{fault:?}");
+    }
+}
+
+#[test]
+fn faults_that_break_several_laws_are_found_by_each() {
+    assert!(found(Fault::Negative).contains(&Check::Positivity));
+    assert!(found(Fault::Askew).contains(&Check::Limits));
+    assert!(found(Fault::NotANumber).contains(&Check::Grazing));
+}
+
+#[test]
+fn a_known_fault_is_a_fault_with_its_reason() {
+    let certificate = broken(Fault::TooBright);
+    let finding = certificate.finding(Check::Energy);
+    assert_eq!(finding.verdict, Verdict::Broken { known: Some("it glows, and says so") });
+    assert!((finding.value.unwrap() - 1.01).abs() < 1e-4);
+    assert!(!certificate.is_healthy());
+    let unknown = broken(Fault::OneWay);
+    assert_eq!(unknown.finding(Check::Reciprocity).verdict, Verdict::Broken { known: None });
+}
+
+#[test]
+fn the_brightest_view_is_told() {
+    let finding = broken(Fault::BrightAtGrazing);
+    let detail = &finding.finding(Check::Energy).detail;
+    assert!(detail.contains("θo = 89.999°"), "{detail}");
+}
+
+#[test]
+fn phong_of_1975_is_not_reciprocal_and_that_is_known() {
+    let certificate = certify(&Shape::named("phong", &[]).unwrap());
+    assert!(matches!(certificate.finding(Check::Reciprocity).verdict, Verdict::Broken { known: Some(_) }));
+    assert_eq!(certificate.finding(Check::Energy).verdict, Verdict::Holds, "2/(n+1) is below 1 for n = 32");
+}
+
+#[test]
+fn lambert_is_healthy_and_its_own_limit() {
+    let certificate = certify(&Shape::named("lambert", &[]).unwrap());
+    assert!(certificate.is_healthy(), "{certificate:?}");
+    assert!((certificate.finding(Check::Energy).value.unwrap() - 1.0).abs() < 1e-5);
+    assert_eq!(certificate.finding(Check::Limits).verdict, Verdict::Holds);
+    assert!(matches!(certificate.finding(Check::Normalization).verdict, Verdict::NotApplicable(_)));
+}
+
+#[test]
+fn every_model_of_the_list_gets_a_certificate_whose_unknown_faults_are_none() {
+    for info in MODELS {
+        let certificate = certify(&Shape::named(info.name, &[]).unwrap());
+        for finding in &certificate.findings {
+            let fine = !matches!(finding.verdict, Verdict::Broken { known: None });
+            assert!(fine, "{}: {finding:?}", info.name);
+        }
+    }
+}
+
+#[test]
+fn a_certificate_is_the_same_every_time() {
+    let shape = Shape::named("blinn-phong-normalized", &[("shininess", 300.0)]).unwrap();
+    assert_eq!(certify(&shape), certify(&shape));
+}
+
+#[test]
+fn an_integral_does_not_depend_on_the_azimuth_of_a_surface_without_grain() {
+    let shape = Shape::named("phong-normalized", &[("shininess", 5e4)]).unwrap();
+    for theta in [0.2, 0.9, 1.4] {
+        let seen = |phi| shape.integral(Vec3::from_angles(theta, phi), &|pair| shape.f_cos(pair));
+        let [a, b] = [0.0, 2.5].map(seen);
+        assert!(
+            (a - b).abs() < 1e-6 && (a - crate::albedo(&shape, libm::cos(theta))).abs() < 2e-5,
+            "{theta}"
+        );
+    }
+}
+
+#[test]
+fn a_narrow_lobe_is_measured_at_the_horizon() {
+    let n = 2e5;
+    let lobe = |pair: &Pair<f64>| (n + 1.0) / (2.0 * PI) * libm::pow(pair.cos_mirror().max(0.0), n);
+    let narrow = ModelInfo { side: Side::Reflection, ..INFO };
+    let seen = |degrees: f64| {
+        directional::albedo_by(&narrow, 1.0, Vec3::from_angles(degrees * PI / 180.0, 0.3), &lobe)
+    };
+    assert!((seen(80.0) - 1.0).abs() < 1e-5, "{}", seen(80.0));
+    // The horizon halves a lobe that lies in it.
+    assert!((seen(89.9999) - 0.5).abs() < 1e-3, "{}", seen(89.9999));
+}
