@@ -28,7 +28,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use glanz_bsdf::{MODELS, ParamError, Shape};
-use glanz_scene::{Background, Interpolation, Mesh, Scene, Shading};
+use glanz_scene::{Background, Interpolation, LightKind, Mesh, Scene, Shading};
 use thiserror::Error;
 
 pub use along::Along;
@@ -158,10 +158,10 @@ impl Prepared {
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
     check_references(scene)?;
-    if scene.image.background == Background::Environment {
-        return Err(PrepareError::Scene {
-            what: "an environment as the background is not drawn yet".to_owned(),
-        });
+    let surroundings = |light: &glanz_scene::Light| matches!(light.kind, LightKind::Environment { .. });
+    if scene.image.background == Background::Environment && !scene.lights.iter().any(surroundings) {
+        let what = "the background is 'environment', but no light of that kind is there".to_owned();
+        return Err(PrepareError::Scene { what });
     }
     let lights = lights::prepare(scene)?;
     let (materials, backdrop) = fill(scene, options, &lights, &[])?;

@@ -5,7 +5,7 @@ use glanz_scene::AreaShape;
 
 use super::super::lights::{EyeArea, EyeLights, splat};
 use super::polygon::form_factor;
-use super::{Sum, is_transmitting, shadow};
+use super::{Sum, apart, is_transmitting, shadow, shape_value, veiled};
 use crate::prepare::{Cosines, DirectLobe, is_cosine};
 
 /// Corners of the polygon that stands for a disk, or for what is seen of a sphere.
@@ -44,8 +44,16 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea,
     let pair = sum.mirror_pair();
     for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
         let value = match &field.cosines {
-            _ if lobe.shape.info().delta => mirrored(sum, area, lobe),
-            None if !is_cosine(&lobe.shape) => by_points(sum, area, lobe),
+            _ if lobe.shape.info().delta => apart(
+                reach,
+                #[inline(always)]
+                || mirrored(sum, area, lobe),
+            ),
+            None if !is_cosine(&lobe.shape) => apart(
+                reach,
+                #[inline(always)]
+                || by_points(sum, area, lobe),
+            ),
             map => {
                 let local = |v: Vec3<R>| {
                     let v = frame.to_local(v);
@@ -75,7 +83,11 @@ fn seen_through<R: Real>(
             None => v,
         };
     }
-    form_factor(&corners[..outline.count])
+    apart(
+        cos_o,
+        #[inline(always)]
+        || form_factor(&corners[..outline.count]),
+    )
 }
 
 /// The frame around the normal whose x axis is the viewer's tangential direction.
@@ -124,12 +136,7 @@ fn mirrored<R: Real>(sum: &Sum<R>, area: &EyeArea, lobe: &DirectLobe) -> R {
             inside & zero.lt(t)
         }
     };
-    let mut value = zero.one().select(met, zero);
-    let pair = sum.mirror_pair();
-    for veil in &lobe.veils {
-        value = value * veil.factor(&pair);
-    }
-    value
+    veiled(lobe, zero.one().select(met, zero), &sum.mirror_pair())
 }
 
 /// The lobe over points of the light, each standing for its part of the outline.
@@ -147,11 +154,7 @@ fn by_points<R: Real>(sum: &Sum<R>, area: &EyeArea, lobe: &DirectLobe) -> R {
         let facing = wi.dot(axes[2]).abs();
         let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
         let pair = sum.pair(wi);
-        let mut value = lobe.shape.f_cos(&pair);
-        for veil in &lobe.veils {
-            value = value * veil.factor(&pair);
-        }
-        total = total + value * solid;
+        total = total + veiled(lobe, shape_value(lobe, &pair), &pair) * solid;
     }
     total
 }

@@ -4,7 +4,7 @@ use glanz_math::Real;
 
 use super::super::lights::{EyeLight, EyeLights};
 use super::super::reflect::{add as add_light, arrive, literal, mixed};
-use super::{Sum, is_transmitting, shadow};
+use super::{Sum, is_transmitting, shadow, shape_value, veiled};
 
 /// Adds what a lamp gives.
 #[inline(always)]
@@ -37,12 +37,8 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, light: &EyeLigh
         }
         // Lobes of one shape under different veils stand together.
         if !lobe.repeats || k == 0 {
-            last = lobe.shape.f_cos(&pair) * reach;
+            last = shape_value(lobe, &pair) * reach;
         }
-        let mut value = last;
-        for veil in &lobe.veils {
-            value = value * veil.factor(&pair);
-        }
-        sum.add(row, k, value, &pair);
+        sum.add(row, k, veiled(lobe, last, &pair), &pair);
     }
 }

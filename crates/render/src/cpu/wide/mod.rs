@@ -2,6 +2,9 @@
 //! below coats or let light through; lights that are surfaces or surroundings; luminaires and shadows.
 //!
 //! It is the sum of `reflect.rs`: C = Σ_l a_l(x) · Σ_k s_k(wo, wi) · T\[l, k, c\].
+//!
+//! Its parts are functions of their own, once per kind of number and SIMD level: together they are so long that
+//! the compiler would take minutes, and each is long enough to be worth a call.
 
 mod area;
 mod lamp;
@@ -21,22 +24,9 @@ use crate::prepare::{Along, DirectLobe, MixTints, PreparedMaterial};
 const LEAST_COS_O: f64 = 1e-4;
 
 /// All light that `material` sends from `point` to the viewer, without its own emission; see
-/// [`super::reflect::reflect`]. A function of its own, once per kind of number and SIMD level.
+/// [`super::reflect::reflect`].
 #[inline(never)]
 pub(crate) fn reflect<R: Real>(
-    lights: &EyeLights,
-    material: &PreparedMaterial,
-    point: &Point<R>,
-    texel: Option<[R; 3]>,
-) -> Reflected<R> {
-    point.normal.x.at_own_level(
-        #[inline(always)]
-        || reflect_here(lights, material, point, texel),
-    )
-}
-
-#[inline(always)]
-fn reflect_here<R: Real>(
     lights: &EyeLights,
     material: &PreparedMaterial,
     point: &Point<R>,
@@ -46,15 +36,57 @@ fn reflect_here<R: Real>(
     let mut row = 0;
     for light in &lights.list {
         match light {
-            EyeLight::Area(area) => area::add(&mut sum, lights, area, row),
-            EyeLight::Environment { surroundings, number, to_map } => {
-                surroundings::add(&mut sum, surroundings, *number, to_map, row);
-            }
-            _ => lamp::add(&mut sum, lights, light, row),
+            EyeLight::Area(area) => apart(
+                point.wo.x,
+                #[inline(always)]
+                || area::add(&mut sum, lights, area, row),
+            ),
+            EyeLight::Environment { surroundings, number, to_map } => apart(
+                point.wo.x,
+                #[inline(always)]
+                || surroundings::add(&mut sum, surroundings, *number, to_map, row),
+            ),
+            _ => apart(
+                point.wo.x,
+                #[inline(always)]
+                || lamp::add(&mut sum, lights, light, row),
+            ),
         }
         row += light.rows();
     }
     sum.reflected
+}
+
+/// What `f` gives, as a function of its own at the lanes' SIMD level.
+#[inline(never)]
+fn apart<R: Real, T>(like: R, f: impl FnOnce() -> T) -> T {
+    like.at_own_level(f)
+}
+
+/// A lobe's value under its veils, without its tint.
+#[inline(never)]
+fn veiled<R: Real>(lobe: &DirectLobe, mut value: R, pair: &Pair<R>) -> R {
+    if lobe.veils.is_empty() {
+        return value;
+    }
+    value.at_own_level(
+        #[inline(always)]
+        || {
+            for veil in &lobe.veils {
+                value = value * veil.factor(pair);
+            }
+            value
+        },
+    )
+}
+
+/// A shape's value.
+#[inline(never)]
+fn shape_value<R: Real>(lobe: &DirectLobe, pair: &Pair<R>) -> R {
+    pair.cos_o.at_own_level(
+        #[inline(always)]
+        || lobe.shape.f_cos(pair),
+    )
 }
 
 /// The light that a point sends, so far, and what it takes to add more.
@@ -118,8 +150,16 @@ impl<'a, R: Real> Sum<'a, R> {
     }
 
     /// Adds a lobe's value for a light of the table; the pair says where a tint that is a curve is taken.
-    #[inline(always)]
+    #[inline(never)]
     fn add(&mut self, row: usize, lobe: usize, value: R, pair: &Pair<R>) {
+        value.at_own_level(
+            #[inline(always)]
+            || self.add_here(row, lobe, value, pair),
+        );
+    }
+
+    #[inline(always)]
+    fn add_here(&mut self, row: usize, lobe: usize, value: R, pair: &Pair<R>) {
         let material = self.material;
         let entry = row * material.lobes.len() + lobe;
         let lobe = &material.lobes[lobe];

@@ -4,7 +4,7 @@ use glanz_bsdf::Part;
 use glanz_math::{Real, Vec3};
 
 use super::super::lights::turned;
-use super::{Sum, is_transmitting};
+use super::{Sum, apart, is_transmitting, veiled};
 use crate::prepare::{DirectLobe, Field, Surroundings};
 
 /// Adds what surroundings give; they are the three lights of the table from `row` on.
@@ -25,9 +25,7 @@ pub(super) fn add<R: Real>(
         let seen = seen(sum, surroundings, number, to_map, lobe, field);
         let mut share = field.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
         if lobe.shape.info().delta {
-            for veil in &lobe.veils {
-                share = share * veil.factor(&pair);
-            }
+            share = veiled(lobe, share, &pair);
         }
         for (basis, seen) in seen.into_iter().enumerate() {
             sum.add(row + basis, k, seen * share, &pair);
@@ -51,14 +49,24 @@ fn seen<R: Real>(
     let below = is_transmitting(lobe);
     if lobe.part == Part::Diffuse {
         let side = if below { -normal } else { normal };
-        return surroundings.irradiance.at(turned(to_map, side));
+        let side = turned(to_map, side);
+        return apart(
+            one,
+            #[inline(always)]
+            || surroundings.irradiance.at(side),
+        );
     }
     let direction = match below {
         true => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
         false => sum.point.wo.reflected(normal),
     };
     let own = field.skies.get(number).and_then(Option::as_deref).unwrap_or(sky);
-    own.at(turned(to_map, direction))
+    let direction = turned(to_map, direction);
+    apart(
+        one,
+        #[inline(always)]
+        || own.at(direction),
+    )
 }
 
 /// Where a line of sight goes on below a surface; where it is reflected totally, along the surface.
