@@ -18,8 +18,8 @@ const TERMS: usize = 7;
 /// pₖ of an isotropic GGX surface as polynomials in α, 0.001 … 1, lowest power first.
 ///
 /// By linear programming: the greatest distance to [`smith_albedo`] on 25 widths and 40 cosines is the least
-/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of what is missing. It is 0.0041;
-/// the tests find it again.
+/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of what is missing. It is 0.0041.
+/// `tests/python/fit_ggx.py` finds them again, the tests here what they are worth.
 const GGX: [[f64; 6]; TERMS] = [
     [-7.3287927e-08, -0.000253404659, -2.14054226, -0.319312619, 5.85471844, -3.57643332],
     [-6.24737662e-05, 1.33244929, 7.45090315, 35.441814, -60.0, 23.1072418],

@@ -7,7 +7,8 @@
 //! along the bitangent, the same; 0, the default, means as `alpha`. `multiscatter`: the weight w, 0 … 1, default 1.
 //! A roughness texture multiplies both widths.
 //! **Laws** reciprocal; keeps energy: with w = 0 the albedo falls to 0.31 at α = 1 and 0°, with w = 1 it is between
-//! 0.995 and 1 for every α and angle (elongated surfaces: from 0.99 for widths that differ by 3 to 0.94 for 9).
+//! 0.995 and 1 for every α and angle (elongated surfaces: 0.994 at worst for 0.05/0.16, 0.97 for 0.2/0.6, 0.94 for
+//! 0.1/0.9).
 //! **Limits** towards α → 0 a perfect mirror. Where both widths are equal tangents are not read.
 //! **Source** T. S. Trowbridge and K. P. Reitz 1975; B. Walter and others, Microfacet Models for Refraction through
 //! Rough Surfaces, 2007; E. Heitz, Understanding the Masking-Shadowing Function, 2014, equations 86 and 99; C. Kulla and
@@ -108,6 +109,11 @@ impl Model for Ggx {
 
     fn params(&self) -> Vec<f64> {
         vec![self.alpha, self.alpha_y, self.multiscatter]
+    }
+
+    fn is_anisotropic(&self) -> bool {
+        let (x, y) = widths(self.alpha, self.alpha_y);
+        x != y
     }
 
     #[inline(always)]
