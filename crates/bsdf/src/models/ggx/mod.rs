@@ -137,8 +137,8 @@ impl Ggx {
         let half = Half::new(pair);
         let w2 = pair.widening.max(half.up2.lit(self.least_widening)).sqr();
         let q = half.length2 / (half.across2(pair, self.inverse2) + half.up2 * w2);
-        let root = |cosine: R, tangent| (cosine.sqr() + w2 * stretched2(cosine, tangent, self.squares)).sqrt();
-        let (lo, li) = (root(pair.cos_o, pair.tangent_o), root(pair.cos_i, pair.tangent_i));
+        let lo = (pair.cos_o.sqr() + w2 * stretched2(pair.cos_o, pair.tangent_o, self.squares)).sqrt();
+        let li = (pair.cos_i.sqr() + w2 * stretched2(pair.cos_i, pair.tangent_i, self.squares)).sqrt();
         let shared = (pair.cos_i * lo + pair.cos_o * li).max(w2.lit(1e-30));
         q.sqr() * w2 * w2.lit(self.scale) * pair.cos_i / shared
     }
