@@ -67,7 +67,8 @@ pub(crate) struct Missing {
 impl Missing {
     /// The lobe times `weight` for a surface of the two widths, 0.001 … 1.
     ///
-    /// A series is known for GGX surfaces of one width; for others one is fitted, which takes about a millisecond.
+    /// A series is known for GGX surfaces of one width; for others one is fitted, which takes a millisecond, and
+    /// ten where the widths differ.
     pub(crate) fn new(distribution: Distribution, alpha: (f64, f64), weight: f64) -> Self {
         let none = Self {
             alpha,
