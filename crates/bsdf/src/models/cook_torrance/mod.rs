@@ -84,13 +84,18 @@ impl Model for CookTorrance {
         let inverse = half.up2.one() / half.up2;
         let ratio = half.length2 * inverse;
         let tan2 = ratio - ratio.one();
-        let term = |(scale, steep): (f64, f64)| exp_of_minus(tan2 * tan2.lit(steep)) * tan2.lit(scale);
-        let mut d = term(self.terms[0]);
+        let mut d = term(tan2, self.terms[0]);
         if self.weight2 > 0.0 {
-            d = d + term(self.terms[1]);
+            d = d + term(tan2, self.terms[1]);
         }
         d * ratio.sqr() * groove(pair, half.length2)
     }
+}
+
+/// The part of D of one slope, without 1/cos⁴θh.
+#[inline(always)]
+fn term<R: Real>(tan2: R, (scale, steep): (f64, f64)) -> R {
+    exp_of_minus(tan2 * tan2.lit(steep)) * tan2.lit(scale)
 }
 
 /// G / (4 cosθo) of the V-grooves, 0 where light or viewer is below: (n·h)/(wo·h) is 2 n·H / |H|².
