@@ -281,6 +281,11 @@ impl Request<'_> {
         }
     }
 
+    /// Whether any of the lobes has a mirror direction.
+    fn reflects(&self) -> bool {
+        self.cases.iter().any(|case| case.shape.info().side == Side::Reflection)
+    }
+
     fn transmits(&self) -> bool {
         self.cases.iter().any(|case| case.shape.info().side == Side::Transmission)
     }
