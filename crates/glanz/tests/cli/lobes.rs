@@ -106,11 +106,11 @@ fn plots_are_the_same_every_time_and_differ_by_what_is_asked() {
         folder.read("a.svg")
     };
     let plain = plot(&[]);
-    assert_eq!(plain, plot(&[]));
+    assert!(plain == plot(&[]), "another plot of the same");
     for more in
         [&["--log"][..], &["--theta", "60"], &["--quantity", "f"], &["--ior", "Au"], &["--tint", "0.5"]]
     {
-        assert_ne!(plain, plot(more), "{more:?}");
+        assert!(plain != plot(more), "{more:?}");
     }
 }
 
@@ -192,7 +192,7 @@ fn balls_of_different_metals_meshes_and_lights_differ() {
         folder.read("a.png")
     };
     let plain = sheet(&[]);
-    for more in [&["--mesh", "torus"][..], &["--light", "A"], &["--ev", "1"], &["--mode", "rgb"]] {
-        assert_ne!(plain, sheet(more), "{more:?}");
+    for more in [&["--mesh", "torus"][..], &["--light", "A"], &["--ev", "1"], &["--tone-map", "none"]] {
+        assert!(plain != sheet(more), "{more:?}");
     }
 }
