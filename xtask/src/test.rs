@@ -1,5 +1,7 @@
 //! Every check of the house, one after the other.
 
+use std::path::Path;
+
 use crate::house::{House, Profile, run, works};
 use crate::steps::{Outcome, Steps};
 use crate::{Result, data, gallery, golden, reference, tour, wasm};
@@ -30,7 +32,19 @@ fn checks(house: &House, options: &Options) -> Steps {
         return steps;
     }
     steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
-    steps.run("colours against colour-science", || oracle(house));
+    steps.run("colours against colour-science", || {
+        oracle(house, |house| {
+            let glanz = house.glanz(Profile::Dev)?;
+            compare(house, "colors", "requirements.txt", ("GLANZ", &glanz))
+        })
+    });
+    steps.run("models against Mitsuba", || {
+        oracle(house, |house| {
+            run(&mut house.cargo("build --quiet --package glanz-bsdf --example eval"))?;
+            let eval = format!("debug/examples/eval{}", std::env::consts::EXE_SUFFIX);
+            compare(house, "models", "requirements-models.txt", ("GLANZ_EVAL", &house.target().join(eval)))
+        })
+    });
     steps.run("examples", || gallery::try_examples(house));
     steps.run("what the README shows", || tour::run(house));
     steps.run("reference of the scene file", || reference::check(house));
@@ -52,18 +66,20 @@ fn format(house: &House) -> Result<()> {
     Ok(())
 }
 
-/// The colours of the command against an independent implementation, where there is a Python.
-fn oracle(house: &House) -> Outcome {
+/// A comparison with an independent implementation, where there is a Python.
+fn oracle(house: &House, comparison: impl FnOnce(&House) -> Result<()>) -> Outcome {
     if !works(house.command("python3").args(["-c", "import ensurepip, venv"])) {
         return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
     }
-    let test = || {
-        let python = data::python_with(house, "oracle-python", "tests/python/requirements.txt")?;
-        let glanz = house.glanz(Profile::Dev)?;
-        let arguments = ["-W", "ignore", "-m", "unittest", "tests/python/test_colors.py"];
-        run(house.command(python).args(arguments).env("GLANZ", glanz))
-    };
-    test().into()
+    comparison(house).into()
+}
+
+/// Runs `tests/python/test_….py` with the packages of a file beside it and the path of a program of ours.
+fn compare(house: &House, what: &str, requirements: &str, (variable, ours): (&str, &Path)) -> Result<()> {
+    let python =
+        data::python_with(house, &format!("oracle-python-{what}"), &format!("tests/python/{requirements}"))?;
+    let test = format!("tests/python/test_{what}.py");
+    run(house.command(python).args(["-W", "ignore", "-m", "unittest", &test]).env(variable, ours))
 }
 
 /// The tests, with nextest; it is installed where it is missing.

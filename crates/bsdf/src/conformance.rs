@@ -15,16 +15,16 @@ const RECIPROCITY_F64: f64 = 1e-12;
 const RECIPROCITY_F32: f64 = 1e-5;
 /// What the quadrature may add to an albedo of exactly 1 (see `albedo`).
 const ENERGY: f64 = 2e-4;
+/// An angle of view, in degrees, at which faults of the horizon show.
+const FLAT: f64 = 89.99;
+/// What the quadrature may add to the albedo there: 0.01 of the narrowest lobes, and as much again.
+const ENERGY_FLAT: f64 = 0.02;
 /// Corners of the box of parameters that are tried.
 const CORNERS: usize = 8;
 /// Rounding of a cosine formed in `f64` from three products.
 const COSINE_F64: f64 = 5e-16;
 /// Rounding of a cosine formed in `f32` from three products.
 const COSINE_F32: f64 = 3e-7;
-
-/// What f32 may add where a lobe is all but dark, in 1/sr: 3e-8 of a white surface, below the last place beside it.
-/// A lobe that is a difference of terms about 1 leaves so much.
-const DARK_F32: f64 = 1e-20;
 
 macro_rules! suite {
     ($model:ty) => {
@@ -270,12 +270,15 @@ pub(crate) fn keeps_energy_unless_it_says_so<M: Model>() {
             &[(0.0, &[0.0]), (20.0, &[0.0]), (45.0, &[0.0]), (70.0, &[0.0]), (89.0, &[0.0]), (89.99, &[0.0])]
         }
     };
+    // So flat, the quadrature finds a fault but proves no virtue: it is for lobes that say that they have one.
+    let flat: &[(f64, &[f64])] = if exempt::<M>(Law::Energy) { &[(FLAT, &[0.0])] } else { &[] };
     for model in instances::<M>() {
-        for (degrees, azimuths) in views {
+        for (degrees, azimuths) in views.iter().chain(flat) {
             for azimuth in *azimuths {
                 let view = (libm::cos(degrees * PI / 180.0), azimuth * PI / 180.0);
                 let radiance = directional(&M::INFO, model.eta(), view, |pair| model.f_cos(pair));
-                let albedo = radiance * model.eta() * model.eta();
+                let slack = if *degrees == FLAT { ENERGY_FLAT } else { 0.0 };
+                let albedo = radiance * model.eta() * model.eta() - slack;
                 if albedo > worst.0 {
                     worst = (albedo, format!("{:?} at {degrees}°, azimuth {azimuth}°", model.params()));
                 }
@@ -324,7 +327,7 @@ pub(crate) fn agrees_in_f32_and_f64<M: Model>() {
         for (wo, wi) in pairs().into_iter().filter(clear) {
             let (low, high) = around(&model, &Pair::new(wo, wi), COSINE_F32);
             let got = f64::from(model.f_cos(&Pair::new(short(wo), short(wi))));
-            let fits = got >= low * (1.0 - 1e-5) - DARK_F32 && got <= high * (1.0 + 1e-5) + DARK_F32;
+            let fits = got >= low * (1.0 - 1e-5) - 1e-20 && got <= high * (1.0 + 1e-5) + 1e-20;
             assert!(fits, "{:?} for {wo:?} and {wi:?}: {got} not in {low} … {high}", model.params());
         }
     }

@@ -16,12 +16,16 @@ mod conformance;
 mod info;
 pub mod models;
 mod pair;
+mod series;
 pub mod terms;
+mod veil;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
 pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
+pub use series::Series;
+pub use veil::{Angle, Veil, diffuse_fresnel, matte_under_coat, veiled_albedo};
 
 use glanz_math::{Real, Vec3};
 

@@ -60,6 +60,22 @@ macro_rules! models {
                 }
             }
 
+            /// [`Shape::f_cos`] of the models whose code is so short that loops hold it in place, 0 of the others.
+            #[inline(always)]
+            pub fn f_cos_in_place<R: Real>(&self, pair: &Pair<R>) -> R {
+                match self {
+                    $(Self::$model(model) if $room::$model::IN_PLACE => model.f_cos(pair),)+
+                    _ => pair.cos_o.zero(),
+                }
+            }
+
+            /// Whether [`Shape::f_cos_in_place`] has its values.
+            pub fn is_in_place(&self) -> bool {
+                match self {
+                    $(Self::$model(_) => $room::$model::IN_PLACE,)+
+                }
+            }
+
             /// See [`Model::tint_cosine`].
             #[inline(always)]
             pub fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {

@@ -102,6 +102,18 @@ impl<S: Simd> Not for LanesMask<S> {
 impl<S: Simd> Real for Lanes<S> {
     type Mask = LanesMask<S>;
 
+    const LANES: usize = 16;
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; 16] {
+        let mut values = [0.0; 16];
+        self.store(&mut values);
+        values
+    }
+    #[inline(always)]
+    fn with_array(self, values: &[f32; 16]) -> Self {
+        Self::load(self.0.simd, values)
+    }
     #[inline(always)]
     fn at_own_level<T>(self, f: impl FnOnce() -> T) -> T {
         self.0.simd.vectorize(f)

@@ -37,6 +37,13 @@ pub trait Real:
     /// 2 to the power `self`, for arguments in −126 … 127 (clamped to that range).
     fn exp2(self) -> Self;
 
+    /// The lanes one by one; a scalar is all sixteen.
+    fn to_array(self) -> [f32; 16];
+    /// The lanes from an array; a scalar takes the first.
+    fn with_array(self, values: &[f32; 16]) -> Self;
+    /// How many lanes there are.
+    const LANES: usize;
+
     /// What `f` gives, compiled for the SIMD level of the lanes: for code in a function of its own.
     #[inline(always)]
     fn at_own_level<T>(self, f: impl FnOnce() -> T) -> T {
@@ -123,6 +130,16 @@ pub trait Real:
 
 impl Real for f64 {
     type Mask = bool;
+    const LANES: usize = 1;
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; 16] {
+        [self as f32; 16]
+    }
+    #[inline(always)]
+    fn with_array(self, values: &[f32; 16]) -> Self {
+        f64::from(values[0])
+    }
 
     #[inline(always)]
     fn lit(self, value: f64) -> Self {
@@ -168,6 +185,16 @@ impl Real for f64 {
 
 impl Real for f32 {
     type Mask = bool;
+    const LANES: usize = 1;
+
+    #[inline(always)]
+    fn to_array(self) -> [f32; 16] {
+        [self; 16]
+    }
+    #[inline(always)]
+    fn with_array(self, values: &[f32; 16]) -> Self {
+        values[0]
+    }
 
     #[inline(always)]
     fn lit(self, value: f64) -> Self {

@@ -18,7 +18,7 @@ use glanz_render::{Develop, DrawOptions, Observation, PrepareOptions, Prepared, 
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
     Attenuation, Background, Camera, ClassicMaterial, ColorMode, Interpolation, Light, LightColor,
-    LightColors, LightKind, Lobe, Material, Object, Projection, Scene, Shading, Space, Tint, White,
+    LightColors, LightKind, Lobe, Material, Object, Projection, Scene, Shading, Tint, White,
 };
 
 const WIDTH: u32 = 1920;
@@ -51,12 +51,9 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
         // Where the peers have them: on a ring before the sphere.
         let angle = core::f64::consts::TAU * (i as f64 + 0.125) / lights as f64;
         let position = DVec3::new(3.0 * angle.cos(), 3.0 * angle.sin(), 3.0);
-        scene.lights.push(Light {
-            name: String::new(),
-            kind: LightKind::Point { position, attenuation: Attenuation::NONE },
-            colors: LightColors::direct(Rgb::gray(1.0 / lights as f32)),
-            space: Space::World,
-        });
+        let kind = LightKind::Point { position, attenuation: Attenuation::NONE };
+        let colors = LightColors::direct(Rgb::gray(1.0 / lights as f32));
+        scene.lights.push(Light::new(kind, colors));
     }
     // tan of the silhouette's half angle = 0.7 · tan(fov / 2), and sin of it = 1 / distance.
     let fov_y = 40f64.to_radians();
@@ -248,7 +245,7 @@ fn models(quick: bool, level: Level) {
     for info in MODELS.iter().filter(|info| matches!(info.part, Part::Diffuse | Part::Specular)) {
         let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
         let shape = Shape::named(info.name, &[]).expect("a name from the list");
-        let lobe = Lobe { shape: shape.clone(), tint: Rgb::gray(0.5).into(), textured: false };
+        let lobe = Lobe::new(shape.clone(), Rgb::gray(0.5));
         scene.materials = vec![Material::of_lobes(info.name, vec![lobe])];
         // A quad that fills the picture: all of it is shading.
         scene.meshes = vec![Builtin::Quad.mesh().expect("a quad")];

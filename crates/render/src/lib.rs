@@ -11,6 +11,7 @@ mod draw;
 mod frame;
 mod observe;
 pub mod output;
+mod parallel;
 mod prepare;
 mod view;
 

@@ -51,5 +51,7 @@ fn bare(background: Background) -> Background {
     match background {
         Background::Color(_) => Background::Color(glanz_color::Rgb::BLACK),
         Background::Transparent => Background::Transparent,
+        // Surroundings are seen in every channel.
+        Background::Environment => Background::Environment,
     }
 }

@@ -13,15 +13,12 @@ use crate::{Light, LightColors, LightKind, Scene, Space};
 pub fn add_default_lights(scene: &mut Scene) {
     let lamp = |name: &str, direction: DVec3, value: f32| Light {
         name: name.to_owned(),
-        kind: LightKind::Directional { direction },
-        colors: LightColors::direct(Rgb::gray(value)),
         space: Space::Camera,
+        ..Light::new(LightKind::Directional { direction }, LightColors::direct(Rgb::gray(value)))
     };
     scene.lights.push(Light {
         name: "ambient".to_owned(),
-        kind: LightKind::Ambient,
-        colors: LightColors::ambient(Rgb::gray(0.15)),
-        space: Space::World,
+        ..Light::new(LightKind::Ambient, LightColors::ambient(Rgb::gray(0.15)))
     });
     scene.lights.push(lamp("key", DVec3::new(1.0, -1.2, -1.6), 0.8));
     scene.lights.push(lamp("fill", DVec3::new(-1.5, 0.3, -1.0), 0.25));

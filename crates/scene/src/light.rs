@@ -1,7 +1,10 @@
-//! Lights, after documents 000 and 003.
+//! Lights, after documents 000 and 003; surfaces that shine, surroundings, and luminaires.
 
-use crate::LightColor;
-use glam::DVec3;
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::{EnvironmentMap, LightColor, Luminaire};
 
 /// The space in which a light's position and direction are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,8 +69,42 @@ impl LightColors {
     }
 }
 
-/// The geometry of a light.
+/// The extent of a light that is a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AreaShape {
+    /// A rectangle.
+    Rectangle {
+        /// In m, across `direction` and `up`.
+        width: f64,
+        /// In m, along `up`.
+        height: f64,
+    },
+    /// A disk.
+    Disk {
+        /// In m.
+        radius: f64,
+    },
+    /// A sphere, which shines outwards.
+    Sphere {
+        /// In m.
+        radius: f64,
+    },
+}
+
+impl AreaShape {
+    /// The area of the surface in m², of one side where it has two.
+    pub fn area(self) -> f64 {
+        use core::f64::consts::PI;
+        match self {
+            Self::Rectangle { width, height } => width * height,
+            Self::Disk { radius } => PI * radius * radius,
+            Self::Sphere { radius } => 4.0 * PI * radius * radius,
+        }
+    }
+}
+
+/// The geometry of a light.
+#[derive(Clone, Debug, PartialEq)]
 pub enum LightKind {
     /// From everywhere, on everything.
     Ambient,
@@ -98,6 +135,29 @@ pub enum LightKind {
         /// How it fades.
         attenuation: Attenuation,
     },
+    /// From a surface that shines evenly, with the same radiance into all directions. Its colours are that
+    /// radiance: a white Lambert surface that it surrounds gets its value.
+    Area {
+        /// Its form and size.
+        shape: AreaShape,
+        /// Its centre.
+        position: DVec3,
+        /// The way it faces, away from the light; any length but zero. Spheres have none and ignore it.
+        direction: DVec3,
+        /// Where the height of a rectangle points, less its part along `direction`; not parallel to it.
+        /// Disks and spheres ignore it.
+        up: DVec3,
+        /// Whether it shines on its back, too. Spheres ignore it.
+        two_sided: bool,
+    },
+    /// From surroundings at infinite distance. Its colours are the radiance where the map is 1: uniform
+    /// surroundings of value 1 make a white Lambert surface 1, and are seen as 1 themselves.
+    Environment {
+        /// What they look like; `None` for the same in all directions.
+        map: Option<Arc<EnvironmentMap>>,
+        /// From the map's directions to the world's; a rotation.
+        rotation: DMat3,
+    },
 }
 
 /// A light.
@@ -107,8 +167,18 @@ pub struct Light {
     pub name: String,
     /// Its geometry.
     pub kind: LightKind,
-    /// What it sends, in classic units: 1 on a white Lambert surface that faces it gives 1.
+    /// What it sends, in classic units: 1 on a white Lambert surface that faces it gives 1. Of areas and
+    /// environments it is the radiance, 1 being that of such a surface.
     pub colors: LightColors,
     /// World or camera.
     pub space: Space,
+    /// How point and spot lights send more into some directions than into others; other kinds have none.
+    pub luminaire: Option<Luminaire>,
+}
+
+impl Light {
+    /// A light without a name, in the world, that sends the same into all directions that its kind allows.
+    pub fn new(kind: LightKind, colors: LightColors) -> Self {
+        Self { name: String::new(), kind, colors, space: Space::World, luminaire: None }
+    }
 }

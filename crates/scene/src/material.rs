@@ -1,9 +1,11 @@
 //! What surfaces do with light.
 
-use glanz_bsdf::{ParamError, Part, Shape};
+use std::sync::Arc;
+
+use glanz_bsdf::{ParamError, Part, Shape, Veil};
 use glanz_color::Rgb;
 
-use crate::Tint;
+use crate::{Absorption, Through, Tint};
 
 /// One term of a material: a shape times a tint.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +16,49 @@ pub struct Lobe {
     pub tint: Tint,
     /// Whether the base colour texture and vertex colours multiply the tint.
     pub textured: bool,
+    /// What lies over it.
+    pub veils: Vec<Veil>,
+    /// What a coat over it absorbs.
+    pub absorption: Option<Arc<Absorption>>,
+    /// Which part of the surface it belongs to.
+    pub share: Metalness,
+}
+
+impl Lobe {
+    /// A bare lobe that textures do not touch.
+    pub fn new(shape: Shape, tint: impl Into<Tint>) -> Self {
+        let (tint, share) = (tint.into(), Metalness::Any);
+        Self { shape, tint, textured: false, veils: Vec::new(), absorption: None, share }
+    }
+
+    /// The same, multiplied by textures and vertex colours.
+    pub fn textured(self) -> Self {
+        Self { textured: true, ..self }
+    }
+
+    /// The same under one more veil.
+    pub fn under(mut self, veil: Veil) -> Self {
+        self.veils.push(veil);
+        self
+    }
+}
+
+/// Which part of a surface a lobe belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Metalness {
+    /// All of it.
+    #[default]
+    Any,
+    /// Metal: the lobe counts `factor · texture`.
+    Metal {
+        /// How metallic the surface is where the texture is 1, or where there is none.
+        factor: f64,
+    },
+    /// The rest: the lobe counts `1 − factor · texture`.
+    Dielectric {
+        /// How metallic the surface is where the texture is 1, or where there is none.
+        factor: f64,
+    },
 }
 
 /// A texture and how a material applies it.
@@ -64,6 +109,12 @@ pub struct Material {
     pub normal_map: Option<TextureUse>,
     /// Multiplies the emission lobes.
     pub emission_map: Option<TextureUse>,
+    /// Green widens or narrows lobes, blue says where metal is, as glTF has it.
+    pub metal_rough_map: Option<TextureUse>,
+    /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
+    pub aniso: f64,
+    /// What is seen through the surface, beside what `alpha` leaves open.
+    pub through: Option<Through>,
     /// Opacity, times the texture's and the vertex colour's.
     pub alpha: f32,
     /// What alpha means.
@@ -82,6 +133,9 @@ impl Material {
             base_color: None,
             normal_map: None,
             emission_map: None,
+            metal_rough_map: None,
+            aniso: 0.0,
+            through: None,
             alpha: 1.0,
             alpha_mode: AlphaMode::Opaque,
             cull_back: false,
@@ -147,7 +201,7 @@ impl ClassicMaterial {
         let lobes = terms
             .into_iter()
             .filter(|(_, tint, _)| !tint.is_black())
-            .map(|(shape, tint, textured)| Lobe { shape, tint, textured })
+            .map(|(shape, tint, textured)| Lobe { textured, ..Lobe::new(shape, tint) })
             .collect();
         Ok(Material::of_lobes(name, lobes))
     }

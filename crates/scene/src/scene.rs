@@ -36,6 +36,8 @@ pub enum Background {
     Color(Rgb),
     /// Nothing: alpha 0.
     Transparent,
+    /// The first light of the scene that is an environment.
+    Environment,
 }
 
 /// The picture to be made.
@@ -76,6 +78,8 @@ pub struct RenderSettings {
     pub mode: ColorMode,
     /// The white that becomes the screen's.
     pub white: White,
+    /// Whether surfaces stand in each other's light. The classic models know no shadows.
+    pub shadows: bool,
 }
 
 /// A mesh put into the scene.

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use crate::{Film, Pane};
 use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
 
 /// Sources of less luminous efficacy, in lm/W between 300 and 780 nm, are measured by their power: their
@@ -106,8 +107,14 @@ pub enum Tint {
     /// Light that comes back at other wavelengths too.
     Reradiation(Arc<Reradiation>),
     /// Fresnel reflection of a smooth boundary, by the angle between viewer and half vector; where a
-    /// lobe has none, at normal incidence.
+    /// lobe has none, at normal incidence. Lobes that light passes through take what is not reflected.
     Ior(Arc<Ior>),
+    /// Fresnel reflection in Schlick's form: this reflectance at normal incidence, 1 at grazing.
+    Schlick(Box<Tint>),
+    /// What a film and its base reflect.
+    Film(Arc<Film>),
+    /// What both sides of a pane reflect.
+    Pane(Arc<Pane>),
 }
 
 impl Tint {
@@ -126,7 +133,15 @@ impl Tint {
             Self::Spectrum(spectrum) => spectrum.is_finite(),
             Self::Reradiation(matrix) => matrix.is_finite(),
             Self::Ior(ior) => ior.eta.is_finite() && ior.k.is_finite(),
+            Self::Schlick(at_normal) => at_normal.is_finite(),
+            Self::Film(film) => film.is_finite(),
+            Self::Pane(pane) => pane.is_finite(),
         }
+    }
+
+    /// Whether it depends on the angle at which light meets the facet that sends it on.
+    pub fn depends_on_angle(&self) -> bool {
+        matches!(self, Self::Ior(_) | Self::Schlick(_) | Self::Film(_) | Self::Pane(_))
     }
 
     /// The tint in RGB, if that is how it was given.

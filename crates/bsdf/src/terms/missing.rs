@@ -183,7 +183,7 @@ impl Missing {
     /// missing everywhere.
     fn fit(&mut self, distribution: Distribution) {
         let (cosines, azimuths, parts) = if self.is_isotropic() { (20, 1, 1) } else { (12, 7, 2) };
-        let mut rows: Vec<(Vec<f64>, f64)> = Vec::new();
+        let mut rows: Vec<Row> = Vec::new();
         let mut points = Vec::new();
         for j in 0..azimuths {
             let azimuth = f64::from(j) / 6.0 * PI / 2.0;
@@ -209,6 +209,9 @@ impl Missing {
         self.less = above.fold(0.0, f64::max) + MARGIN;
     }
 }
+
+/// What the coefficients are multiplied with, and the sum that they should come to.
+type Row = (Vec<f64>, f64);
 
 /// x to a small power.
 fn power(x: f64, k: usize) -> f64 {
@@ -240,9 +243,9 @@ fn series<R: Real>(term: impl Fn(usize) -> R, y: R) -> R {
 
 /// The coefficients for which Σ (row · coefficients − value)² is least, those of great size held down a little: by
 /// the normal equations and Cholesky's factors.
-fn least_squares(rows: &[(Vec<f64>, f64)]) -> Vec<f64> {
+fn least_squares(rows: &[Row]) -> Vec<f64> {
     let n = rows[0].0.len();
-    let sum = |f: &dyn Fn(&(Vec<f64>, f64)) -> f64| rows.iter().map(f).sum::<f64>();
+    let sum = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).sum::<f64>();
     let mut lower = vec![vec![0.0; n]; n];
     for i in 0..n {
         for j in 0..=i {

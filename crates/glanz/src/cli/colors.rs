@@ -36,6 +36,16 @@ pub fn tint_text(tint: &Tint) -> String {
             format!("{} under D65 (fluorescent)", rgb_text(rgb_spectra::rgb_of_light(&sent)))
         }
         Tint::Ior(ior) => format!("Fresnel reflection of {}", ior.name),
+        Tint::Schlick(at_normal) => format!("Schlick's Fresnel reflection from {}", tint_text(at_normal)),
+        Tint::Film(film) => format!(
+            "Fresnel reflection of {} nm of {} on {}",
+            number(film.thickness_nm),
+            film.film.name,
+            film.base.name
+        ),
+        Tint::Pane(pane) => {
+            format!("Fresnel reflection of a pane of {}, {} mm", pane.ior.name, number(pane.thickness * 1e3))
+        }
     }
 }
 
@@ -48,6 +58,14 @@ pub fn tint_json(tint: &Tint) -> Value {
             json!({ "reradiation": { "diagonal": matrix.reflectance().0.as_slice() } })
         }
         Tint::Ior(ior) => json!({ "ior": ior.name }),
+        Tint::Schlick(at_normal) => json!({ "schlick": tint_json(at_normal) }),
+        Tint::Film(film) => json!({ "film": {
+            "thickness_nm": film.thickness_nm, "ior": film.film.name, "base": film.base.name,
+        } }),
+        Tint::Pane(pane) => json!({ "pane": {
+            "ior": pane.ior.name, "thickness_mm": pane.thickness * 1e3,
+            "absorption_per_m": spectrum_json(&pane.absorption),
+        } }),
     }
 }
 

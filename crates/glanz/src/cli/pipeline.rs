@@ -236,7 +236,7 @@ impl Plan {
         let unit = if self.colors.photometric { 1.0 / PHOTOPIC_LM_PER_W } else { 1.0 };
         let behind = match self.background {
             Background::Color(color) => rgb_spectra::spectrum_of_light(color),
-            Background::Transparent => Spectrum::ZERO,
+            Background::Transparent | Background::Environment => Spectrum::ZERO,
         };
         let alpha = &frame.alpha;
         let band = |(i, mut values): (usize, Vec<f32>)| {

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use glam::DVec3;
 use glanz_scene::{
-    AlphaMode, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Material, Mesh, Projection,
-    Space,
+    AlphaMode, AreaShape, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Luminaire,
+    Material, Mesh, Projection, Space,
 };
 use serde_json::{Value, json};
 
@@ -90,6 +90,7 @@ impl Summary<'_> {
                 "background": match image.background {
                     Background::Color(color) => json!(color),
                     Background::Transparent => json!("transparent"),
+                    Background::Environment => json!("environment"),
                 },
             },
             "objects": objects.collect::<Vec<_>>(),
@@ -261,6 +262,13 @@ fn light_text(light: &Light) -> String {
             number(cutoff.to_degrees()),
             attenuation_text(attenuation)
         ),
+        LightKind::Area { shape, position, direction, two_sided, .. } => {
+            area_text(*shape, *position, *direction, *two_sided)
+        }
+        LightKind::Environment { map: Some(map), .. } => {
+            format!("environment of {}x{} pixels", map.width, map.height)
+        }
+        LightKind::Environment { map: None, .. } => "environment, uniform".to_owned(),
     };
     let sent = match light.kind {
         LightKind::Ambient => &light.colors.ambient,
@@ -268,7 +276,30 @@ fn light_text(light: &Light) -> String {
     };
     let camera = if light.space == Space::Camera { ", moves with the camera" } else { "" };
     let prefix = if light.name.is_empty() { String::new() } else { format!("{}: ", light.name) };
-    format!("{prefix}{kind}, color {}{camera}", colors::light_text(sent))
+    let luminaire = light.luminaire.as_ref().map(luminaire_text).unwrap_or_default();
+    format!("{prefix}{kind}{luminaire}, color {}{camera}", colors::light_text(sent))
+}
+
+fn area_text(shape: AreaShape, position: DVec3, direction: DVec3, two_sided: bool) -> String {
+    let position = vector(position);
+    let (form, size) = match shape {
+        AreaShape::Rectangle { width, height } => {
+            ("rectangle", format!("{} x {} m", number(width), number(height)))
+        }
+        AreaShape::Disk { radius } => ("disk", format!("of radius {} m", number(radius))),
+        AreaShape::Sphere { radius } => {
+            return format!("sphere of radius {} m at ({position})", number(radius));
+        }
+    };
+    let sides = if two_sided { ", two-sided" } else { "" };
+    format!("{form} {size} at ({position}) facing ({}){sides}", vector(direction))
+}
+
+fn luminaire_text(luminaire: &Luminaire) -> String {
+    let (profile, axis) = (&luminaire.profile, vector(luminaire.axis));
+    let size = format!("{}x{} directions", profile.c_deg.len(), profile.gamma_deg.len());
+    let (max, flux) = (number(profile.max()), number(profile.flux_lm()));
+    format!(", profile of {size} along ({axis}), up to {max} cd, {flux} lm")
 }
 
 fn light_json(light: &Light) -> Value {
@@ -285,13 +316,50 @@ fn light_json(light: &Light) -> Value {
             "kind": "spot", "position": position.to_array(), "direction": direction.to_array(),
             "cutoff_deg": cutoff.to_degrees(), "exponent": exponent, "attenuation": attenuation(a),
         }),
+        LightKind::Area { shape, position, direction, up, two_sided } => {
+            area_json(*shape, *position, *direction, *up, *two_sided)
+        }
+        LightKind::Environment { map, rotation } => json!({
+            "kind": "environment", "map": map.as_ref().map(|map| json!([map.width, map.height])),
+            "rotation": rotation.to_cols_array_2d(),
+        }),
     };
+    if let Some(luminaire) = &light.luminaire {
+        let profile = &luminaire.profile;
+        value["profile"] = json!({
+            "planes": profile.c_deg.len(), "angles": profile.gamma_deg.len(), "max_cd": profile.max(),
+            "flux_lm": profile.flux_lm(), "axis": luminaire.axis.to_array(), "c0": luminaire.c0.to_array(),
+        });
+    }
     value["name"] = json!(light.name);
     value["ambient"] = colors::light_json(&light.colors.ambient);
     value["diffuse"] = colors::light_json(&light.colors.diffuse);
     value["specular"] = colors::light_json(&light.colors.specular);
     value["attached_to"] = json!(if light.space == Space::Camera { "camera" } else { "world" });
     value
+}
+
+fn area_json(shape: AreaShape, position: DVec3, direction: DVec3, up: DVec3, two_sided: bool) -> Value {
+    let position = position.to_array();
+    let facing = |kind: &str| {
+        json!({
+            "kind": kind, "position": position, "direction": direction.to_array(), "two_sided": two_sided,
+        })
+    };
+    match shape {
+        AreaShape::Sphere { radius } => json!({ "kind": "sphere", "position": position, "radius": radius }),
+        AreaShape::Disk { radius } => {
+            let mut value = facing("disk");
+            value["radius"] = json!(radius);
+            value
+        }
+        AreaShape::Rectangle { width, height } => {
+            let mut value = facing("rectangle");
+            value["size"] = json!([width, height]);
+            value["up"] = json!(up.to_array());
+            value
+        }
+    }
 }
 
 fn camera_text(label: &str, camera: &Camera) -> String {

@@ -43,14 +43,14 @@ struct Hit {
 #[derive(Debug, Default)]
 pub(crate) struct Glass {
     pieces: Vec<Piece>,
-    /// Colour and opacity of each piece.
-    colors: Vec<[f32; 4]>,
+    /// Colour and opacity of each piece, and the share that it lets through nevertheless, per channel.
+    colors: Vec<[f32; 7]>,
     hits: Vec<Hit>,
     sorted: Vec<Hit>,
     /// The last piece of each pixel.
     latest: Vec<u32>,
-    /// What is let through at each sample, sample after sample.
-    through: Vec<f32>,
+    /// What is let through at each sample, sample after sample, per channel.
+    through: [Vec<f32>; 3],
     /// Premultiplied colour and coverage of the blended surfaces of each pixel.
     light: [Vec<f32>; 4],
 }
@@ -62,8 +62,10 @@ impl Glass {
         self.colors.clear();
         self.hits.clear();
         self.latest.resize(TILE_PIXELS, 0);
-        self.through.clear();
-        self.through.resize(samples * TILE_PIXELS, 1.0);
+        for plane in &mut self.through {
+            plane.clear();
+            plane.resize(samples * TILE_PIXELS, 1.0);
+        }
         for plane in &mut self.light {
             plane.clear();
             plane.resize(TILE_PIXELS, 0.0);
@@ -143,19 +145,22 @@ impl Glass {
         self.sort();
         let share = 1.0 / frame.samples.len() as f32;
         for hits in self.sorted.chunk_by(|a, b| a.place == b.place && a.sample == b.sample) {
-            let mut through = 1.0;
+            let mut through = [1.0f32; 3];
             let place = hits[0].place as usize;
             for hit in hits {
-                let [r, g, b, alpha] = self.colors[hit.piece as usize];
-                let weight = through * alpha;
-                if weight > 0.0 {
-                    for (plane, value) in self.light.iter_mut().zip([r, g, b, 1.0]) {
-                        plane[place] += value * weight * share;
-                    }
+                let [r, g, b, alpha, passed @ ..] = self.colors[hit.piece as usize];
+                for (c, color) in [r, g, b].into_iter().enumerate() {
+                    self.light[c][place] += color * (through[c] * alpha) * share;
                 }
-                through *= 1.0 - alpha;
+                let most = |channels: [f32; 3]| channels.into_iter().fold(0.0, f32::max);
+                self.light[3][place] += most(through) * (alpha * (1.0 - most(passed))) * share;
+                for (through, passed) in through.iter_mut().zip(passed) {
+                    *through *= 1.0 - alpha + alpha * passed;
+                }
             }
-            self.through[hits[0].sample as usize * TILE_PIXELS + place] = through;
+            for (plane, through) in self.through.iter_mut().zip(through) {
+                plane[hits[0].sample as usize * TILE_PIXELS + place] = through;
+            }
         }
     }
 
@@ -179,9 +184,9 @@ impl Glass {
             let place = [Lanes::load(simd, &px), Lanes::load(simd, &py)];
             let mut shaded = Shaded::nothing(simd);
             group::shade(simd, frame, records, &runs[..count], place, &mut shaded);
-            let mut lanes = [[0.0; BLOCK]; 4];
-            let [r, g, b] = shaded.rgb;
-            for (array, value) in lanes.iter_mut().zip([r, g, b, shaded.alpha.clamp(0.0, 1.0)]) {
+            let mut lanes = [[0.0; BLOCK]; 7];
+            let ([r, g, b], [x, y, z]) = (shaded.rgb, shaded.through);
+            for (array, value) in lanes.iter_mut().zip([r, g, b, shaded.alpha.clamp(0.0, 1.0), x, y, z]) {
                 value.store(array);
             }
             self.colors.extend((0..sixteen.len()).map(|lane| lanes.map(|array| array[lane])));
@@ -212,10 +217,10 @@ impl Glass {
         }
     }
 
-    /// How much of what is behind is seen, at the samples of the block at a place of the planes.
+    /// How much of what is behind is seen in a channel, at the samples of the block at a place of the planes.
     #[inline(always)]
-    pub fn through(&self, at: usize) -> &[f32; BLOCK] {
-        self.through[at..].first_chunk().expect("planes are whole blocks")
+    pub fn through(&self, channel: usize, at: usize) -> &[f32; BLOCK] {
+        self.through[channel][at..].first_chunk().expect("planes are whole blocks")
     }
 
     /// Premultiplied colour and coverage in the block at a place.

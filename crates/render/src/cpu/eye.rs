@@ -1,11 +1,11 @@
-//! The view and the lights in single precision, relative to the eye.
+//! The view in single precision, relative to the eye.
 
 use glam::DVec3;
 use glanz_math::{Real, Vec3};
-use glanz_scene::{Projection, Space};
+use glanz_scene::Projection;
 
 use super::inlined;
-use crate::prepare::{Falloff, LightShape, PreparedLight, PreparedObject};
+use crate::prepare::PreparedObject;
 use crate::{Prepared, View};
 
 /// Nearest visible distance, as a fraction of the greatest distance in the scene.
@@ -118,68 +118,4 @@ fn corners(object: &PreparedObject) -> impl Iterator<Item = DVec3> {
             if i & 4 == 0 { low.z } else { high.z },
         )
     })
-}
-
-/// How a light falls off, in single precision.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum EyeFalloff {
-    None,
-    Polynomial([f32; 3]),
-}
-
-/// A cone, in single precision.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct EyeCone {
-    pub axis: [f32; 3],
-    pub cos_cutoff: f32,
-    pub exponent: f32,
-    /// Outer cosine and 1 / (inner − outer).
-    pub smooth_edge: Option<[f32; 2]>,
-}
-
-/// A light relative to the eye, along world axes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum EyeLight {
-    Directional { towards: [f32; 3] },
-    Point { position: [f32; 3], falloff: EyeFalloff, cone: Option<EyeCone> },
-}
-
-impl EyeLight {
-    pub fn new(light: &PreparedLight, eye: &Eye) -> Self {
-        let direction = |d: DVec3| match light.space {
-            Space::World => d,
-            Space::Camera => eye.axes[0] * d.x + eye.axes[1] * d.y + eye.axes[2] * d.z,
-        };
-        let point = |p: DVec3| match light.space {
-            Space::World => p - eye.position,
-            Space::Camera => direction(p),
-        };
-        let array = |v: DVec3| v.as_vec3().to_array();
-        match light.shape {
-            LightShape::Directional { towards } => Self::Directional { towards: array(direction(towards)) },
-            LightShape::Point { position, falloff } => {
-                Self::Point { position: array(point(position)), falloff: single(falloff), cone: None }
-            }
-            LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, falloff } => Self::Point {
-                position: array(point(position)),
-                falloff: single(falloff),
-                cone: Some(EyeCone {
-                    axis: array(direction(axis)),
-                    cos_cutoff: cos_cutoff as f32,
-                    exponent: exponent as f32,
-                    smooth_edge: smooth_edge
-                        .map(|(inner, outer)| [outer as f32, (1.0 / (inner - outer).max(1e-6)) as f32]),
-                }),
-            },
-        }
-    }
-}
-
-fn single(falloff: Falloff) -> EyeFalloff {
-    match falloff {
-        Falloff::None => EyeFalloff::None,
-        Falloff::Polynomial { constant, linear, quadratic } => {
-            EyeFalloff::Polynomial([constant as f32, linear as f32, quadratic as f32])
-        }
-    }
 }

@@ -3,10 +3,14 @@
 use glanz_bsdf::{Part, Shape};
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
-use super::eye::{Eye, EyeLight};
+use super::backdrop::Backdrop;
+use super::eye::Eye;
+use super::lights::EyeLights;
 use super::polygons::PolygonView;
 use super::samples;
-use crate::prepare::{Attributes, Curve, DirectLobe, MixTints, PreparedMaterial, PreparedObject};
+use crate::prepare::{
+    Attributes, Curve, DirectLobe, Field, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
+};
 use crate::{DrawOptions, Prepared, Show, View};
 
 /// How a triangle of an object takes part.
@@ -56,7 +60,7 @@ pub(crate) struct Layout {
 pub(crate) struct FrameView<'a> {
     pub prepared: &'a Prepared,
     pub eye: Eye,
-    pub lights: Vec<EyeLight>,
+    pub lights: EyeLights<'a>,
     pub materials: std::borrow::Cow<'a, [PreparedMaterial]>,
     pub objects: Vec<ObjectView>,
     pub options: &'a DrawOptions,
@@ -69,7 +73,7 @@ pub(crate) struct FrameView<'a> {
 impl<'a> FrameView<'a> {
     pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
         let eye = Eye::new(prepared, view);
-        let lights: Vec<_> = prepared.lights.iter().map(|light| EyeLight::new(light, &eye)).collect();
+        let lights = EyeLights::new(prepared, &eye);
         let materials = shown_materials(prepared, options.show);
         let objects: Vec<_> = prepared
             .objects
@@ -85,16 +89,25 @@ impl<'a> FrameView<'a> {
     }
 }
 
+impl FrameView<'_> {
+    /// What is where nothing is.
+    #[inline(always)]
+    pub fn backdrop(&self) -> Backdrop<'_> {
+        Backdrop::new(self.options.background, &self.eye, &self.lights, self.prepared.backdrop)
+    }
+}
+
 impl ObjectView {
     fn new(
         object: &PreparedObject,
         materials: &[PreparedMaterial],
-        lights: &[EyeLight],
+        lights: &EyeLights,
         eye: &Eye,
         show: Show,
     ) -> Self {
         let material = &materials[object.material];
         let pass = match material.alpha_mode {
+            _ if material.through.is_some() => Pass::Blended,
             AlphaMode::Opaque => Pass::Opaque,
             AlphaMode::Mask { .. } => Pass::Masked,
             AlphaMode::Blend => Pass::Blended,
@@ -129,9 +142,11 @@ impl Layout {
         };
         let Attributes { uv: has_uv, color: has_color, tangent: has_tangent } = object.attributes;
         let per_pixel = object.shading == Shading::Phong;
-        let maps = [material.base_color, material.normal_map, material.emission_map];
+        let maps =
+            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
         let textured = has_uv && maps.iter().any(Option::is_some);
-        let bent = per_pixel && has_uv && has_tangent && material.normal_map.is_some();
+        let turned = material.normal_map.is_some() || material.anisotropic;
+        let bent = per_pixel && has_uv && has_tangent && turned;
         let plain = group(!per_pixel && textured);
         let mix = group(!per_pixel && textured && material.mix.is_some());
         group(mix.is_some());
@@ -150,7 +165,7 @@ fn shown_materials(prepared: &Prepared, show: Show) -> std::borrow::Cow<'_, [Pre
         Show::Diffuse => Part::Diffuse,
         Show::Specular => Part::Specular,
         Show::Lit => {
-            let lights = prepared.lights.len();
+            let lights = &prepared.lights;
             return prepared.materials.iter().map(|material| lit_test(material, lights)).collect();
         }
         _ => return std::borrow::Cow::Borrowed(&prepared.materials),
@@ -180,11 +195,17 @@ fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
 }
 
 /// A material whose value is above zero exactly where some light reaches the front of the surface.
-fn lit_test(material: &PreparedMaterial, lights: usize) -> PreparedMaterial {
+fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMaterial {
     let shape = Shape::named("lambert", &[]).expect("lambert is in the list of models");
     PreparedMaterial {
-        lobes: vec![DirectLobe { shape, part: Part::Diffuse, textured: false, curved: false }],
-        tints: vec![[1.0; 3]; lights],
+        lobes: vec![DirectLobe::new(shape)],
+        classic: true,
+        tints: vec![[1.0; 3]; lights.iter().map(|light| light.shape.rows()).sum()],
+        fields: vec![Field::of_cosine(lights.len())],
+        anisotropic: false,
+        transmits: false,
+        metal_rough_map: None,
+        through: None,
         curves: Vec::new(),
         ambient: Default::default(),
         spot_ambient: Vec::new(),

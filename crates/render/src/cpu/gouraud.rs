@@ -55,7 +55,12 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let vertices = Sixteen { simd, frame, view, point: Point { position, normal, wo }, colors };
+            let mut point = Point::plain(position, normal, wo);
+            if material.anisotropic && object.attributes.tangent {
+                let [x, y, z] = columns(simd, &geometry.tangents[first..first + 16]);
+                point.tangent = Some(Vec3::new(x, y, z));
+            }
+            let vertices = Sixteen { simd, frame, view, point, colors };
             let (parts, more) = vertices.reflect();
             store(parts, side, &mut lit[row..row + 16]);
             if let Some(more) = more {

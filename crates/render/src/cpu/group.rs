@@ -19,6 +19,8 @@ use crate::prepare::PreparedMaterial;
 pub(crate) struct Shaded<S: Simd> {
     pub rgb: [Lanes<S>; 3],
     pub alpha: Lanes<S>,
+    /// The share of what is behind that is seen nevertheless.
+    pub through: [Lanes<S>; 3],
     pub distance: Lanes<S>,
     pub normal: Vec3<Lanes<S>>,
 }
@@ -102,13 +104,15 @@ impl<S: Simd> Shaded<S> {
     #[inline(always)]
     pub fn nothing(simd: S) -> Self {
         let zero = Lanes::splat(simd, 0.0);
-        Self { rgb: [zero; 3], alpha: zero, distance: zero, normal: Vec3::new(zero, zero, zero) }
+        let normal = Vec3::new(zero, zero, zero);
+        Self { rgb: [zero; 3], alpha: zero, through: [zero; 3], distance: zero, normal }
     }
 
     #[inline(always)]
     fn merge(&mut self, other: &Self, mask: LanesMask<S>) {
         for c in 0..3 {
             self.rgb[c] = other.rgb[c].select(mask, self.rgb[c]);
+            self.through[c] = other.through[c].select(mask, self.through[c]);
         }
         self.alpha = other.alpha.select(mask, self.alpha);
         self.distance = other.distance.select(mask, self.distance);
@@ -241,7 +245,8 @@ impl<'a, S: Simd> Group<'a, S> {
             let light = |point: &Point<Lanes<S>>| reflect_lanes(self.simd, lights, material, point, None);
             let (rgb, normal) = self.simple(material, &place, values[0], light);
             let alpha = self.px.lit(f64::from(material.alpha));
-            *out = Shaded { rgb, alpha, distance: place.distance, normal };
+            let through = self.through(material, &place, normal);
+            *out = Shaded { rgb, alpha, through, distance: place.distance, normal };
             return;
         }
         let mut extra = texturing::Extra::new(self.px);
@@ -263,7 +268,7 @@ impl<'a, S: Simd> Group<'a, S> {
     #[inline(always)]
     fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> Point<Lanes<S>> {
         let (position, wo) = self.frame.eye.unproject(self.px, self.py, place.distance);
-        Point { position, normal: unit(Vec3::new(x, y, z)), wo }
+        Point::plain(position, unit(Vec3::new(x, y, z)), wo)
     }
 
     /// Colour and normal where there are no textures, no vertex colours and no special view. `value` is
@@ -317,7 +322,7 @@ impl<'a, S: Simd> Group<'a, S> {
             );
         }
         if self.object.shading == Shading::Phong {
-            point.normal = extra.bend(material, point.normal);
+            extra.apply(material, &mut point);
             let varies = self.object.layout.color.is_some() || material.base_color.is_some();
             let texel = varies.then_some(extra.base);
             let light = reflect_lanes(self.simd, &self.frame.lights, material, &point, texel);
@@ -344,7 +349,32 @@ impl<'a, S: Simd> Group<'a, S> {
         };
         let mut alpha = self.px.lit(f64::from(material.alpha)) * extra.alpha;
         show::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
-        Shaded { rgb, alpha, distance: place.distance, normal: point.normal }
+        let through = self.through(material, place, point.normal);
+        Shaded { rgb, alpha, through, distance: place.distance, normal: point.normal }
+    }
+
+    /// What is seen through the surface, along the line of sight. Where no normal is known for the pixel, as on
+    /// objects that are not shaded per pixel, the surface is taken to face the viewer.
+    #[inline(always)]
+    fn through(
+        &self,
+        material: &PreparedMaterial,
+        place: &Place<S>,
+        normal: Vec3<Lanes<S>>,
+    ) -> [Lanes<S>; 3] {
+        let zero = self.px.zero();
+        let Some(curve) = material.through.as_ref().filter(|_| self.frame.options.show == Show::Shaded)
+        else {
+            return [zero; 3];
+        };
+        if self.object.shading != Shading::Phong {
+            return curve.at(zero.one());
+        }
+        let (_, wo) = self.frame.eye.unproject(self.px, self.py, place.distance);
+        curve.at(normal.dot(wo).abs().min(zero.one())).map(
+            #[inline(always)]
+            |share| share.clamp(0.0, 1.0),
+        )
     }
 
     /// Texture coordinates at another pixel position, for the footprint of textures; also beyond the

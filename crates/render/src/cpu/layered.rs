@@ -6,8 +6,8 @@ use glanz_math::{Lanes, LanesMask, Real};
 use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
 use super::group::{self, Shaded};
+use super::runs::{Layers, Weights};
 use super::samples::SUBPIXEL;
-use super::target::backdrop;
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
@@ -15,22 +15,44 @@ use super::visible::Owners;
 /// Shades all blocks of a tile into its pixels.
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch) {
+    let mut layers = core::mem::take(&mut scratch.layers);
     tile.slot.for_each_block(
         #[inline(always)]
         |at| {
-            find_layers(simd, tile, scratch, at);
-            if tile.blended || !scratch.layers.list.is_empty() {
-                shade_layers(simd, tile, scratch, at);
+            find_layers(simd, tile, scratch, &mut layers, at);
+            if !layers.list.is_empty() {
+                shade_layers(simd, tile, scratch, &layers, at);
             }
         },
     );
+    scratch.layers = layers;
+}
+
+/// The same for tiles with surfaces that let through what is behind them, each channel as much as it may.
+#[inline(always)]
+pub(crate) fn shade_blended<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch) {
+    let mut layers = core::mem::take(&mut scratch.tinted_layers);
+    tile.slot.for_each_block(
+        #[inline(always)]
+        |at| {
+            find_layers(simd, tile, scratch, &mut layers, at);
+            shade_layers(simd, tile, scratch, &layers, at);
+        },
+    );
+    scratch.tinted_layers = layers;
 }
 
 /// Collects what the samples of a block see into layers.
 #[inline(always)]
-fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
+fn find_layers<S: Simd, const C: usize>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    layers: &mut Layers<C>,
+    at: usize,
+) {
     let frame = tile.frame;
-    let TileScratch { visible, records, layers, glass, .. } = scratch;
+    let TileScratch { visible, records, glass, .. } = scratch;
     let samples = frame.samples.len();
     let share = Lanes::splat(simd, 1.0 / samples as f32);
     let mut owners = Owners::default();
@@ -40,10 +62,12 @@ fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usi
         visible.owners(simd, place, &mut owners);
         let runs = &mut owners.runs[..owners.count];
         visible.set_up(frame, tile.projected, records, runs);
-        let mut weights = [0.0; BLOCK];
-        match tile.blended {
-            true => (Lanes::load(simd, glass.through(place)) * share).store(&mut weights),
-            false => share.store(&mut weights),
+        let mut weights = [[0.0; BLOCK]; C];
+        for (channel, weights) in weights.iter_mut().enumerate() {
+            match tile.blended {
+                true => (Lanes::load(simd, glass.through(channel, place)) * share).store(weights),
+                false => share.store(weights),
+            }
         }
         match frame.options.supersample {
             true => layers.add_sample(runs, &weights, position.map(|s| s as f32 / SUBPIXEL as f32)),
@@ -56,39 +80,53 @@ fn find_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usi
 
 /// Shades the layers of a block and adds them up with the background and what is blended.
 #[inline(always)]
-fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: usize) {
-    let background = tile.frame.options.background;
-    let TileScratch { records, layers, glass, pixels, .. } = scratch;
+fn shade_layers<S: Simd, const C: usize>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    layers: &Layers<C>,
+    at: usize,
+) {
+    let backdrop = tile.frame.backdrop();
+    let TileScratch { records, glass, pixels, .. } = scratch;
     let zero = Lanes::splat(simd, 0.0);
     let mut sum = [zero; 3];
     let mut covered = zero;
-    pixels.touch(at, background);
+    pixels.touch(simd, &backdrop, &tile.grid, at);
     for layer in &layers.list {
         let runs = &layers.runs[layer.runs.clone()];
         let place = block::coordinates(simd, &tile.grid, at, layer.at);
         let mut shaded = Shaded::nothing(simd);
         group::shade(simd, tile.frame, records, runs, place, &mut shaded);
-        let weights = Lanes::load(simd, &layer.weights);
-        let weights = weights.select(LanesMask::from_bits(simd, layer.bits), zero);
+        let bits = LanesMask::from_bits(simd, layer.bits);
+        let weights = of_channels(
+            &layer.weights,
+            #[inline(always)]
+            |weights| Lanes::load(simd, weights).select(bits, zero),
+        );
         sum = three(
             [0, 1, 2],
             // Where the weight is zero the value may be anything, NaN too.
             #[inline(always)]
-            |c| (sum[c] + shaded.rgb[c] * weights).select(zero.lt(weights), sum[c]),
+            |c| (sum[c] + shaded.rgb[c] * weights[c]).select(zero.lt(weights[c]), sum[c]),
         );
-        covered = covered + weights;
+        covered = covered + greatest::<S, C>(&weights);
         if tile.keeps_planes() {
             keep_planes(simd, pixels, records, &shaded, runs, at);
         }
     }
-    let (color, alpha) = backdrop(background);
-    let open = Lanes::load(simd, &layers.open);
+    let (color, alpha) = backdrop.block(simd, &tile.grid, at);
+    let open = of_channels(
+        &layers.open,
+        #[inline(always)]
+        |open| Lanes::load(simd, open),
+    );
     sum = three(
         [0, 1, 2],
         #[inline(always)]
-        |c| sum[c] + open * Lanes::splat(simd, color[c]),
+        |c| sum[c] + open[c] * color[c],
     );
-    covered = covered + open * Lanes::splat(simd, alpha);
+    covered = covered + greatest::<S, C>(&open) * alpha;
     if tile.blended {
         let light = glass.light(simd, at);
         sum = three(
@@ -99,4 +137,26 @@ fn shade_layers<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, at: us
         covered = covered + light[3];
     }
     pixels.put(at, sum, covered);
+}
+
+/// One value for each channel, from one for all or from three.
+#[inline(always)]
+fn of_channels<S: Simd, const C: usize>(
+    weights: &Weights<C>,
+    load: impl Fn(&[f32; BLOCK]) -> Lanes<S>,
+) -> [Lanes<S>; 3] {
+    three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c: usize| load(&weights[c.min(C - 1)]),
+    )
+}
+
+/// The greatest of the channels.
+#[inline(always)]
+fn greatest<S: Simd, const C: usize>(weights: &[Lanes<S>; 3]) -> Lanes<S> {
+    match C {
+        1 => weights[0],
+        _ => weights[0].max(weights[1]).max(weights[2]),
+    }
 }

@@ -13,6 +13,7 @@
 //! Nothing depends on the number of threads or the order of triangles: of two surfaces at the same
 //! depth the one with the smaller number is seen.
 
+mod backdrop;
 mod bins;
 mod blend;
 mod block;
@@ -24,6 +25,7 @@ mod geometry;
 mod gouraud;
 mod group;
 mod layered;
+mod lights;
 mod points;
 mod polygons;
 mod raster;
@@ -39,6 +41,7 @@ mod target;
 mod texturing;
 mod tile;
 mod visible;
+mod wide;
 
 pub use renderer::Renderer;
 

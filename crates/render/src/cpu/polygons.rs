@@ -7,8 +7,9 @@ use glanz_color::Rgb;
 use glanz_math::Vec3;
 use glanz_scene::Shading;
 
-use super::eye::{Eye, EyeLight};
+use super::eye::Eye;
 use super::gouraud::unit;
+use super::lights::EyeLights;
 use super::reflect::{Point, reflect};
 use crate::prepare::{Polygons, PreparedMaterial, PreparedObject};
 
@@ -34,7 +35,7 @@ impl PolygonView {
         polygons: &Arc<Polygons>,
         object: &PreparedObject,
         eye: &Eye,
-        lights: &[EyeLight],
+        lights: &EyeLights,
         material: &PreparedMaterial,
     ) -> Self {
         let offset = eye.offset(object);
@@ -105,7 +106,7 @@ fn corner(
     side: f32,
     shading: Shading,
     eye: &Eye,
-    lights: &[EyeLight],
+    lights: &EyeLights,
     material: &PreparedMaterial,
     has_texels: bool,
 ) -> Corner {
@@ -120,7 +121,7 @@ fn corner(
             } else {
                 Vec3::new(eye.back[0], eye.back[1], eye.back[2])
             };
-            let point = Point { position, normal: unit(normal), wo };
+            let point = Point::plain(position, unit(normal), wo);
             match (&material.mix, has_texels) {
                 (None, _) => {
                     let reflected = reflect(lights, material, &point, None);

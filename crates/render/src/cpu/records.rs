@@ -255,7 +255,7 @@ fn flat<'a>(frame: &'a FrameView, record: &Record) -> FlatFacet<'a> {
     let wo = if eye.perspective { unit(-position) } else { vector(eye.back) };
     let normal = vector(facets.normals[facet]) * sign;
     let color = facets.colors.get(facet).map_or([1.0; 3], |color| [color[0], color[1], color[2]]);
-    FlatFacet { frame, material, point: Point { position, normal, wo }, color }
+    FlatFacet { frame, material, point: Point::plain(position, normal, wo), color }
 }
 
 impl FlatFacet<'_> {

@@ -7,9 +7,9 @@ use fearless_simd::Simd;
 use glanz_bsdf::Pair;
 use glanz_math::{Lanes, Real, Vec3};
 
-use super::eye::{EyeCone, EyeFalloff, EyeLight};
-use super::{inlined, three};
-use crate::prepare::PreparedMaterial;
+use super::lights::{EyeCone, EyeFalloff, EyeLight, EyeLights, splat, turned};
+use super::{inlined, three, wide};
+use crate::prepare::{Along, PreparedMaterial};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
@@ -19,6 +19,21 @@ pub(crate) struct Point<R> {
     pub normal: Vec3<R>,
     /// Unit vector to the viewer.
     pub wo: Vec3<R>,
+    /// The surface's tangent, of any length; none where it has none.
+    pub tangent: Option<Vec3<R>>,
+    /// Multiplies the width of lobes that textures can widen.
+    pub widening: R,
+    /// What a texture says of metal.
+    pub metal: R,
+}
+
+impl<R: Real> Point<R> {
+    /// A point of a surface without tangents and textures.
+    #[inline(always)]
+    pub fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
+        let one = normal.x.one();
+        Self { position, normal, wo, tangent: None, widening: one, metal: one }
+    }
 }
 
 /// Light that textures multiply, and light that they do not.
@@ -28,11 +43,13 @@ pub(crate) struct Reflected<R> {
     pub plain: [R; 3],
 }
 
-/// What reaches the point from a light: direction, reach, and the factor of its cone alone.
-struct Incident<R> {
-    wi: Vec3<R>,
-    reach: Option<R>,
-    cone: Option<R>,
+/// What reaches the point from a lamp: direction, reach, and the factor of its cone alone.
+pub(super) struct Incident<R> {
+    pub wi: Vec3<R>,
+    pub reach: Option<R>,
+    pub cone: Option<R>,
+    /// How far the light is; none if it is infinitely far.
+    pub distance: Option<R>,
 }
 
 /// All light that `material` sends from `point` to the viewer, without its own emission.
@@ -41,6 +58,20 @@ struct Incident<R> {
 /// it; else it is what is still to be multiplied with the texel.
 #[inline(always)]
 pub(crate) fn reflect<R: Real>(
+    lights: &EyeLights,
+    material: &PreparedMaterial,
+    point: &Point<R>,
+    texel: Option<[R; 3]>,
+) -> Reflected<R> {
+    match material.classic && lights.classic {
+        true => reflect_classic(&lights.list, material, point, texel),
+        false => wide::reflect(lights, material, point, texel),
+    }
+}
+
+/// [`reflect`] where there are but classic materials and lamps without luminaires or shadows.
+#[inline(always)]
+pub(crate) fn reflect_classic<R: Real>(
     lights: &[EyeLight],
     material: &PreparedMaterial,
     point: &Point<R>,
@@ -78,9 +109,9 @@ pub(crate) fn reflect<R: Real>(
         // none with what happens to be in memory, which is slow where that is a denormal number.
         let reach = incident.reach.unwrap_or(like.one());
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
-            let value = lobe.shape.f_cos(&pair) * reach;
+            let value = lobe.shape.f_cos_in_place(&pair) * reach;
             let tint = match &mix {
-                _ if lobe.curved => material.curves[first + k].at(pair.cos_view_half()),
+                _ if lobe.along == Along::Facet => material.curves[first + k].at(pair.cos_view_half()),
                 Some((mix, texel)) if lobe.textured => mixed(&mix.tints[first + k], texel),
                 _ => literal(like, tint),
             };
@@ -108,7 +139,7 @@ pub(crate) fn mixed<R: Real>(basis: &[[f32; 3]; 3], texel: &[R; 3]) -> [R; 3] {
 }
 
 #[inline(always)]
-fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
+pub(super) fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
     three(
         *tint,
         #[inline(always)]
@@ -121,7 +152,7 @@ fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
 #[inline(never)]
 pub(crate) fn reflect_lanes<S: Simd>(
     simd: S,
-    lights: &[EyeLight],
+    lights: &EyeLights,
     material: &PreparedMaterial,
     point: &Point<Lanes<S>>,
     texel: Option<[Lanes<S>; 3]>,
@@ -133,23 +164,24 @@ pub(crate) fn reflect_lanes<S: Simd>(
 }
 
 #[inline(always)]
-fn add<R: Real>(sum: &mut [R; 3], value: R, tint: [R; 3]) {
+pub(super) fn add<R: Real>(sum: &mut [R; 3], value: R, tint: [R; 3]) {
     for c in 0..3 {
         sum[c] = sum[c] + value * tint[c];
     }
 }
 
 #[inline(always)]
-fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
-    Vec3::new(like.lit(f64::from(v[0])), like.lit(f64::from(v[1])), like.lit(f64::from(v[2])))
-}
-
-#[inline(always)]
-fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R> {
+pub(super) fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R> {
     let like = point.normal.x;
     match light {
-        EyeLight::Directional { towards } => Incident { wi: splat(like, towards), reach: None, cone: None },
-        EyeLight::Point { position, falloff, cone } => {
+        EyeLight::Directional { towards } => {
+            Incident { wi: splat(like, towards), reach: None, cone: None, distance: None }
+        }
+        // Surfaces and surroundings are no lamps; the loop does not ask.
+        EyeLight::Area(_) | EyeLight::Environment { .. } => {
+            Incident { wi: point.normal, reach: Some(like.zero()), cone: None, distance: None }
+        }
+        EyeLight::Point { position, falloff, cone, luminaire } => {
             let to_light = splat(like, position) - point.position;
             // A light on the surface itself: no direction, no light, rather than infinity.
             let squared = to_light.dot(to_light).max(like.lit(1e-30));
@@ -172,11 +204,15 @@ fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R> {
                 #[inline(always)]
                 |cone| inside(cone, wi),
             );
-            let reach = match (fade, cone) {
+            let mut reach = match (fade, cone) {
                 (Some(a), Some(b)) => Some(a * b),
                 (a, b) => a.or(b),
             };
-            Incident { wi, reach, cone }
+            if let Some(luminaire) = luminaire {
+                let share = luminaire.shares.at(turned(&luminaire.frame, -wi));
+                reach = Some(reach.map_or(share, |reach| reach * share));
+            }
+            Incident { wi, reach, cone, distance: Some(squared * inverse) }
         }
     }
 }

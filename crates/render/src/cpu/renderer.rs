@@ -63,8 +63,8 @@ impl Renderer {
         let frame = FrameView::new(prepared, view, options);
         self.project(&frame);
         let kernel = DevelopKernel::new(develop);
-        let opaque = matches!(options.background, Background::Color(_));
-        let empty = empty_block(develop, &kernel, options.background);
+        let opaque = options.background != Background::Transparent;
+        let empty = empty_block(develop, &kernel, &frame.backdrop());
         let bands = out
             .chunks_mut(4 * width * TILE_HEIGHT)
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))

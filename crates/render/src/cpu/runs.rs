@@ -14,48 +14,58 @@ pub(crate) struct Run {
 
 /// Triangles for sixteen pixels, shaded together.
 #[derive(Clone, Debug)]
-pub(crate) struct Layer {
+pub(crate) struct Layer<const C: usize> {
     /// Its runs, in [`Layers::runs`].
     pub runs: core::ops::Range<usize>,
     /// The pixels that it has.
     pub bits: u32,
     /// How much each pixel counts.
-    pub weights: [f32; 16],
+    pub weights: Weights<C>,
     /// Where in the pixel to shade: the centre, or a sample.
     pub at: [f32; 2],
 }
 
+/// How much sixteen pixels count: in all channels alike, or in each of three where they are seen through
+/// something coloured.
+pub(crate) type Weights<const C: usize> = [[f32; 16]; C];
+
 /// All layers of sixteen pixels.
-#[derive(Debug, Default)]
-pub(crate) struct Layers {
+#[derive(Debug)]
+pub(crate) struct Layers<const C: usize> {
     pub runs: Vec<Run>,
-    pub list: Vec<Layer>,
+    pub list: Vec<Layer<C>>,
     /// How much of each pixel no triangle covers.
-    pub open: [f32; 16],
-    seen: Vec<Seen>,
+    pub open: Weights<C>,
+    seen: Vec<Seen<C>>,
+}
+
+impl<const C: usize> Default for Layers<C> {
+    fn default() -> Self {
+        Self { runs: Vec::new(), list: Vec::new(), open: [[0.0; 16]; C], seen: Vec::new() }
+    }
 }
 
 /// A triangle, the pixels that see it, and how much of each.
 #[derive(Debug)]
-struct Seen {
+struct Seen<const C: usize> {
     record: u32,
     bits: u32,
-    weights: [f32; 16],
+    weights: Weights<C>,
     placed: bool,
 }
 
 const CENTER: [f32; 2] = [0.5, 0.5];
 
-impl Layers {
+impl<const C: usize> Layers<C> {
     pub fn clear(&mut self) {
         self.runs.clear();
         self.list.clear();
         self.seen.clear();
-        self.open = [0.0; 16];
+        self.open = [[0.0; 16]; C];
     }
 
     /// One layer of these runs: what a sample that counts so much in each pixel sees.
-    pub fn add_sample(&mut self, runs: &[Run], weights: &[f32; 16], at: [f32; 2]) {
+    pub fn add_sample(&mut self, runs: &[Run], weights: &Weights<C>, at: [f32; 2]) {
         let start = self.runs.len();
         self.runs.extend_from_slice(runs);
         let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
@@ -64,10 +74,10 @@ impl Layers {
     }
 
     /// Notes what a sample that counts so much in each pixel sees; [`Layers::pack`] makes layers of it.
-    pub fn note(&mut self, runs: &[Run], weights: &[f32; 16]) {
+    pub fn note(&mut self, runs: &[Run], weights: &Weights<C>) {
         for run in runs {
             let at = self.seen.iter().position(|seen| seen.record == run.record).unwrap_or_else(|| {
-                self.seen.push(Seen { record: run.record, bits: 0, weights: [0.0; 16], placed: false });
+                self.seen.push(Seen { record: run.record, bits: 0, weights: [[0.0; 16]; C], placed: false });
                 self.seen.len() - 1
             });
             let seen = &mut self.seen[at];
@@ -77,7 +87,7 @@ impl Layers {
         self.leave_open(runs.iter().fold(0, |bits, run| bits | run.bits), weights);
     }
 
-    fn leave_open(&mut self, covered: u32, weights: &[f32; 16]) {
+    fn leave_open(&mut self, covered: u32, weights: &Weights<C>) {
         add_where(&mut self.open, weights, !covered);
     }
 
@@ -85,7 +95,7 @@ impl Layers {
     pub fn pack(&mut self) {
         while self.seen.iter().any(|seen| !seen.placed) {
             let start = self.runs.len();
-            let mut layer = Layer { runs: start..start, bits: 0, weights: [0.0; 16], at: CENTER };
+            let mut layer = Layer { runs: start..start, bits: 0, weights: [[0.0; 16]; C], at: CENTER };
             for seen in self.seen.iter_mut().filter(|seen| !seen.placed) {
                 if seen.bits & layer.bits != 0 {
                     continue;
@@ -94,7 +104,7 @@ impl Layers {
                 layer.bits |= seen.bits;
                 self.runs.push(Run { record: seen.record, bits: seen.bits });
                 for (weight, own) in layer.weights.iter_mut().zip(seen.weights) {
-                    *weight += own;
+                    weight.iter_mut().zip(own).for_each(|(weight, own)| *weight += own);
                 }
             }
             layer.runs.end = self.runs.len();
@@ -104,9 +114,11 @@ impl Layers {
 }
 
 /// Adds to the sums whose bit is set.
-fn add_where(sums: &mut [f32; 16], values: &[f32; 16], bits: u32) {
-    for (lane, (sum, value)) in sums.iter_mut().zip(values).enumerate() {
-        *sum += if bits >> lane & 1 == 1 { *value } else { 0.0 };
+fn add_where<const C: usize>(sums: &mut Weights<C>, values: &Weights<C>, bits: u32) {
+    for (sums, values) in sums.iter_mut().zip(values) {
+        for (lane, (sum, value)) in sums.iter_mut().zip(values).enumerate() {
+            *sum += if bits >> lane & 1 == 1 { *value } else { 0.0 };
+        }
     }
 }
 
@@ -116,8 +128,8 @@ mod tests {
 
     #[test]
     fn layers_hold_each_pixel_once_and_all_weights() {
-        let mut layers = Layers::default();
-        let half = [0.5; 16];
+        let mut layers = Layers::<1>::default();
+        let half = [[0.5; 16]];
         layers.note(&[Run { record: 0, bits: 0b0011 }, Run { record: 1, bits: 0b1100 }], &half);
         layers.note(&[Run { record: 0, bits: 0b0111 }, Run { record: 2, bits: 0b1000 }], &half);
         layers.pack();
@@ -129,11 +141,11 @@ mod tests {
                 bits |= run.bits;
             }
             assert_eq!(bits, layer.bits);
-            for (sum, weight) in total.iter_mut().zip(layer.weights) {
+            for (sum, weight) in total.iter_mut().zip(layer.weights[0]) {
                 *sum += weight;
             }
         }
         assert_eq!(total[..5], [1.0, 1.0, 1.0, 1.0, 0.0]);
-        assert_eq!(layers.open[..5], [0.0, 0.0, 0.0, 0.0, 1.0]);
+        assert_eq!(layers.open[0][..5], [0.0, 0.0, 0.0, 0.0, 1.0]);
     }
 }

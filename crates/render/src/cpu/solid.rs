@@ -1,14 +1,14 @@
 //! One sample per pixel: each pixel of a block is what its triangle is, or background.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, Real};
 
 use super::block;
 use super::dust;
 use super::group::{self, Group, Shaded, is_simple};
-use super::reflect::reflect;
+use super::reflect::{reflect_classic, reflect_lanes};
 use super::runs::Run;
-use super::target::{Codes, over_backdrop};
+use super::target::Codes;
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
@@ -16,7 +16,7 @@ use super::visible::Owners;
 /// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
-    let background = tile.frame.options.background;
+    let backdrop = tile.frame.backdrop();
     let mut owners = Owners::default();
     tile.slot.for_each_block(
         #[inline(always)]
@@ -31,7 +31,7 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
                 return;
             }
             if owners.bits != 0xffff {
-                rgb = over_backdrop(simd, rgb, owners.bits, background).0;
+                rgb = backdrop.behind(simd, rgb, owners.bits, (&tile.grid, at)).0;
             }
             codes.put(&tile.slot, at, rgb);
         },
@@ -48,21 +48,25 @@ fn keep<S: Simd>(
     covered: u32,
     at: usize,
 ) {
-    let background = tile.frame.options.background;
+    let backdrop = tile.frame.backdrop();
     if covered == 0 && !tile.blended {
         return;
     }
-    scratch.pixels.touch(at, background);
-    let (mut rgb, mut alpha) = over_backdrop(simd, rgb, covered, background);
+    scratch.pixels.touch(simd, &backdrop, &tile.grid, at);
+    let (mut rgb, mut alpha) = backdrop.behind(simd, rgb, covered, (&tile.grid, at));
     if tile.blended {
-        let through = Lanes::load(simd, scratch.glass.through(at));
+        let through = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| Lanes::load(simd, scratch.glass.through(c, at)),
+        );
         let light = scratch.glass.light(simd, at);
         rgb = three(
             [0, 1, 2],
             #[inline(always)]
-            |c| rgb[c] * through + light[c],
+            |c| rgb[c] * through[c] + light[c],
         );
-        alpha = alpha * through + light[3];
+        alpha = alpha * through[0].max(through[1]).max(through[2]) + light[3];
     }
     scratch.pixels.put(at, rgb, alpha);
 }
@@ -110,7 +114,10 @@ fn colors<S: Simd>(
             &located,
             value,
             #[inline(always)]
-            |point| reflect(&frame.lights, material, point, None),
+            |point| match material.classic && frame.lights.classic {
+                true => reflect_classic(&frame.lights.list, material, point, None),
+                false => reflect_lanes(simd, &frame.lights, material, point, None),
+            },
         )
         .0
 }
@@ -131,7 +138,7 @@ fn any_colors<S: Simd>(
             let mut shaded = Shaded::nothing(simd);
             group::shade(simd, tile.frame, &scratch.records, runs, place, &mut shaded);
             if tile.keeps_planes() {
-                scratch.pixels.touch(at, tile.frame.options.background);
+                scratch.pixels.touch(simd, &tile.frame.backdrop(), &tile.grid, at);
                 keep_planes(simd, &mut scratch.pixels, &scratch.records, &shaded, runs, at);
             }
             shaded.rgb

@@ -1,12 +1,13 @@
 //! Where finished blocks go.
 
 use fearless_simd::Simd;
-use glanz_math::{Lanes, LanesMask, Real};
-use glanz_scene::Background;
+use glanz_math::Lanes;
 
+use super::backdrop::Backdrop;
 use super::bins::{TILE_PIXELS, TILE_WIDTH};
 use super::block::{self, BLOCK, SIDE};
-use super::{inlined, three};
+use super::inlined;
+use super::raster::Grid;
 use crate::Develop;
 use crate::develop::DevelopKernel;
 
@@ -45,18 +46,15 @@ impl TilePixels {
 
     /// Sees to it that the block of this place holds the background, or what was drawn since.
     #[inline(always)]
-    pub fn touch(&mut self, place: usize, background: Background) {
+    pub fn touch<S: Simd>(&mut self, simd: S, backdrop: &Backdrop, grid: &Grid, place: usize) {
         let block = place / BLOCK;
         if self.touched[block] {
             return;
         }
         self.touched[block] = true;
         let range = block * BLOCK..(block + 1) * BLOCK;
-        let (color, alpha) = backdrop(background);
-        for (plane, value) in self.rgb.iter_mut().zip(color) {
-            plane[range.clone()].fill(value);
-        }
-        self.alpha[range.clone()].fill(alpha);
+        let (color, alpha) = backdrop.block(simd, grid, block * BLOCK);
+        self.put(block * BLOCK, color, alpha);
         self.distance[range.clone()].fill(f32::INFINITY);
         for plane in &mut self.normal {
             plane[range.clone()].fill(0.0);
@@ -81,8 +79,12 @@ impl TilePixels {
         store(&mut self.alpha, alpha);
     }
 
-    fn touch_all(&mut self, background: Background) {
-        (0..TILE_PIXELS).step_by(BLOCK).for_each(|place| self.touch(place, background));
+    #[inline(always)]
+    fn touch_all<S: Simd>(&mut self, simd: S, backdrop: &Backdrop, grid: &Grid) {
+        (0..TILE_PIXELS).step_by(BLOCK).for_each(
+            #[inline(always)]
+            |place| self.touch(simd, backdrop, grid, place),
+        );
     }
 }
 
@@ -138,28 +140,25 @@ impl Slot {
     }
 }
 
-/// What is where nothing is: colour and coverage.
-#[inline(always)]
-pub(crate) fn backdrop(background: Background) -> ([f32; 3], f32) {
-    match background {
-        Background::Color(color) => (color.0, 1.0),
-        Background::Transparent => ([0.0; 3], 0.0),
-    }
-}
-
 impl Band<'_> {
     /// Writes a tile.
     #[inline(always)]
-    pub fn write<S: Simd>(&mut self, simd: S, pixels: &mut TilePixels, slot: Slot, background: Background) {
+    pub fn write<S: Simd>(
+        &mut self,
+        simd: S,
+        pixels: &mut TilePixels,
+        slot: Slot,
+        (backdrop, grid): (&Backdrop, &Grid),
+    ) {
         match self {
             Band::Codes(codes) => {
                 if codes.empty.is_none() {
-                    pixels.touch_all(background);
+                    pixels.touch_all(simd, backdrop, grid);
                 }
                 codes.write(simd, pixels, &slot);
             }
             Band::Planes(planes) => {
-                pixels.touch_all(background);
+                pixels.touch_all(simd, backdrop, grid);
                 planes.write(pixels, slot);
             }
         }
@@ -172,7 +171,7 @@ impl Band<'_> {
         simd: S,
         pixels: &mut TilePixels,
         slot: Slot,
-        background: Background,
+        behind: (&Backdrop, &Grid),
     ) {
         if let Band::Codes(Codes { out, empty: Some(empty), .. }) = self {
             for row in 0..slot.size[1] {
@@ -182,7 +181,7 @@ impl Band<'_> {
                 rest.copy_from_slice(&empty[..rest.len()]);
             }
         } else {
-            self.write(simd, pixels, slot, background);
+            self.write(simd, pixels, slot, behind);
         }
     }
 }
@@ -261,12 +260,12 @@ impl Codes<'_> {
 pub(crate) fn empty_block(
     develop: &Develop,
     kernel: &DevelopKernel,
-    background: Background,
+    backdrop: &Backdrop,
 ) -> Option<[u8; 64]> {
     if develop.dither {
         return None;
     }
-    let (color, alpha) = backdrop(background);
+    let (color, alpha) = backdrop.fixed()?;
     let mut block = [0; 4 * BLOCK];
     let simd = glanz_math::narrowest(fearless_simd::Level::baseline());
     let splat = |value| Lanes::splat(simd, value);
@@ -301,22 +300,4 @@ fn copy<T: Copy>(out: &mut [T], tile: &[T], slot: Slot) {
             out.copy_from_slice(&four[..out.len()]);
         }
     }
-}
-
-/// Colour and coverage of a block with the background where nothing covers it.
-#[inline(always)]
-pub(crate) fn over_backdrop<S: Simd>(
-    simd: S,
-    rgb: [Lanes<S>; 3],
-    covered: u32,
-    background: Background,
-) -> ([Lanes<S>; 3], Lanes<S>) {
-    let (color, alpha) = backdrop(background);
-    let mask = LanesMask::from_bits(simd, covered);
-    let over = three(
-        [0, 1, 2],
-        #[inline(always)]
-        |c| rgb[c].select(mask, Lanes::splat(simd, color[c])),
-    );
-    (over, Lanes::splat(simd, 1.0).select(mask, Lanes::splat(simd, alpha)))
 }

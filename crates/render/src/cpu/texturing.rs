@@ -9,6 +9,7 @@ use super::gouraud::unit;
 use super::group::{Group, Place};
 use super::polygons::{CORNER, PolygonView};
 use super::records::GROUP;
+use super::reflect::Point;
 use super::{inlined, three};
 use crate::prepare::{Mipmap, PreparedMaterial};
 
@@ -22,6 +23,10 @@ pub(crate) struct Extra<S: Simd> {
     pub alpha: Lanes<S>,
     /// Multiplies the emission.
     pub emission: [Lanes<S>; 3],
+    /// Multiplies the roughness.
+    pub rough: Lanes<S>,
+    /// Multiplies how metallic the surface is.
+    pub metal: Lanes<S>,
     pub uv: [Lanes<S>; 2],
     tangent: Option<(Vec3<Lanes<S>>, Lanes<S>)>,
     bend: [Lanes<S>; 3],
@@ -36,6 +41,8 @@ impl<S: Simd> Extra<S> {
             texel: [one; 3],
             alpha: one,
             emission: [one; 3],
+            rough: one,
+            metal: one,
             uv: [zero; 2],
             tangent: None,
             bend: [zero, zero, one],
@@ -109,6 +116,10 @@ impl<S: Simd> Extra<S> {
             let [r, g, b, _] = look(map);
             self.emission = [r, g, b];
         }
+        if let Some(map) = &material.metal_rough_map {
+            let [_, rough, metal, _] = look(map);
+            (self.rough, self.metal) = (rough, metal);
+        }
         if let Some(map) = &material.normal_map {
             let [x, y, z, _] = look(map);
             let centered = inlined(
@@ -120,9 +131,22 @@ impl<S: Simd> Extra<S> {
         }
     }
 
+    /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
+    #[inline(always)]
+    pub fn apply(&self, material: &PreparedMaterial, point: &mut Point<Lanes<S>>) {
+        point.normal = self.bend(material, point.normal);
+        if material.anisotropic {
+            point.tangent = self.tangent.map(|(tangent, _)| tangent);
+        }
+        if material.metal_rough_map.is_some() {
+            // The width of a lobe is the square of its roughness.
+            (point.widening, point.metal) = (self.rough.sqr(), self.metal);
+        }
+    }
+
     /// The normal, bent by the normal map.
     #[inline(always)]
-    pub fn bend(&self, material: &PreparedMaterial, normal: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
+    fn bend(&self, material: &PreparedMaterial, normal: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
         let (Some((tangent, sign)), true) = (self.tangent, material.normal_map.is_some()) else {
             return normal;
         };

@@ -23,7 +23,8 @@ use crate::Layers as PlaneChoice;
 pub(crate) struct TileScratch {
     pub visible: Visible,
     pub records: Records,
-    pub layers: Layers,
+    pub layers: Layers<1>,
+    pub tinted_layers: Layers<3>,
     pub glass: Glass,
     pub dust: Dust,
     pub pixels: TilePixels,
@@ -69,7 +70,7 @@ pub(crate) fn draw<S: Simd>(
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
     let slot = Slot { stride: frame.eye.width, left, top, size: grid.size };
-    let background = frame.options.background;
+    let behind = (&frame.backdrop(), &grid);
     let chunks = projected.chunks;
     let any = |blended: bool| {
         chunks.iter().any(|chunk| match blended {
@@ -83,7 +84,7 @@ pub(crate) fn draw<S: Simd>(
     let blended = any(true);
     scratch.pixels.clear();
     if !blended && !any(false) {
-        band.write_empty(simd, &mut scratch.pixels, slot, background);
+        band.write_empty(simd, &mut scratch.pixels, slot, behind);
         return;
     }
     let tile = Tile { frame, projected, grid, slot, blended };
@@ -94,9 +95,10 @@ pub(crate) fn draw<S: Simd>(
             return;
         }
         _ if frame.samples.len() == 1 => solid::shade(simd, &tile, scratch, None),
+        _ if blended => layered::shade_blended(simd, &tile, scratch),
         _ => layered::shade(simd, &tile, scratch),
     }
-    band.write(simd, &mut scratch.pixels, slot, background);
+    band.write(simd, &mut scratch.pixels, slot, behind);
 }
 
 impl Tile<'_> {

@@ -26,8 +26,11 @@ pub(super) fn draw(
     step: &mut dyn FnMut(f64),
 ) -> Result<Frame, PrepareError> {
     let channels = options.observation.channel_count();
-    let bare =
-        DrawOptions { background: Background::Transparent, layers: Layers::default(), ..*draw_options };
+    let background = match draw_options.background {
+        Background::Environment => Background::Environment,
+        _ => Background::Transparent,
+    };
+    let bare = DrawOptions { background, layers: Layers::default(), ..*draw_options };
     let mut sum = Sum::new(channels, view);
     let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
     let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
@@ -81,6 +84,8 @@ impl Sum {
         let (color, opaque) = match background {
             Background::Color(color) => (color.0, true),
             Background::Transparent => ([0.0; 3], false),
+            // In every picture already.
+            Background::Environment => ([0.0; 3], true),
         };
         let mut planes = self.0.into_iter().enumerate().map(|(channel, sum)| {
             let behind = color.get(channel).copied().unwrap_or(0.0);

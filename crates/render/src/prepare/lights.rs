@@ -1,9 +1,14 @@
 //! Light geometry, and the checks on it.
 
-use glam::DVec3;
-use glanz_scene::{Attenuation, Light, LightKind, Scene, Space};
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+use glanz_scene::{AreaShape, Attenuation, EnvironmentMap, Light, LightKind, Luminaire, Scene, Space};
 
 use super::PrepareError;
+use super::irradiance::Irradiance;
+use super::shares::Shares;
+use super::sky::Sky;
 
 /// How the reach of a point or spot light falls with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +27,7 @@ pub enum Falloff {
 }
 
 /// The geometry of a light with a direction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum LightShape {
     /// Parallel light.
     Directional {
@@ -51,35 +56,103 @@ pub enum LightShape {
         /// How it fades.
         falloff: Falloff,
     },
+    /// A surface that shines evenly.
+    Area {
+        /// Its form and size.
+        form: AreaShape,
+        /// Its centre.
+        position: DVec3,
+        /// Unit vectors along its width, its height and the way it faces.
+        axes: [DVec3; 3],
+        /// Whether it shines on its back, too.
+        two_sided: bool,
+    },
+    /// Surroundings.
+    Environment(Surroundings),
+}
+
+/// Surroundings at infinite distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surroundings {
+    /// What they look like; `None` for 1 everywhere.
+    pub sky: Option<Arc<Sky>>,
+    /// What a matte surface gets of them.
+    pub irradiance: Irradiance,
+    /// From their directions to the light's space.
+    pub rotation: DMat3,
+}
+
+/// Intensities over directions, and how they are turned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PreparedLuminaire {
+    /// Shares of the greatest intensity.
+    pub shares: Arc<Shares>,
+    /// The directions of C 0°, C 90° and γ 0°.
+    pub frame: DMat3,
 }
 
 /// A light, ready for the pixel loop. Its colour is in the materials' tint tables.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PreparedLight {
     /// Geometry.
     pub shape: LightShape,
+    /// Where it sends more and where less; none where it sends the same everywhere.
+    pub luminaire: Option<PreparedLuminaire>,
     /// Whether positions and directions are the camera's.
     pub space: Space,
 }
 
 /// The lights of the scene that have a direction, in order.
 pub(super) fn prepare(scene: &Scene) -> Result<Vec<PreparedLight>, PrepareError> {
+    check_colors(scene)?;
     let mut lights = Vec::new();
     for (number, light) in scene.lights.iter().enumerate() {
-        let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
-        if !colors.iter().all(|color| color.is_finite()) {
-            return Err(error(number, "colors must be finite numbers"));
-        }
         if let Some(shape) = shape(&light.kind).map_err(|what| error(number, what))? {
-            lights.push(PreparedLight { shape, space: light.space });
+            let luminaire = light.luminaire.as_ref().map(luminaire).transpose();
+            let luminaire = luminaire.map_err(|what| error(number, what))?;
+            lights.push(PreparedLight { shape, luminaire, space: light.space });
         }
     }
     Ok(lights)
 }
 
+/// The colours of all lights must be finite.
+pub(super) fn check_colors(scene: &Scene) -> Result<(), PrepareError> {
+    for (number, light) in scene.lights.iter().enumerate() {
+        let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
+        if !colors.iter().all(|color| color.is_finite()) {
+            return Err(error(number, "colors must be finite numbers"));
+        }
+    }
+    Ok(())
+}
+
 /// Whether [`prepare`] keeps a light: all but ambient ones.
 pub(super) fn is_directed(light: &Light) -> bool {
     light.kind != LightKind::Ambient
+}
+
+/// Whether a light's value is a radiance rather than that of a lamp.
+pub(super) fn is_radiance(light: &Light) -> bool {
+    matches!(light.kind, LightKind::Area { .. } | LightKind::Environment { .. })
+}
+
+/// How many lights of the table a light is.
+pub(super) fn rows(light: &Light) -> usize {
+    if matches!(light.kind, LightKind::Environment { .. }) { 3 } else { 1 }
+}
+
+impl LightShape {
+    /// How many lights of the table it is: surroundings are one for each of the three spectra that their
+    /// pixels mix.
+    pub fn rows(&self) -> usize {
+        if matches!(self, Self::Environment(_)) { 3 } else { 1 }
+    }
+
+    /// Whether the pixel loop of the classic models knows it.
+    pub fn is_classic(&self) -> bool {
+        !matches!(self, Self::Area { .. } | Self::Environment(_))
+    }
 }
 
 fn error(number: usize, what: &str) -> PrepareError {
@@ -88,6 +161,10 @@ fn error(number: usize, what: &str) -> PrepareError {
 
 fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
     Ok(Some(match *kind {
+        LightKind::Area { shape, position, direction, up, two_sided } => {
+            area(shape, position, direction, up, two_sided)?
+        }
+        LightKind::Environment { ref map, rotation } => LightShape::Environment(surroundings(map, rotation)?),
         LightKind::Ambient => return Ok(None),
         LightKind::Directional { direction } => LightShape::Directional { towards: -unit(direction)? },
         LightKind::Point { position, attenuation } => {
@@ -110,6 +187,49 @@ fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
             }
         }
     }))
+}
+
+fn area(
+    form: AreaShape,
+    position: DVec3,
+    direction: DVec3,
+    up: DVec3,
+    two_sided: bool,
+) -> Result<LightShape, &'static str> {
+    if !(form.area() > 0.0 && form.area().is_finite()) {
+        return Err("the size must be finite and greater than 0");
+    }
+    let axes = match form {
+        AreaShape::Sphere { .. } => [DVec3::X, DVec3::Y, DVec3::Z],
+        _ => {
+            let facing = unit(direction)?;
+            let across = |up: DVec3| up.cross(facing).try_normalize();
+            // Disks look the same however they are turned.
+            let other = if facing.y.abs() < 0.9 { DVec3::Y } else { DVec3::X };
+            let width = match form {
+                AreaShape::Rectangle { .. } => {
+                    across(up).ok_or("'up' must not be parallel to the direction")?
+                }
+                _ => across(other).ok_or("the direction must be finite")?,
+            };
+            [width, facing.cross(width), facing]
+        }
+    };
+    Ok(LightShape::Area { form, position: finite(position)?, axes, two_sided })
+}
+
+fn surroundings(map: &Option<Arc<EnvironmentMap>>, rotation: DMat3) -> Result<Surroundings, &'static str> {
+    if !rotation.is_finite() {
+        return Err("the rotation must be finite numbers");
+    }
+    let sky = map.as_ref().map(|map| Arc::new(Sky::from(&**map)));
+    let irradiance = sky.as_ref().map_or_else(Irradiance::uniform, |sky| Irradiance::of(sky));
+    Ok(Surroundings { sky, irradiance, rotation })
+}
+
+fn luminaire(luminaire: &Luminaire) -> Result<PreparedLuminaire, &'static str> {
+    let frame = luminaire.frame().ok_or("the luminaire's axis and C0 must be finite and not parallel")?;
+    Ok(PreparedLuminaire { shares: Arc::new(Shares::of(&luminaire.profile)), frame })
 }
 
 fn finite(position: DVec3) -> Result<DVec3, &'static str> {

@@ -1,10 +1,12 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{Part, Shape};
-use glanz_scene::{AlphaMode, Lobe, Material, TextureUse, Tint};
+use glanz_bsdf::{Part, Shape, Side, Veil};
+use glanz_scene::{AlphaMode, Lobe, Material, Metalness, TextureUse, Tint};
 
+use super::along::Along;
 use super::curve::Curve;
-use super::tints::{Entry, Table, is_curved, part_of};
+use super::fields::Field;
+use super::tints::{Entry, Table, part_of};
 use super::{PrepareError, with_model};
 
 /// A lobe that answers to lights with a direction.
@@ -16,8 +18,14 @@ pub struct DirectLobe {
     pub part: Part,
     /// Whether base colour texture and vertex colours multiply it.
     pub textured: bool,
-    /// Whether its tint depends on the cosine between viewer and half vector.
-    pub curved: bool,
+    /// On what its tint depends.
+    pub along: Along,
+    /// What lies over it.
+    pub veils: Vec<Veil>,
+    /// Which part of the surface it belongs to.
+    pub share: Metalness,
+    /// Whether its shape is that of the lobe before.
+    pub repeats: bool,
 }
 
 /// A material with its rows of the tint table.
@@ -27,6 +35,8 @@ pub struct PreparedMaterial {
     pub lobes: Vec<DirectLobe>,
     /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
     pub tints: Vec<[f32; 3]>,
+    /// What the lobes make of areas and surroundings; empty where the scene has none.
+    pub fields: Vec<Field>,
     /// The entries of curved lobes, with the same numbers; empty if there are none.
     pub curves: Vec<Curve>,
     /// Ambient light from everywhere times the ambient tints, and light of its own: what textures
@@ -49,6 +59,18 @@ pub struct PreparedMaterial {
     pub normal_map: Option<TextureUse>,
     /// Multiplies the emission.
     pub emission_map: Option<TextureUse>,
+    /// Green widens lobes, blue says where metal is.
+    pub metal_rough_map: Option<TextureUse>,
+    /// Sine and cosine of the angle from the tangent to the x axis of lobes that know one.
+    pub aniso: [f64; 2],
+    /// Whether any lobe asks where the tangent is.
+    pub anisotropic: bool,
+    /// Whether any lobe answers to light on the other side.
+    pub transmits: bool,
+    /// What is seen through it, per channel over the cosine of the line of sight.
+    pub through: Option<Curve>,
+    /// Whether it has nothing that the pixel loop of the classic models does not know.
+    pub classic: bool,
     /// Opacity.
     pub alpha: f32,
     /// What alpha means.
@@ -75,19 +97,27 @@ pub(super) fn prepare(
     table: &Table,
     model: Option<&str>,
 ) -> Result<PreparedMaterial, PrepareError> {
-    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) {
+    let finite_through = material.through.as_ref().is_none_or(glanz_scene::Through::is_finite);
+    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) || !finite_through {
         let what = format!("material '{}': tints must be finite numbers", material.name);
         return Err(PrepareError::Scene { what });
     }
     let direct = direct_lobes(material, model)?;
-    let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
+    let mut lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
+    for i in 1..lobes.len() {
+        lobes[i].repeats = lobes[i].shape == lobes[i - 1].shape;
+    }
     let terms = Terms::new(material);
     let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
     add(&mut ambient[0], table.emission(&terms.textured_emission, None));
     Ok(PreparedMaterial {
+        anisotropic: lobes.iter().any(|lobe| lobe.shape.info().anisotropic),
+        transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
+        classic: lobes.iter().all(DirectLobe::is_classic) && material.metal_rough_map.is_none(),
         lobes,
         tints: table.direct(&direct, None),
+        fields: Vec::new(),
         curves: table.curves(&direct),
         ambient,
         spot_ambient: spot_ambient(table, &terms),
@@ -98,6 +128,9 @@ pub(super) fn prepare(
         base_color: material.base_color,
         normal_map: material.normal_map,
         emission_map: material.emission_map,
+        metal_rough_map: material.metal_rough_map,
+        aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
+        through: material.through.as_ref().map(|through| table.through(through)),
         alpha: material.alpha,
         alpha_mode: material.alpha_mode,
     })
@@ -122,9 +155,31 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         Some(name) if part == Part::Specular => with_model(&lobe.shape, name)?,
         _ => lobe.shape.clone(),
     };
-    // A texel has no say in Fresnel reflection.
-    let curved = is_curved(lobe);
-    Ok(DirectLobe { shape, part, textured: lobe.textured && !curved, curved })
+    // A texel has no say in a tint that is a curve.
+    let along = Along::of(lobe);
+    let textured = lobe.textured && along == Along::Nothing;
+    Ok(DirectLobe {
+        shape,
+        part,
+        textured,
+        along,
+        veils: lobe.veils.clone(),
+        share: lobe.share,
+        repeats: false,
+    })
+}
+
+impl DirectLobe {
+    /// A bare lobe.
+    pub fn new(shape: Shape) -> Self {
+        let (part, along) = (shape.info().part, Along::Nothing);
+        Self { shape, part, textured: false, along, veils: Vec::new(), share: Metalness::Any, repeats: false }
+    }
+
+    fn is_classic(&self) -> bool {
+        let bare = self.veils.is_empty() && self.share == Metalness::Any;
+        bare && self.shape.is_in_place() && !matches!(self.along, Along::Path { .. })
+    }
 }
 
 /// The tints of a material's lobes that no light with a direction touches.

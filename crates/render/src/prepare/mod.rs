@@ -2,15 +2,25 @@
 //!
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
+mod along;
 mod closed;
+mod cosines;
 mod curve;
 mod facets;
+mod fields;
 mod geometry;
+mod glossy;
+mod irradiance;
 mod lights;
 mod materials;
 mod observation;
+mod occluders;
 mod polygons;
 mod sampling;
+mod shares;
+mod sheets;
+mod simplex;
+mod sky;
 mod textures;
 mod tints;
 
@@ -18,17 +28,24 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use glanz_bsdf::{MODELS, ParamError, Shape};
-use glanz_scene::{Interpolation, Mesh, Scene, Shading};
+use glanz_scene::{Background, Interpolation, Mesh, Scene, Shading};
 use thiserror::Error;
 
+pub use along::Along;
+pub use cosines::Cosines;
 pub use curve::Curve;
 pub use facets::Facets;
+pub use fields::Field;
+pub(crate) use fields::is_cosine;
 pub use geometry::{Cluster, Geometry};
-pub use lights::{Falloff, LightShape, PreparedLight};
+pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, Surroundings};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
+pub use occluders::Occluders;
 pub use polygons::Polygons;
 use sampling::Sampling;
+pub use shares::Shares;
+pub use sky::Sky;
 pub use textures::Mipmap;
 
 /// What to change of a scene on the way.
@@ -125,6 +142,10 @@ pub struct Prepared {
     pub textures: Vec<Arc<Mipmap>>,
     /// The number of facets of all objects.
     pub facet_count: u32,
+    /// What each of the three spectra of the first surroundings gives in the channels, seen directly.
+    pub backdrop: Option<[[f32; 3]; 3]>,
+    /// What keeps light from surfaces; none where nothing casts a shadow.
+    pub occluders: Option<Arc<Occluders>>,
 }
 
 impl Prepared {
@@ -137,27 +158,45 @@ impl Prepared {
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
     check_references(scene)?;
+    if scene.image.background == Background::Environment {
+        return Err(PrepareError::Scene {
+            what: "an environment as the background is not drawn yet".to_owned(),
+        });
+    }
+    let lights = lights::prepare(scene)?;
+    let (materials, backdrop) = fill(scene, options, &lights, &[])?;
     let mut prepared = Prepared {
         textures: textures::prepare(&scene.textures),
-        materials: fill(scene, options)?,
-        lights: lights::prepare(scene)?,
+        materials,
+        backdrop,
+        lights,
         ..Prepared::default()
     };
     for object in &scene.objects {
         prepared.add_object(scene, object, options)?;
     }
+    if scene.render.shadows {
+        prepared.occluders = Some(Arc::new(Occluders::new(&prepared)));
+    }
     Ok(prepared)
 }
 
-/// Every material with its rows of the tint table.
-fn fill(scene: &Scene, options: &PrepareOptions) -> Result<Vec<PreparedMaterial>, PrepareError> {
+/// Every material with its rows of the tint table, and the channels of surroundings that are seen directly.
+fn fill(
+    scene: &Scene,
+    options: &PrepareOptions,
+    lights: &[PreparedLight],
+    before: &[PreparedMaterial],
+) -> Result<(Vec<PreparedMaterial>, Option<[[f32; 3]; 3]>), PrepareError> {
     if let Some(model) = &options.model {
         glanz_bsdf::models::info_named(model)?;
     }
     let sampling = Sampling::new(&options.observation, options.first_channel);
     let table = tints::Table::new(&sampling, scene);
-    let materials = scene.materials.iter();
-    materials.map(|material| materials::prepare(material, &table, options.model.as_deref())).collect()
+    let prepare = |material| materials::prepare(material, &table, options.model.as_deref());
+    let mut materials = scene.materials.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+    fields::attach(&mut materials, lights, before);
+    Ok((materials, table.backdrop()))
 }
 
 impl Prepared {
@@ -167,8 +206,9 @@ impl Prepared {
     /// `scene` may differ from the one that was prepared in colours only; of it only lights and materials
     /// are read.
     pub fn refilled(&self, scene: &Scene, options: &PrepareOptions) -> Result<Self, PrepareError> {
-        let (lights, materials) = (lights::prepare(scene)?, fill(scene, options)?);
-        Ok(Self { lights, materials, ..self.clone() })
+        lights::check_colors(scene)?;
+        let (materials, backdrop) = fill(scene, options, &self.lights, &self.materials)?;
+        Ok(Self { materials, backdrop, ..self.clone() })
     }
 }
 
@@ -216,7 +256,7 @@ impl Prepared {
     }
 }
 
-/// The mesh with normals, and with tangents where the material maps normals.
+/// The mesh with normals, and with tangents where the material maps normals or has a lobe that asks for them.
 fn with_needed_attributes<'a>(
     mesh: &'a Mesh,
     material: &glanz_scene::Material,
@@ -225,7 +265,9 @@ fn with_needed_attributes<'a>(
     if mesh.normals.is_empty() && !mesh.corners.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_normals(glanz_scene::Normals::Given));
     }
-    if material.normal_map.is_some() && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
+    let turned = |lobe: &glanz_scene::Lobe| lobe.shape.info().anisotropic;
+    let asks = material.normal_map.is_some() || material.lobes.iter().any(turned);
+    if asks && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_tangents());
     }
     mesh
@@ -247,7 +289,8 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
         }
     }
     for material in &scene.materials {
-        let maps = [material.base_color, material.normal_map, material.emission_map];
+        let maps =
+            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
         if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
             return fail(format!("material '{}' names a texture that is not there", material.name));
         }

@@ -4,12 +4,13 @@
 //! T\[c\] = Σ_i W\[c, i\] · light_i · surface_i. In RGB the three nodes are the primaries, in spectra
 //! they are wavelengths. So this file is all that the modes differ in.
 
-use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric};
+use glanz_bsdf::terms::fresnel_schlick;
 use glanz_color::meyer::{self, MeyerSamples, NODES_NM};
-use glanz_color::{Ior, Reradiation, SAMPLES, STEP_NM, Spectrum, lambda_nm, rgb_spectra};
-use glanz_scene::{ColorMode, LightColor, Tint};
+use glanz_color::{Reradiation, SAMPLES, STEP_NM, Spectrum, lambda_nm, rgb_spectra};
+use glanz_scene::{ColorMode, LightColor, Through, Tint};
 
 use super::observation::Observation;
+use super::sheets;
 
 /// A row of numbers, one per node.
 pub(crate) type Row = Vec<f64>;
@@ -123,7 +124,7 @@ impl Sampling {
             Tint::Rgb(rgb) => LightColor::Rgb(*rgb),
             Tint::Spectrum(spectrum) => LightColor::Spectrum(spectrum.clone()),
             // Neither is light; the scene's readers refuse them here.
-            Tint::Reradiation(_) | Tint::Ior(_) => LightColor::BLACK,
+            _ => LightColor::BLACK,
         };
         let ones = vec![1.0; self.len()];
         self.response(&Surface::Share(self.light(&color)), basis).under(&ones)
@@ -159,9 +160,38 @@ impl Sampling {
             Tint::Rgb(rgb) if primaries => Surface::Share(rgb.0.map(f64::from).to_vec()),
             Tint::Rgb(rgb) => Surface::Share(self.at_nodes(&rgb_spectra::spectrum_of_reflectance(*rgb))),
             Tint::Spectrum(spectrum) => Surface::Share(self.reflectance(spectrum)),
-            Tint::Ior(ior) => Surface::Share(self.reflectance(&fresnel(ior, cosine))),
+            Tint::Ior(ior) => Surface::Share(self.reflectance(&sheets::boundary(ior, cosine))),
+            Tint::Film(film) => Surface::Share(self.reflectance(&sheets::film(film, cosine))),
+            Tint::Pane(pane) => Surface::Share(self.reflectance(&sheets::pane(pane, cosine).0)),
+            Tint::Schlick(at_normal) => self.surface(at_normal, 1.0).map(|f0| fresnel_schlick(cosine, f0)),
             Tint::Reradiation(matrix) => self.reradiation(matrix),
         }
+    }
+
+    /// What is seen through a surface at the nodes, along a line of sight of this cosine.
+    pub fn through(&self, through: &Through, cosine: f64) -> Surface {
+        let transmitted = |spectrum: Spectrum| Surface::Share(self.reflectance(&spectrum));
+        match through {
+            Through::Share(tint) => self.surface(tint, cosine),
+            Through::Boundary(ior) => transmitted(sheets::boundary(ior, cosine).map(|r| 1.0 - r)),
+            Through::Pane(pane) => transmitted(sheets::pane(pane, cosine).1),
+            Through::Film(film) => transmitted(sheets::film(film, cosine).map(|r| 1.0 - r)),
+        }
+    }
+
+    /// What a coat leaves of light on a path of so many times its thickness, at the nodes.
+    pub fn left_by(&self, depth: &Spectrum, path: f64) -> Row {
+        self.reflectance(&sheets::left(depth, path))
+    }
+
+    /// Unit light at the nodes: D65.
+    pub fn white(&self) -> Row {
+        self.light(&LightColor::Rgb(glanz_color::Rgb::WHITE))
+    }
+
+    /// One of the three spectra that textures and surroundings mix, at the nodes.
+    pub fn basis(&self, number: usize) -> &Row {
+        &self.basis[number]
     }
 
     fn reflectance(&self, spectrum: &Spectrum) -> Row {
@@ -227,14 +257,6 @@ fn sampled(matrix: &Reradiation, nm: &[f64], band_nm: Option<f64>) -> Vec<Row> {
     (0..nm.len()).map(|out| (0..nm.len()).map(|input| entry(out, input)).collect()).collect()
 }
 
-/// Fresnel reflection at each wavelength.
-fn fresnel(ior: &Ior, cosine: f64) -> Spectrum {
-    Spectrum(core::array::from_fn(|i| match ior.k[i] {
-        0.0 => fresnel_dielectric(cosine, ior.eta[i]),
-        k => fresnel_conductor(cosine, ior.eta[i], k),
-    }))
-}
-
 /// What a surface does with the light at the nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Surface {
@@ -242,6 +264,33 @@ pub(crate) enum Surface {
     Share(Row),
     /// What comes out at each node (the row) of what goes in at each.
     Matrix(Vec<Row>),
+}
+
+impl Surface {
+    /// What is left of it where each node leaves a share: of light on its way in and on its way out half each.
+    pub fn dimmed(self, left: &[f64]) -> Self {
+        match self {
+            Self::Share(row) => Self::Share(row.iter().zip(left).map(|(s, l)| s * l).collect()),
+            Self::Matrix(rows) => {
+                let half: Row = left.iter().map(|l| libm::sqrt(*l)).collect();
+                let dim = |(row, out): (Row, &f64)| row.iter().zip(&half).map(|(s, l)| s * l * out).collect();
+                Self::Matrix(rows.into_iter().zip(&half).map(dim).collect())
+            }
+        }
+    }
+
+    /// Another share for each; a matrix, which has none, stays as it is.
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Share(row) => Self::Share(row.into_iter().map(f).collect()),
+            Self::Matrix(rows) => Self::Matrix(rows),
+        }
+    }
+
+    /// What it does not reflect; a matrix stays as it is.
+    pub fn complement(self) -> Self {
+        self.map(|share| 1.0 - share)
+    }
 }
 
 /// Three channels.

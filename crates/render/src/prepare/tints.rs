@@ -1,26 +1,28 @@
-//! The tint table: T\[l, k, c\] = π · ∫ light_l · lobe_k · sensor_c, one way for all colour modes.
-//!
-//! π turns a classic light of 1 into radiance units.
+//! The tint table: T\[l, k, c\] = ∫ light_l · lobe_k · sensor_c, one way for all colour modes.
 
 use glanz_bsdf::Part;
 use glanz_math::PI;
-use glanz_scene::{Light, LightKind, Lobe, Scene, Tint};
+use glanz_scene::{Light, LightKind, Lobe, Scene, Through, Tint};
 
+use super::along::{self, Along};
 use super::curve::{self, Curve};
-use super::sampling::{Channels, Response, Row, Sampling};
+use super::sampling::{Channels, Response, Row, Sampling, Surface};
 use crate::prepare::lights;
 
-/// A light at the nodes of the colour mode, for the three kinds of lobe; times π for those that have a
-/// direction.
+/// A light at the nodes of the colour mode, for the three kinds of lobe; times π for lamps, whose value 1 is
+/// an irradiance of π.
 struct LightRows {
     ambient: Row,
     diffuse: Row,
     specular: Row,
     is_spot: bool,
     is_directed: bool,
+    /// Whether it is one of three.
+    is_mixed: bool,
 }
 
-/// The scene's lights as a colour mode takes them: one side of every entry of the table.
+/// The scene's lights as a colour mode takes them: one side of every entry of the table. Surroundings are
+/// three lights, one for each of the spectra that their pixels mix.
 pub(super) struct Table<'a> {
     sampling: &'a Sampling,
     lights: Vec<LightRows>,
@@ -31,7 +33,8 @@ pub(super) type Entry = [f32; 3];
 
 impl<'a> Table<'a> {
     pub fn new(sampling: &'a Sampling, scene: &Scene) -> Self {
-        Self { sampling, lights: scene.lights.iter().map(|light| light_rows(sampling, light)).collect() }
+        let lights = scene.lights.iter().flat_map(|light| light_rows(sampling, light)).collect();
+        Self { sampling, lights }
     }
 
     /// Whether textures mix three spectra, rather than multiply channels.
@@ -42,7 +45,10 @@ impl<'a> Table<'a> {
     /// The entries of direct lobes, light after light; `basis` is the number of a spectrum that the
     /// lobes are multiplied with.
     pub fn direct(&self, lobes: &[&Lobe], basis: Option<usize>) -> Vec<Entry> {
-        let responses: Vec<Response> = lobes.iter().map(|lobe| self.response(&lobe.tint, basis)).collect();
+        let response = |lobe: &&Lobe| {
+            self.sampling.response(&along::surface(self.sampling, lobe, Along::of(lobe), 1.0), basis)
+        };
+        let responses: Vec<Response> = lobes.iter().map(response).collect();
         let entry = |light: &LightRows, i: usize| short(responses[i].under(light.of(part_of(lobes[i]))));
         self.directed()
             .flat_map(|light| (0..lobes.len()).map(move |i| (light, i)))
@@ -53,7 +59,7 @@ impl<'a> Table<'a> {
     /// The same for lobes whose tint depends on a cosine; empty curves for the others. Nothing at all
     /// if no lobe is such.
     pub fn curves(&self, lobes: &[&Lobe]) -> Vec<Curve> {
-        if !lobes.iter().any(|lobe| is_curved(lobe)) {
+        if lobes.iter().all(|lobe| Along::of(lobe) == Along::Nothing) {
             return Vec::new();
         }
         let responses: Vec<Vec<Response>> = lobes.iter().map(|lobe| self.responses(lobe)).collect();
@@ -101,10 +107,32 @@ impl<'a> Table<'a> {
         self.sampling.response(&self.sampling.surface(tint, 1.0), basis)
     }
 
-    /// Of a lobe whose tint depends on a cosine: at each cosine that its curve goes through.
+    /// Of a lobe whose tint is a curve: at each coordinate that the curve goes through.
     fn responses(&self, lobe: &Lobe) -> Vec<Response> {
-        let at = |cosine| self.sampling.response(&self.sampling.surface(&lobe.tint, cosine), None);
-        if is_curved(lobe) { curve::nodes().map(at).collect() } else { Vec::new() }
+        let along = Along::of(lobe);
+        let at = |x| self.sampling.response(&along::surface(self.sampling, lobe, along, x), None);
+        if along == Along::Nothing { Vec::new() } else { curve::nodes().map(at).collect() }
+    }
+
+    /// What each spectrum of the first surroundings gives in the channels, seen directly.
+    pub fn backdrop(&self) -> Option<[Entry; 3]> {
+        let first = self.lights.iter().position(|light| light.is_mixed)?;
+        let everything = Surface::Share(vec![1.0; self.sampling.white().len()]);
+        let whole = self.sampling.response(&everything, None);
+        Some([0, 1, 2].map(|basis: usize| short(whole.under(&self.lights[first + basis].specular))))
+    }
+
+    /// What is seen through a surface: the share of each channel, over the cosine of the line of sight, for
+    /// white light from behind.
+    pub fn through(&self, through: &Through) -> Curve {
+        let white = self.sampling.white();
+        let everything = Surface::Share(vec![1.0; white.len()]);
+        let whole = self.sampling.response(&everything, None).under(&white);
+        let share = |cosine| {
+            let seen = self.sampling.response(&self.sampling.through(through, cosine), None).under(&white);
+            core::array::from_fn(|c| if whole[c] == 0.0 { 0.0 } else { seen[c] / whole[c] })
+        };
+        Curve::through(&curve::nodes().map(share).collect::<Vec<_>>())
     }
 
     fn directed(&self) -> impl Iterator<Item = &LightRows> {
@@ -118,25 +146,40 @@ impl LightRows {
     }
 }
 
-fn light_rows(sampling: &Sampling, light: &Light) -> LightRows {
-    let times_pi = |color| sampling.light(color).iter().map(|value| PI * value).collect();
-    LightRows {
+fn light_rows(sampling: &Sampling, light: &Light) -> Vec<LightRows> {
+    let is_lamp = !lights::is_radiance(light);
+    let factor = if is_lamp { PI } else { 1.0 };
+    let scaled = |color| sampling.light(color).iter().map(|value| factor * value).collect::<Row>();
+    let whole = LightRows {
         ambient: sampling.light(&light.colors.ambient),
-        diffuse: times_pi(&light.colors.diffuse),
-        specular: times_pi(&light.colors.specular),
+        diffuse: scaled(&light.colors.diffuse),
+        specular: scaled(&light.colors.specular),
         is_spot: matches!(light.kind, LightKind::Spot { .. }),
         is_directed: lights::is_directed(light),
+        is_mixed: lights::rows(light) > 1,
+    };
+    if lights::rows(light) == 1 {
+        return vec![whole];
+    }
+    (0..3).map(|number| whole.mixed(sampling.basis(number), number)).collect()
+}
+
+impl LightRows {
+    /// The part of surroundings that one spectrum of their pixels makes; the first has the ambient light.
+    fn mixed(&self, basis: &Row, number: usize) -> Self {
+        let times = |row: &Row| row.iter().zip(basis).map(|(value, b)| value * b).collect();
+        let dark = || vec![0.0; self.ambient.len()];
+        Self {
+            ambient: if number == 0 { self.ambient.clone() } else { dark() },
+            diffuse: times(&self.diffuse),
+            specular: times(&self.specular),
+            ..*self
+        }
     }
 }
 
 pub(super) fn part_of(lobe: &Lobe) -> Part {
     lobe.shape.info().part
-}
-
-/// Whether a lobe's tint depends on the angle between viewer and half vector: of highlights alone,
-/// since light that comes back diffusely has no such angle.
-pub(super) fn is_curved(lobe: &Lobe) -> bool {
-    part_of(lobe) == Part::Specular && matches!(lobe.tint, Tint::Ior(_))
 }
 
 fn under_all(responses: &[Response], light: &Row) -> Channels {

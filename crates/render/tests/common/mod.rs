@@ -8,7 +8,7 @@ use glanz_color::Rgb;
 use glanz_render::{DrawOptions, Frame, Layers, PrepareOptions, View, draw, prepare};
 use glanz_scene::{
     Background, Builtin, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
-    Material, Mesh, Object, Projection, Scene, Shading, Space,
+    Material, Mesh, Object, Projection, Scene, Shading,
 };
 
 /// A camera on the positive Z axis that looks at the origin.
@@ -71,7 +71,7 @@ pub fn glow(color: Rgb) -> Material {
 /// A material of one ambient lobe, which textures multiply: its value is light × texture.
 pub fn ambient_only(tint: Rgb) -> Material {
     let shape = Shape::named("ambient", &[]).unwrap();
-    Material::of_lobes("ambient", vec![Lobe { shape, tint: tint.into(), textured: true }])
+    Material::of_lobes("ambient", vec![Lobe::new(shape, tint).textured()])
 }
 
 /// A red material with all terms.
@@ -90,7 +90,7 @@ pub fn shiny(model: &str, shininess: f64) -> Material {
 
 /// A light of this kind that sends the same to all lobes.
 pub fn light(kind: LightKind, color: Rgb) -> Light {
-    Light { name: String::new(), kind, colors: LightColors::all(color), space: Space::World }
+    Light::new(kind, LightColors::all(color))
 }
 
 /// A scene without objects and lights, seen by this camera.

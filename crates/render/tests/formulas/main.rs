@@ -41,7 +41,7 @@ fn light(kind: LightKind, space: Space) -> Light {
         diffuse: Rgb([0.6, 0.5, 0.4]).into(),
         specular: Rgb([0.4, 0.6, 0.7]).into(),
     };
-    Light { name: String::new(), kind, colors, space }
+    Light { space, ..Light::new(kind, colors) }
 }
 
 fn point(constant: f64, linear: f64, quadratic: f64) -> LightKind {
@@ -68,7 +68,7 @@ fn lights() -> Vec<(&'static str, Light)> {
     let fading = Attenuation { constant: 0.5, linear: 0.25, quadratic: 0.125 };
     vec![
         ("ambient", light(LightKind::Ambient, Space::World)),
-        ("directional", light(directional, Space::World)),
+        ("directional", light(directional.clone(), Space::World)),
         ("directional on the camera", light(directional, Space::Camera)),
         ("point", light(point(1.0, 0.0, 0.0), Space::World)),
         ("point, constant 2", light(point(2.0, 0.0, 0.0), Space::World)),

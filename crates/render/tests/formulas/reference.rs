@@ -234,6 +234,9 @@ impl Reference {
                 let cone = if cosine < cutoff.cos() { 0.0 } else { cosine.max(0.0).powf(exponent) };
                 (way.normalize(), fade(attenuation, way.length()), cone)
             }
+            LightKind::Area { .. } | LightKind::Environment { .. } => {
+                panic!("lights of the classic kinds alone")
+            }
         })
     }
 }

@@ -15,7 +15,7 @@ use glam::{DMat4, DVec3};
 use glanz_bsdf::Shape;
 use glanz_color::{Fluorophore, Observer, Reradiation, Spectrum, ior, light, reflectance, rgb_spectra};
 use glanz_render::{Frame, Observation, PrepareOptions, View, draw, prepare};
-use glanz_scene::{ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Material, Scene, Space, Tint};
+use glanz_scene::{ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Material, Scene, Tint};
 
 /// A few roundings of f32.
 pub const ROUNDING: f64 = 1e-6;
@@ -30,7 +30,7 @@ pub fn unit(name: &str) -> Spectrum {
 
 /// A lobe of this shape and tint.
 pub fn lobe(shape: &str, tint: Tint) -> Lobe {
-    Lobe { shape: Shape::named(shape, &[]).unwrap(), tint, textured: false }
+    Lobe::new(Shape::named(shape, &[]).unwrap(), tint)
 }
 
 /// A Lambert surface.
@@ -63,12 +63,9 @@ pub fn glowing() -> Arc<Reradiation> {
 pub fn faced(material: Material, spectrum: &Spectrum) -> Scene {
     let mut scene = empty(pixel_camera(4, 4));
     add(&mut scene, rectangle([0.0, 0.0, 4.0, 4.0], 0.0), material, DMat4::IDENTITY);
-    scene.lights.push(Light {
-        name: String::new(),
-        kind: LightKind::Directional { direction: -DVec3::Z },
-        colors: LightColors::all(LightColor::Spectrum(Arc::new(*spectrum))),
-        space: Space::World,
-    });
+    let kind = LightKind::Directional { direction: -DVec3::Z };
+    let color = LightColor::Spectrum(Arc::new(*spectrum));
+    scene.lights.push(Light::new(kind, LightColors::all(color)));
     scene
 }
 
@@ -158,8 +155,7 @@ fn a_metal_reflects_by_fresnels_law_at_every_wavelength() {
     let shape = Shape::named("phong-normalized", &[("shininess", 1.0)]).unwrap();
     for degrees in [0.0, 30.0, 60.0, 80.0, 86.0] {
         let tint = Tint::Ior(Arc::new(gold.clone()));
-        let material =
-            Material::of_lobes("metal", vec![Lobe { shape: shape.clone(), tint, textured: false }]);
+        let material = Material::of_lobes("metal", vec![Lobe::new(shape.clone(), tint)]);
         let mut scene = faced(material, &unit("D65"));
         let angle = f64::to_radians(degrees);
         // The camera looks along the normal: the half vector is half of the light's angle away.

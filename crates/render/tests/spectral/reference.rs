@@ -7,7 +7,7 @@ use glanz_bsdf::Shape;
 use glanz_color::{Rgb, ior};
 use glanz_scene::{
     Attenuation, ColorMode, Interpolation, Light, LightColor, LightColors, LightKind, Lobe, Scene, Shading,
-    Space, Texture, TextureUse, Tint,
+    Texture, TextureUse, Tint,
 };
 
 use super::common::{add, camera, empty, rectangle, sphere};
@@ -17,18 +17,15 @@ use super::{glowing, lobe, matte, patch, seen, unit};
 const AGREEMENT: f64 = 3e-6;
 
 fn lamp(kind: LightKind, color: impl Into<LightColor>) -> Light {
-    Light { name: String::new(), kind, colors: LightColors::all(color), space: Space::World }
+    Light::new(kind, LightColors::all(color))
 }
 
 /// Spheres and squares with everything that a table can hold.
 fn everything() -> Scene {
     let mut scene = empty(camera(6.0, 40.0));
     let at = |x: f64, y: f64| DMat4::from_translation(DVec3::new(x, y, 0.0));
-    let metal = Lobe {
-        shape: Shape::named("phong-normalized", &[("shininess", 12.0)]).unwrap(),
-        tint: Tint::Ior(Arc::new(ior("Cu").unwrap())),
-        textured: false,
-    };
+    let shape = Shape::named("phong-normalized", &[("shininess", 12.0)]).unwrap();
+    let metal = Lobe::new(shape, Tint::Ior(Arc::new(ior("Cu").unwrap())));
     let mut shiny = matte(Tint::Reradiation(glowing()));
     shiny.lobes.extend([
         metal,

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::error::Problem;
 use super::hash::Hash;
@@ -14,8 +15,8 @@ use super::types::{AmbientTable, CameraRef, CameraTable, ProjectionName, SceneTa
 use super::values::At;
 use crate::read::{FolderFiles, ReadOptions, ResolveError, Resolver, read_texture, resolve};
 use crate::{
-    Camera, Image, Light, LightColor, LightColors, LightKind, Material, Projection, RenderSettings, Scene,
-    Space, Texture, TextureFilter, TextureUse, Wrap,
+    Camera, EnvironmentMap, Image, Light, LightColor, LightColors, LightKind, Material, Profile, Projection,
+    RenderSettings, Scene, Texture, TextureFilter, TextureUse, Wrap,
 };
 
 /// The way from tables to a scene.
@@ -39,6 +40,9 @@ pub(super) struct Builder {
     /// Where light is given in physical units, and where in classic ones.
     pub(super) photometric: Vec<Range<usize>>,
     pub(super) classic: Vec<Range<usize>>,
+    /// Surroundings and profiles, by the names of their files.
+    pub(super) environments: HashMap<String, Arc<EnvironmentMap>>,
+    pub(super) profiles: HashMap<String, Arc<Profile>>,
     textures: HashMap<String, usize>,
     hashed: HashSet<PathBuf>,
 }
@@ -63,6 +67,8 @@ impl Builder {
             triangles: 0,
             photometric: Vec::new(),
             classic: Vec::new(),
+            environments: HashMap::new(),
+            profiles: HashMap::new(),
             textures: HashMap::new(),
             hashed: HashSet::new(),
         }
@@ -74,17 +80,14 @@ impl Builder {
         self.scene.observer = table.render.observer.as_ref().map(|name| self.observer(name)).transpose()?;
         if let Some(ambient) = &table.ambient {
             let colors = LightColors::ambient(self.ambient(ambient)?);
-            self.scene.lights.push(Light {
-                name: "ambient".to_owned(),
-                kind: LightKind::Ambient,
-                colors,
-                space: Space::World,
-            });
+            let light = Light::new(LightKind::Ambient, colors);
+            self.scene.lights.push(Light { name: "ambient".to_owned(), ..light });
         }
         for light in &table.lights {
             let light = light.build(&light.span, self)?;
             self.scene.lights.push(light);
         }
+        self.check_background(table.image.background.as_ref())?;
         for (name, material) in &table.materials {
             let built = self.material(name, material)?;
             self.material_names.insert(name.clone(), self.scene.materials.len());
@@ -106,13 +109,14 @@ impl Builder {
             height: table.image.height.0,
             samples: table.image.samples.0,
             supersample: table.image.supersample,
-            background: table.image.background.0,
+            background: table.image.background.as_ref().map_or(Image::default().background, |b| b.0),
         };
         self.scene.render = RenderSettings {
             shading: table.render.shading.shading(),
             interpolation: table.render.interpolation.interpolation(),
             mode: table.render.mode.0,
             white: table.render.white.0,
+            shadows: table.render.shadows,
         };
     }
 

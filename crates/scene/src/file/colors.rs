@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use super::values::{Amount, At, Color, Number};
 
 /// A function of wavelength: exactly one of `spectrum`, `blackbody`, `gaussian`, `line`, `file`,
-/// `nm` with `value`, `reradiation` and `ior`.
+/// `nm` with `value`, `reradiation`, and `ior` or `film_nm`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct SpectralTable {
@@ -37,6 +37,11 @@ pub(crate) struct SpectralTable {
     /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
     /// refraction from 1.05 to 20; surfaces only.
     pub ior: Option<At<IorValue>>,
+    /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
+    /// air if that is missing. Surfaces only.
+    pub film_nm: Option<At<Amount>>,
+    /// What the film is made of: a glass, or an index of refraction; 1.33 by default.
+    pub film_ior: Option<At<IorValue>>,
     /// Multiplies the function; 1 by default.
     pub scale: Option<At<Amount>>,
     /// For light that a surface sends itself: its luminance in cd/m².

@@ -37,7 +37,7 @@ fn errors_say_what_was_expected_and_point_at_the_value() {
         ("[[image]]\nwidth = 3".into(), "expected a table, found a list", "[[image]]"),
         (
             "[image]\nbackground = 'clear'".into(),
-            "expected a colour or \"transparent\", found \"clear\"",
+            "expected a colour, \"transparent\" or \"environment\", found \"clear\"",
             "'clear'",
         ),
         ("[render]\nshading = 'gourad'".into(), "unknown name 'gourad'; did you mean 'gouraud'?", "'gourad'"),

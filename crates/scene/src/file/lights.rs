@@ -1,20 +1,18 @@
 //! Lights of a scene file.
 
-use std::f64::consts::PI;
-use std::fmt;
 use std::ops::Range;
 
 use schemars::JsonSchema;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, MapAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 
+use super::attenuation::AttenuationValue;
 use super::build::Builder;
 use super::colors::{ColorValue, SpectrumValue};
+use super::environment::Turn;
 use super::error::Problem;
-use super::spectra::{for_luminance, for_power};
+use super::strength::Unit;
 use super::types::names;
-use super::values::{Amount, At, Direction, Exponent, HalfTurn, Vector};
+use super::values::{Amount, At, Direction, Exponent, HalfTurn, Positive, Vector};
 use crate::{Attenuation, Light, LightColor, LightColors, LightKind, Space};
 
 /// A light.
@@ -26,16 +24,21 @@ pub(crate) struct LightTable {
     pub name: String,
     /// What kind of light it is.
     pub kind: KindName,
-    /// Where a point or spot light is.
+    /// Where a point or spot light is; the centre of a rectangle, disk or sphere.
     pub position: Option<At<Vector>>,
-    /// The way that the light of a directional or spot light travels.
+    /// The way that the light of a directional or spot light travels; the way that a rectangle or disk
+    /// faces; the axis of a point light's `profile`, down by default.
     pub direction: Option<At<Direction>>,
+    /// The point that a spot, rectangle, disk or profile is directed at, in place of `direction`.
+    pub target: Option<At<Vector>>,
     /// What it sends to all terms of a material that have no colour of their own below; white by
-    /// default. 1 on a white matte surface that faces the light gives 1.
+    /// default. 1 on a white matte surface that faces the light gives 1. Of a rectangle, disk, sphere or
+    /// environment it is the radiance: 1 is that of such a surface.
     pub color: Option<At<ColorValue>>,
     /// Its spectrum, in place of `color`: the name of a light source, or a table.
     pub spectrum: Option<At<SpectrumValue>>,
-    /// What it sends to ambient terms; `color` by default.
+    /// What it sends to ambient terms; `color` by default, but nothing of a rectangle, disk, sphere or
+    /// environment.
     pub ambient: Option<At<ColorValue>>,
     /// What it sends to diffuse terms; `color` by default.
     pub diffuse: Option<At<ColorValue>>,
@@ -46,18 +49,47 @@ pub(crate) struct LightTable {
     /// What a directional light gives on a surface that faces it, in lx, in place of `intensity`. A scene
     /// with one light in physical units must have all its lights in such.
     pub illuminance_lx: Option<At<Amount>>,
-    /// What a point or spot light sends along its axis, in cd; it fades by the inverse square law.
+    /// What a point or spot light sends along its axis, or where its `profile` is greatest, in cd; it
+    /// fades by the inverse square law.
     pub luminous_intensity_cd: Option<At<Amount>>,
     /// The same in W/sr between 300 and 780 nm.
     pub radiant_intensity_w_sr: Option<At<Amount>>,
-    /// How bright the surroundings are that ambient light comes from, in cd/m².
+    /// How bright the surroundings are that ambient light comes from, or an environment where its picture
+    /// is 1, or a rectangle, disk or sphere, in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
+    /// What a rectangle, disk or sphere sends in all, from both sides if it has two, in lm.
+    pub luminous_flux_lm: Option<At<Amount>>,
     /// How a point or spot light fades with distance; not at all by default.
     pub attenuation: Option<At<AttenuationValue>>,
     /// Half the opening angle of a spot's cone in degrees, 180 for all directions; 45 by default.
     pub cutoff_deg: Option<At<HalfTurn>>,
     /// Power of the cosine from a spot's axis by which its light falls off; 0 by default.
     pub exponent: Option<At<Exponent>>,
+    /// A luminaire's profile for a point or spot light: an LM-63 (`.ies`) or EULUMDAT (`.ldt`) file,
+    /// relative to the scene file. With `intensity` or `luminous_intensity_cd` it is relative to its
+    /// maximum; without, the light has the file's candela.
+    pub profile: Option<At<String>>,
+    /// Where the half plane C 0° of the profile points; +X by default, +Y of a light along X.
+    pub profile_c0: Option<At<Direction>>,
+    /// The share of the profile's candela that the light has; 1 by default.
+    pub dimming: Option<At<Amount>>,
+    /// Across a rectangle, in m.
+    pub width: Option<At<Positive>>,
+    /// Along the `up` of a rectangle, in m.
+    pub height: Option<At<Positive>>,
+    /// Width and height of a rectangle, in m, in place of the two.
+    pub size: Option<At<[Positive; 2]>>,
+    /// Of a disk or sphere, in m.
+    pub radius: Option<At<Positive>>,
+    /// Where the height of a rectangle points; +Y by default, -Z of one that faces up or down.
+    pub up: Option<At<Direction>>,
+    /// Whether a rectangle or disk shines on its back, too; not by default.
+    pub two_sided: Option<At<bool>>,
+    /// The picture of an environment: a Radiance HDR or OpenEXR file in equirectangular projection,
+    /// relative to the scene file. Without it the same comes from all directions.
+    pub file: Option<At<String>>,
+    /// How an environment is turned: degrees about +Y, or rotations as those of objects.
+    pub rotate_deg: Option<At<Turn>>,
     /// What position and direction are relative to.
     pub attached_to: Option<At<AttachedTo>>,
 }
@@ -74,6 +106,21 @@ names! {
         Point = "point",
         /// From a point into a cone.
         Spot = "spot",
+        /// From a rectangle that shines evenly.
+        Rectangle = "rectangle",
+        /// From a disk that shines evenly.
+        Disk = "disk",
+        /// From a sphere that shines evenly.
+        Sphere = "sphere",
+        /// From surroundings at infinite distance.
+        Environment = "environment",
+    }
+}
+
+impl KindName {
+    /// Whether it is a surface that shines.
+    fn is_surface(self) -> bool {
+        matches!(self, Self::Rectangle | Self::Disk | Self::Sphere)
     }
 }
 
@@ -88,182 +135,55 @@ names! {
     }
 }
 
-/// How light fades with the distance d: 1 / (constant + linear d + quadratic d²).
-#[derive(Debug, JsonSchema)]
-#[schemars(untagged)]
-pub(crate) enum AttenuationValue {
-    /// A law with a name.
-    Name(AttenuationName),
-    /// The three factors; those that are missing are 0.
-    Table(AttenuationTable),
-}
-
-names! {
-    /// The laws that have a name.
-    pub(crate) AttenuationName {
-        /// No fading.
-        #[default]
-        None = "none",
-        /// The inverse square law: 0, 0, 1.
-        Physical = "physical",
-    }
-}
-
-/// The factors of 1 / (constant + linear d + quadratic d²). Those that are missing are 0, but not
-/// all of them may be.
-#[derive(Debug, Default, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct AttenuationTable {
-    /// The part that does not depend on distance.
-    pub constant: Option<Amount>,
-    /// The factor of d, in 1/m.
-    pub linear: Option<Amount>,
-    /// The factor of d², in 1/m².
-    pub quadratic: Option<Amount>,
-}
-
-impl<'de> Deserialize<'de> for AttenuationValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Value;
-        impl<'de> Visitor<'de> for Value {
-            type Value = AttenuationValue;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("\"physical\", \"none\", or a table of constant, linear and quadratic")
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<AttenuationValue, E> {
-                let name = serde::de::value::StrDeserializer::new(name);
-                AttenuationName::deserialize(name).map(AttenuationValue::Name)
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<AttenuationValue, A::Error> {
-                AttenuationTable::deserialize(MapAccessDeserializer::new(map)).map(AttenuationValue::Table)
-            }
-        }
-        deserializer.deserialize_any(Value)
-    }
-}
-
-impl AttenuationValue {
-    fn build(&self, span: &Range<usize>) -> Result<Attenuation, Problem> {
-        match self {
-            Self::Name(AttenuationName::None) => Ok(Attenuation::NONE),
-            Self::Name(AttenuationName::Physical) => Ok(Attenuation::PHYSICAL),
-            Self::Table(table) => {
-                let factor = |amount: Option<Amount>| amount.map_or(0.0, |a| a.0);
-                let attenuation = Attenuation {
-                    constant: factor(table.constant),
-                    linear: factor(table.linear),
-                    quadratic: factor(table.quadratic),
-                };
-                let sum = attenuation.constant + attenuation.linear + attenuation.quadratic;
-                match sum > 0.0 {
-                    true => Ok(attenuation),
-                    false => {
-                        let message = "constant, linear and quadratic are all 0, which divides by 0";
-                        Err(Problem::at(span, message).help("keys missing in a given table are 0"))
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// How strong a light is. All but the classic unit make the frame's unit 1 cd/m².
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Unit {
-    /// 1 makes a white Lambert surface that faces the light 1.
-    Classic(f64),
-    Lux(f64),
-    Candela(f64),
-    WattPerSteradian(f64),
-    CandelaPerSquareMetre(f64),
-}
-
-impl Unit {
-    /// Whether the light's strength is an intensity, so that it fades with the square of the distance.
-    fn is_intensity(self) -> bool {
-        matches!(self, Self::Candela(_) | Self::WattPerSteradian(_))
-    }
-
-    /// What makes light of this colour that strong: the luminance that it gives a white Lambert surface that
-    /// faces it, at a distance of 1 m if it is a lamp. That is 1/π of the illuminance.
-    fn factor(self, color: &LightColor, span: &Range<usize>) -> Result<f64, Problem> {
-        match self {
-            Self::Classic(factor) => Ok(factor),
-            _ if color.is_black() => Ok(0.0),
-            Self::Lux(value) | Self::Candela(value) => for_luminance(color, value / PI, span),
-            Self::WattPerSteradian(value) => Ok(for_power(color, value / PI)),
-            Self::CandelaPerSquareMetre(value) => for_luminance(color, value, span),
-        }
-    }
-}
-
 impl LightTable {
     /// The light; `span` is where the table stands.
     pub fn build(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Light, Problem> {
         self.refuse_foreign_keys()?;
-        let unit = self.unit(span, builder)?;
-        let missing = |key: &str| {
-            let kind = self.kind.name();
-            Problem::at(span, format!("a {kind} light needs '{key}', which is missing"))
-        };
-        let position = || self.position.as_ref().map(|p| p.0).ok_or_else(|| missing("position"));
-        let direction = || self.direction.as_ref().map(|d| d.0).ok_or_else(|| missing("direction"));
-        let attenuation = match &self.attenuation {
-            Some(value) => value.build(&value.span)?,
-            None if unit.is_intensity() => Attenuation::PHYSICAL,
-            None => Attenuation::NONE,
-        };
-        let kind = match self.kind {
-            KindName::Ambient => LightKind::Ambient,
-            KindName::Directional => LightKind::Directional { direction: direction()? },
-            KindName::Point => LightKind::Point { position: position()?, attenuation },
-            KindName::Spot => LightKind::Spot {
-                position: position()?,
-                direction: direction()?,
-                cutoff: self.cutoff_deg.as_ref().map_or(45.0, |c| c.0).to_radians(),
-                exponent: self.exponent.as_ref().map_or(0.0, |e| e.0),
-                smooth_edge: None,
-                attenuation,
-            },
+        let luminaire = self.luminaire(builder)?;
+        let shape = self.area_shape(span)?;
+        let most = luminaire.as_ref().map(|luminaire| luminaire.profile.max());
+        let unit = self.unit(most, span, builder)?;
+        let kind = match shape {
+            Some(shape) => self.area(shape, span)?,
+            None => self.kind(unit, span, builder)?,
         };
         let space = match self.attached_to.as_ref().map(|a| a.value) {
             Some(AttachedTo::Camera) => Space::Camera,
             Some(AttachedTo::World) | None => Space::World,
         };
-        Ok(Light { name: self.name.clone(), kind, colors: self.colors(unit, span, builder)?, space })
+        // Light from a surface is as bright as the surface, whose size makes it more or less.
+        let unit = unit.of_surface(&kind);
+        Ok(Light {
+            name: self.name.clone(),
+            kind,
+            colors: self.colors(unit, span, builder)?,
+            space,
+            luminaire,
+        })
     }
 
-    /// The unit that the light's strength is given in.
-    fn unit(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Unit, Problem> {
-        let physical = [
-            ("illuminance_lx", &self.illuminance_lx, Unit::Lux as fn(f64) -> Unit),
-            ("luminous_intensity_cd", &self.luminous_intensity_cd, Unit::Candela),
-            ("radiant_intensity_w_sr", &self.radiant_intensity_w_sr, Unit::WattPerSteradian),
-            ("luminance_cd_m2", &self.luminance_cd_m2, Unit::CandelaPerSquareMetre),
-        ];
-        let mut given = physical.iter().filter_map(|(key, value, unit)| Some((key, value.as_ref()?, unit)));
-        let Some((key, value, unit)) = given.next() else {
-            builder.classic.push(span.clone());
-            return Ok(Unit::Classic(self.intensity.as_ref().map_or(1.0, |intensity| intensity.0)));
+    /// The geometry of lights that are no surfaces.
+    fn kind(&self, unit: Unit, span: &Range<usize>, builder: &mut Builder) -> Result<LightKind, Problem> {
+        let attenuation = match &self.attenuation {
+            Some(value) => value.build(&value.span)?,
+            None if unit.is_intensity() => Attenuation::PHYSICAL,
+            None => Attenuation::NONE,
         };
-        let other = given.next().map(|(other, value, _)| (*other, &value.span));
-        let classic = self.intensity.as_ref().map(|intensity| ("intensity", &intensity.span));
-        if let Some((other, span)) = other.or(classic) {
-            return Err(Problem::at(
-                span,
-                format!("'{other}' beside '{key}': one says how strong a light is"),
-            ));
-        }
-        let unit = unit(value.0);
-        let own_law = self.attenuation.as_ref().filter(|_| unit.is_intensity());
-        if let Some(law) = own_law
-            && law.build(&law.span)? != Attenuation::PHYSICAL
-        {
-            let message = format!("'{key}' fades by the inverse square law");
-            return Err(Problem::at(&law.span, message).help("leave 'attenuation' out, or give \"physical\""));
-        }
-        builder.photometric.push(value.span.clone());
-        Ok(unit)
+        Ok(match self.kind {
+            KindName::Directional => LightKind::Directional { direction: self.directed(span)? },
+            KindName::Point => LightKind::Point { position: self.place(span)?, attenuation },
+            KindName::Spot => LightKind::Spot {
+                position: self.place(span)?,
+                direction: self.directed(span)?,
+                cutoff: self.cutoff_deg.as_ref().map_or(45.0, |c| c.0).to_radians(),
+                exponent: self.exponent.as_ref().map_or(0.0, |e| e.0),
+                smooth_edge: None,
+                attenuation,
+            },
+            KindName::Environment => self.environment(builder)?,
+            // The others have a surface.
+            _ => LightKind::Ambient,
+        })
     }
 
     fn colors(&self, unit: Unit, span: &Range<usize>, builder: &mut Builder) -> Result<LightColors, Problem> {
@@ -281,46 +201,14 @@ impl LightTable {
             let color = color.as_ref().map_or(Ok(all.clone()), |color| builder.light_color(color))?;
             Ok(color.scaled(factor))
         };
-        let ambient = part(&self.ambient)?;
+        let ambient = match (&self.ambient, self.kind.is_surface() || self.kind == KindName::Environment) {
+            // What comes from all around is this light itself.
+            (None, true) => LightColor::BLACK,
+            (color, _) => part(color)?,
+        };
         if self.kind == KindName::Ambient {
             return Ok(LightColors::ambient(ambient));
         }
         Ok(LightColors { ambient, diffuse: part(&self.diffuse)?, specular: part(&self.specular)? })
-    }
-
-    /// Keys that lights of this kind do not have.
-    fn refuse_foreign_keys(&self) -> Result<(), Problem> {
-        fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
-            value.as_ref().map(|v| &v.span)
-        }
-        use KindName::{Ambient, Directional, Point, Spot};
-        let given: [(&str, _, &[KindName]); 12] = [
-            ("position", place(&self.position), &[Point, Spot]),
-            ("direction", place(&self.direction), &[Directional, Spot]),
-            ("diffuse", place(&self.diffuse), &[Directional, Point, Spot]),
-            ("specular", place(&self.specular), &[Directional, Point, Spot]),
-            ("attenuation", place(&self.attenuation), &[Point, Spot]),
-            ("cutoff_deg", place(&self.cutoff_deg), &[Spot]),
-            ("exponent", place(&self.exponent), &[Spot]),
-            ("attached_to", place(&self.attached_to), &[Directional, Point, Spot]),
-            ("illuminance_lx", place(&self.illuminance_lx), &[Directional]),
-            ("luminous_intensity_cd", place(&self.luminous_intensity_cd), &[Point, Spot]),
-            ("radiant_intensity_w_sr", place(&self.radiant_intensity_w_sr), &[Point, Spot]),
-            ("luminance_cd_m2", place(&self.luminance_cd_m2), &[Ambient]),
-        ];
-        for (key, span, kinds) in given {
-            if let Some(span) = span.filter(|_| !kinds.contains(&self.kind)) {
-                let kinds = kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
-                let kind = match self.kind {
-                    Ambient => "an ambient",
-                    Directional => "a directional",
-                    Point => "a point",
-                    Spot => "a spot",
-                };
-                let message = format!("{kind} light has no '{key}'");
-                return Err(Problem::at(span, message).help(format!("'{key}' is for lights of kind {kinds}")));
-            }
-        }
-        Ok(())
     }
 }

@@ -4,22 +4,22 @@ use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
-use glanz_bsdf::{MODELS, ParamError, Part, Shape};
-use glanz_color::Rgb;
+use glanz_bsdf::{MODELS, ParamError, Part};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{Error, MapAccess, Visitor};
+use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
-use serde_json::{Map, Value};
 
 use super::build::Builder;
 use super::colors::ColorValue;
 use super::error::Problem;
+use super::layers::{CoatTable, PaneTable, through};
+use super::lobes::LobeTable;
 use super::near::{did_you_mean, list};
 use super::table;
 use super::types::names;
 use super::values::{Amount, At, Exponent, Number, Share};
-use crate::{AlphaMode, ClassicMaterial, Lobe, Material, Tint};
+use crate::{AlphaMode, ClassicMaterial, Material, Tint};
 
 /// A material: either the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`,
 /// `emission`; colours that are missing are black) or a list of `lobes`.
@@ -42,6 +42,15 @@ pub(crate) struct MaterialTable {
     /// The terms of a general material: shapes times tints.
     #[serde(default, deserialize_with = "lobes")]
     pub lobes: Option<At<Vec<LobeTable>>>,
+    /// A clear or coloured layer over all terms: varnish, glaze, the top of car paint.
+    pub coat: Option<At<CoatTable>>,
+    /// Makes the surface a sheet of glass: it mirrors, and what is behind it is seen through it.
+    pub pane: Option<At<PaneTable>>,
+    /// What is seen through the surface: the share of the light from behind, or a table with `ior` (what a boundary
+    /// does not reflect) or `film_nm` (what a film in air does not reflect).
+    pub see_through: Option<At<ColorValue>>,
+    /// The angle in degrees from the mesh's tangent to the x axis of terms that know one; 0 by default.
+    pub aniso_deg: Option<Number>,
     /// Whether the normal is turned to the viewer. If not, back faces get ambient light only.
     #[serde(default = "yes")]
     pub two_sided: bool,
@@ -163,71 +172,6 @@ impl JsonSchema for TextureValue {
     }
 }
 
-/// One term of a general material: `shape`, `tint`, `textured`, and the parameters of the shape.
-#[derive(Debug)]
-pub(crate) struct LobeTable {
-    shape: At<String>,
-    tint: Option<At<ColorValue>>,
-    textured: Option<bool>,
-    params: Vec<(At<String>, At<Number>)>,
-}
-
-impl<'de> Deserialize<'de> for LobeTable {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct LobeVisitor;
-        impl<'de> Visitor<'de> for LobeVisitor {
-            type Value = LobeTable;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a lobe such as { shape = \"lambert\", tint = [0.7, 0.7, 0.2] }")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<LobeTable, A::Error> {
-                let (mut shape, mut tint, mut textured, mut params) = (None, None, None, Vec::new());
-                while let Some(key) = map.next_key::<At<String>>()? {
-                    match key.as_str() {
-                        "shape" => shape = Some(map.next_value()?),
-                        "tint" => tint = Some(map.next_value()?),
-                        "textured" => textured = Some(map.next_value()?),
-                        _ => params.push((key, map.next_value()?)),
-                    }
-                }
-                let shape = shape.ok_or_else(|| A::Error::missing_field("shape"))?;
-                Ok(LobeTable { shape, tint, textured, params })
-            }
-        }
-        deserializer.deserialize_any(LobeVisitor)
-    }
-}
-
-impl JsonSchema for LobeTable {
-    fn schema_name() -> Cow<'static, str> {
-        "Lobe".into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let color = generator.subschema_for::<ColorValue>();
-        let variant = |info: &glanz_bsdf::ModelInfo| {
-            let mut properties = Map::new();
-            properties.insert("shape".into(), serde_json::json!({ "const": info.name }));
-            properties.insert("tint".into(), color.clone().to_value());
-            let textured = "Whether textures and vertex colours multiply the tint; for ambient and diffuse shapes by default.";
-            properties
-                .insert("textured".into(), serde_json::json!({ "type": "boolean", "description": textured }));
-            for param in info.params {
-                let schema = serde_json::json!({
-                    "type": "number", "description": param.doc, "default": param.default,
-                    "minimum": param.min, "maximum": param.max,
-                });
-                properties.insert(param.name.into(), schema);
-            }
-            serde_json::json!({
-                "type": "object", "title": info.title, "required": ["shape"],
-                "additionalProperties": false, "properties": properties,
-            })
-        };
-        let variants: Vec<Value> = MODELS.iter().map(variant).collect();
-        json_schema!({ "description": "A term of a material: a shape times a tint.", "oneOf": variants })
-    }
-}
-
 /// The names that `model` takes.
 struct HighlightName;
 
@@ -260,6 +204,19 @@ impl MaterialTable {
             }
             None => self.classic(name, builder)?,
         };
+        if let Some(pane) = &self.pane {
+            pane.build(&mut material, builder, &pane.span)?;
+        }
+        if let Some(seen) = &self.see_through {
+            if let Some(pane) = &self.pane {
+                return Err(Problem::at(&pane.span, "'pane' beside 'see_through': a pane says what is seen"));
+            }
+            material.through = Some(through(seen, builder)?);
+        }
+        if let Some(coat) = &self.coat {
+            material = coat.build(material, builder, &coat.span)?;
+        }
+        material.aniso = self.aniso_deg.map_or(0.0, |angle| angle.0.to_radians());
         material.two_sided = self.two_sided;
         material.cull_back = self.cull_back;
         material.alpha = self.alpha.map_or(1.0, |a| a.0 as f32);
@@ -341,46 +298,6 @@ impl MaterialTable {
                 Err(Problem::at(span, format!("'{key}' beside 'lobes'")).help(help))
             }
             None => Ok(()),
-        }
-    }
-}
-
-impl LobeTable {
-    fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
-        let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
-        let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
-        // Document 003's textures and vertex colours are surface colours: not light, not highlights.
-        let textured = self.textured.unwrap_or(matches!(shape.info().part, Part::Ambient | Part::Diffuse));
-        let tint = match &self.tint {
-            None => Rgb::WHITE.into(),
-            Some(color) if shape.info().part == Part::Emission => builder.emission(color)?,
-            Some(color) => builder.tint(color)?,
-        };
-        if let (Tint::Ior(_), Part::Specular, true) = (&tint, shape.info().part, textured) {
-            return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
-        }
-        Ok(Lobe { shape, tint, textured })
-    }
-
-    fn explain(&self, error: &ParamError) -> Problem {
-        match error {
-            ParamError::UnknownModel { name, .. } => {
-                let names = || MODELS.iter().map(|info| info.name);
-                let message = format!("unknown shape '{name}'{}", did_you_mean(name, names()));
-                Problem::at(&self.shape.span, message).help(format!("the shapes are: {}", list(names())))
-            }
-            ParamError::UnknownParam { model, name, known } => {
-                let span = self.params.iter().find(|(key, _)| key.value == *name).map(|(key, _)| &key.span);
-                let near = did_you_mean(name, known.split(", ").chain(["shape", "tint", "textured"]));
-                let message = format!("unknown key '{name}' in a lobe of shape '{model}'{near}");
-                let help = format!("known keys: shape, tint, textured; parameters of '{model}': {known}");
-                Problem::at(span.unwrap_or(&self.shape.span), message).help(help)
-            }
-            ParamError::OutOfRange { name, .. } => {
-                let span =
-                    self.params.iter().find(|(key, _)| key.value == *name).map(|(_, value)| &value.span);
-                Problem::at(span.unwrap_or(&self.shape.span), error.to_string())
-            }
         }
     }
 }

@@ -7,13 +7,19 @@
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
 //! more than 50 million triangles.
 
+mod attenuation;
 mod build;
 mod colors;
+mod environment;
 mod error;
 mod explain;
 mod hash;
 mod instances;
+mod layers;
+mod light_keys;
 mod lights;
+mod lobes;
+mod luminaires;
 mod materials;
 mod near;
 mod objects;
@@ -21,12 +27,16 @@ mod place;
 mod schema;
 mod sets;
 mod spectra;
+mod strength;
+mod surfaces;
 mod table;
 mod types;
 mod values;
 
 #[cfg(test)]
 mod error_tests;
+#[cfg(test)]
+mod light_tests;
 #[cfg(test)]
 mod proptests;
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use glam::{DMat4, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
@@ -41,6 +41,13 @@ enum RotationsForm {
 /// One rotation or several, in the order in which they are done.
 #[derive(Clone, Debug, JsonSchema)]
 pub(crate) struct Rotations(#[schemars(with = "RotationsForm")] pub Vec<Rotation>);
+
+impl Rotations {
+    /// All of them, one after the other.
+    pub fn matrix(&self) -> DMat3 {
+        DMat3::from_mat4(self.0.iter().fold(DMat4::IDENTITY, |all, next| next.matrix() * all))
+    }
+}
 
 impl<'de> Deserialize<'de> for Rotations {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

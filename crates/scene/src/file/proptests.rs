@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use super::*;
 
 /// Scenes that use every kind of table, without files.
-const TEXTS: [&str; 3] = [
+const TEXTS: [&str; 4] = [
     include_str!("../../../../examples/orientation.toml"),
     include_str!("../../../../examples/lights.toml"),
     "[image]\nbackground = 'transparent'\n[camera]\neye = [0, 0, 1]\nprojection = 'orthographic'\nheight = 2\n\
@@ -13,6 +13,10 @@ const TEXTS: [&str; 3] = [
      lobes = [{ shape = 'phong', shininess = 3, tint = '#aabbcc' }]\n[[objects]]\nmesh = { cube = { size = 1 } }\n\
      material = 'b'\nrotate_deg = [{ axis = [0, 1, 0], angle = 3 }]\nnormals = 'smooth'\ncrease_deg = 30\nsubdivide = 1\n\
      [[objects]]\nmesh = 'quad'\nmatrix = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]\ncolors = 'none'\n",
+    "[image]\nbackground = 'environment'\n[render]\nshadows = true\n[[lights]]\nkind = 'environment'\nrotate_deg = 30\n\
+     [[lights]]\nkind = 'rectangle'\nposition = [0, 2, 0]\ntarget = [0, 0, 0]\nsize = [1, 2]\nup = [1, 0, 0]\n\
+     [[lights]]\nkind = 'disk'\nposition = [0, 2, 0]\ndirection = [0, -1, 0]\nradius = 1\ntwo_sided = true\n\
+     [[lights]]\nkind = 'sphere'\nposition = [0, 2, 0]\nradius = 1\nintensity = 3\n",
 ];
 
 /// Pieces that mean something in TOML or in scenes.

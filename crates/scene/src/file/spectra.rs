@@ -13,7 +13,10 @@ use super::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
 use super::error::Problem;
 use super::values::{At, Number};
 use crate::read::{FolderFiles, Resolver};
-use crate::{LightColor, Tint};
+use crate::{Film, LightColor, Tint};
+
+/// The thickest film: fringes of a thicker one are finer than the spectral grid of 5 nm shows.
+const THICKEST_FILM_NM: f64 = 2000.0;
 
 /// What a function of wavelength stands for.
 enum Function {
@@ -81,6 +84,9 @@ impl Builder {
         if let Some(luminance) = &table.luminance_cd_m2 {
             return Err(Problem::at(&luminance.span, "'luminance_cd_m2' is for light that a surface sends")
                 .help("give it in 'emission'"));
+        }
+        if let Some(film) = film(table)? {
+            return Ok(Tint::Film(Arc::new(film)));
         }
         let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
         Ok(match self.function(table, &value.span, false)? {
@@ -153,6 +159,9 @@ impl Builder {
             ("reradiation", table.reradiation.is_some()),
             ("ior", table.ior.is_some()),
         ];
+        if let Some(thickness) = &table.film_nm {
+            return Err(Problem::at(&thickness.span, "'film_nm' is for what surfaces do with light"));
+        }
         if let (Some(column), None) = (&table.column, &table.file) {
             return Err(Problem::at(&column.span, "'column' needs 'file'"));
         }
@@ -358,14 +367,57 @@ fn choose<'a>(
     }
 }
 
+/// The film that a table describes, if it does.
+fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
+    let Some(thickness) = &table.film_nm else {
+        return match &table.film_ior {
+            Some(medium) => {
+                Err(Problem::at(&medium.span, "'film_ior' needs 'film_nm', the film's thickness"))
+            }
+            None => Ok(None),
+        };
+    };
+    let others = [
+        (table.scale.as_ref().map(|v| &v.span), "scale"),
+        (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
+        (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
+        (table.file.as_ref().map(|v| &v.span), "file"),
+    ];
+    if let Some((span, key)) = others.iter().find_map(|(span, key)| Some((span.as_ref()?, key))) {
+        return Err(Problem::at(
+            span,
+            format!("'{key}' beside 'film_nm': the film says how much is reflected"),
+        ));
+    }
+    if !(0.0..=THICKEST_FILM_NM).contains(&thickness.0) {
+        let message = format!("expected a film of 0 to {THICKEST_FILM_NM} nm, found {}", thickness.0);
+        return Err(Problem::at(&thickness.span, message));
+    }
+    let film = table.film_ior.as_ref().map_or(Ok(Ior::constant(1.33)), medium)?;
+    if let (true, Some(given)) = (film.k.max() > 0.0, &table.film_ior) {
+        return Err(Problem::at(&given.span, "a film must be clear; metals absorb"));
+    }
+    let base = table.ior.as_ref().map_or(Ok(air()), medium)?;
+    Ok(Some(Film { thickness_nm: thickness.0, film, base }))
+}
+
+/// Nothing to speak of.
+fn air() -> Ior {
+    Ior { name: "air".to_owned(), ..Ior::constant(1.0) }
+}
+
 fn ior(value: &At<IorValue>) -> Result<Function, Problem> {
-    let ior = match &value.value {
+    Ok(Function::Ior(Arc::new(medium(value)?)))
+}
+
+/// A medium by its name or its index.
+pub(super) fn medium(value: &At<IorValue>) -> Result<Ior, Problem> {
+    Ok(match &value.value {
         IorValue::Name(name) => glanz_color::ior(name).map_err(|error| {
             unknown(&error, &value.span).help("`glanz color list metals` tells the names; or give a number")
         })?,
         IorValue::Index(index) => Ior::constant(*index),
-    };
-    Ok(Function::Ior(Arc::new(ior)))
+    })
 }
 
 fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {

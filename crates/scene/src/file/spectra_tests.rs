@@ -113,7 +113,7 @@ fn physical_units_give_the_luminance_of_white_paper() {
     let luminance = |text: &str| {
         let scene = scene(text);
         assert!(scene.photometric);
-        (rgb_spectra::luminance(&sent(&scene)), scene.lights[0].kind)
+        (rgb_spectra::luminance(&sent(&scene)), scene.lights[0].kind.clone())
     };
     let sun =
         "[[lights]]\nkind = 'directional'\ndirection = [0, -1, 0]\nspectrum = 'D65'\nilluminance_lx = 1000";

@@ -51,7 +51,10 @@ fn the_full_example_means_what_it_says() {
     let eye = DVec3::new(0.0, 0.0, 4.0);
     assert_eq!(scene.camera, Some(Camera { eye, target: DVec3::ZERO, up: DVec3::Y, projection }));
     let [ambient, directional, point, spot] = &scene.lights[..] else { panic!("{:?}", scene.lights) };
-    assert_eq!((ambient.kind, ambient.colors.ambient.clone()), (LightKind::Ambient, Rgb::gray(0.1).into()));
+    assert_eq!(
+        (ambient.kind.clone(), ambient.colors.ambient.clone()),
+        (LightKind::Ambient, Rgb::gray(0.1).into())
+    );
     assert_eq!(directional.kind, LightKind::Directional { direction: DVec3::new(0.0, -1.0, -1.0) });
     assert_eq!(directional.colors, LightColors::all(Rgb::gray(0.5)));
     let attenuation = Attenuation { constant: 0.0, linear: 0.0, quadratic: 0.25 };
@@ -141,8 +144,8 @@ fn a_light_sends_its_color_unless_a_part_has_its_own() {
 fn attenuation_has_names_and_missing_factors_are_zero() {
     let attenuation = |value: &str| {
         let text = format!("[[lights]]\nkind = 'point'\nposition = [0, 0, 0]\n{value}");
-        match scene(&text).lights[0].kind {
-            LightKind::Point { attenuation, .. } => attenuation,
+        match &scene(&text).lights[0].kind {
+            LightKind::Point { attenuation, .. } => *attenuation,
             other => panic!("{other:?}"),
         }
     };
@@ -378,8 +381,8 @@ fn cameras_and_lights_of_a_gltf_file_move_with_its_object() {
     let scratch = Scratch::new("camera", &[("scenes/c.gltf", gltf), ("scenes/scene.toml", &scene)]);
     let scene = scratch.load(false).unwrap_or_else(|error| panic!("{error}")).scene;
     assert_eq!(scene.camera.expect("found").eye, DVec3::new(1.0, 0.0, 10.0));
-    match scene.lights[0].kind {
-        LightKind::Point { position, .. } => assert_eq!(position, DVec3::new(1.0, 6.0, 0.0)),
+    match &scene.lights[0].kind {
+        LightKind::Point { position, .. } => assert_eq!(*position, DVec3::new(1.0, 6.0, 0.0)),
         other => panic!("{other:?}"),
     }
     std::fs::write(scratch.0.join("scenes/scene.toml"), format!("camera = 'eye'\n{object}"))

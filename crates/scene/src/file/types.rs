@@ -59,8 +59,8 @@ pub(crate) struct ImageTable {
     pub samples: Samples,
     /// Shade every sample rather than once per pixel and surface.
     pub supersample: bool,
-    /// What is where nothing is: a colour, or "transparent".
-    pub background: BackgroundValue,
+    /// What is where nothing is: a colour, "transparent", or "environment", the first light of that kind.
+    pub background: Option<At<BackgroundValue>>,
 }
 
 impl Default for ImageTable {
@@ -71,7 +71,7 @@ impl Default for ImageTable {
             height: Side(image.height),
             samples: Samples(image.samples),
             supersample: image.supersample,
-            background: BackgroundValue(image.background),
+            background: None,
         }
     }
 }
@@ -97,6 +97,8 @@ pub(crate) struct RenderTable {
     /// Who looks: the name of an observer, or a file with the curves of a sensor (CSV); the standard
     /// observer of 1931 by default. Not in mode rgb.
     pub observer: Option<At<String>>,
+    /// Whether surfaces stand in each other's light; not by default, as the classic models have it.
+    pub shadows: bool,
 }
 
 /// Light that comes from everywhere.
@@ -393,16 +395,22 @@ impl<'de> Deserialize<'de> for BackgroundValue {
         impl<'de> Visitor<'de> for Background {
             type Value = BackgroundValue;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a colour such as [0.0, 0.0, 0.2], \"#rrggbb\", or \"transparent\"")
+                f.write_str(
+                    "a colour such as [0.0, 0.0, 0.2], \"#rrggbb\", \"transparent\" or \"environment\"",
+                )
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<BackgroundValue, E> {
-                if text == "transparent" {
-                    return Ok(BackgroundValue(crate::Background::Transparent));
+                match text {
+                    "transparent" => return Ok(BackgroundValue(crate::Background::Transparent)),
+                    "environment" => return Ok(BackgroundValue(crate::Background::Environment)),
+                    _ => {}
                 }
                 let color = Color::parse_hex(text);
                 color.map(|c| BackgroundValue(crate::Background::Color(c.0))).ok_or_else(|| {
                     let found = text.chars().take(40).collect::<String>();
-                    E::custom(format!("expected a colour or \"transparent\", found \"{found}\""))
+                    E::custom(format!(
+                        "expected a colour, \"transparent\" or \"environment\", found \"{found}\""
+                    ))
                 })
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<BackgroundValue, A::Error> {
@@ -423,6 +431,6 @@ impl JsonSchema for BackgroundValue {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let color = generator.subschema_for::<Color>();
-        json_schema!({ "anyOf": [{ "const": "transparent" }, color] })
+        json_schema!({ "anyOf": [{ "enum": ["transparent", "environment"] }, color] })
     }
 }

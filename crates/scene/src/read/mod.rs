@@ -4,8 +4,12 @@
 //! names the file, the place and what was expected there. It never allocates by what a file claims,
 //! only by what it holds, and it follows references only inside the folder of [`ReadOptions::root`].
 //!
+//! Beside models there are textures, sensors, the profiles of luminaires (LM-63, EULUMDAT) and pictures of
+//! surroundings (Radiance HDR, OpenEXR), each with a function of its own.
+//!
 //! What a reader left out or could only approximate is told in [`Model::notes`].
 
+mod environment;
 mod error;
 mod faces;
 mod finish;
@@ -16,6 +20,7 @@ mod notes;
 mod obj;
 mod options;
 mod ply;
+mod profile;
 mod resolve;
 mod sensor;
 mod stl;
@@ -24,9 +29,11 @@ mod texture;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
+pub use environment::read_environment;
 pub use error::{Place, ReadError};
 pub use model::Model;
 pub use options::ReadOptions;
+pub use profile::{MAX_PROFILE_BYTES, read_profile};
 pub use resolve::{FolderFiles, NoFiles, ResolveError, Resolver, resolve};
 pub use sensor::read_sensor;
 pub use texture::read_texture;

@@ -91,6 +91,17 @@ fn transformed(mut light: Light, transform: &DMat4) -> Light {
             *position = transform.transform_point3(*position);
             *direction = transform.transform_vector3(*direction);
         }
+        LightKind::Area { position, direction, up, .. } => {
+            *position = transform.transform_point3(*position);
+            *direction = transform.transform_vector3(*direction);
+            *up = transform.transform_vector3(*up);
+        }
+        // At infinite distance, and no model has any.
+        LightKind::Environment { .. } => {}
+    }
+    if let Some(luminaire) = &mut light.luminaire {
+        luminaire.axis = transform.transform_vector3(luminaire.axis);
+        luminaire.c0 = transform.transform_vector3(luminaire.c0);
     }
     light
 }
@@ -101,7 +112,7 @@ mod tests {
     use glanz_color::Rgb;
 
     use super::*;
-    use crate::{LightColors, Space, TextureUse};
+    use crate::{LightColors, TextureUse};
 
     fn model() -> Model {
         let mut material = Material::default_gray();
@@ -119,12 +130,7 @@ mod tests {
                 shading: None,
                 interpolation: None,
             }],
-            lights: vec![Light {
-                name: String::new(),
-                kind,
-                colors: LightColors::direct(Rgb::gray(1.0)),
-                space: Space::World,
-            }],
+            lights: vec![Light::new(kind, LightColors::direct(Rgb::gray(1.0)))],
             ..Model::default()
         }
     }

@@ -96,6 +96,14 @@ fn write_fuzz_seeds() {
     for (number, bytes) in texture::tests::samples().into_iter().enumerate() {
         write("texture", number, &bytes);
     }
+    for (number, (text, file)) in profile::tests::samples().into_iter().enumerate() {
+        // The fuzz target chooses the format by the first byte.
+        let first = u8::from(file.ends_with(".ldt"));
+        write("profile", number, &[&[first], text.as_bytes()].concat());
+    }
+    for (number, bytes) in environment::tests::samples().into_iter().enumerate() {
+        write("environment", number, &bytes);
+    }
 }
 
 /// A grid of a million triangles in this format.

@@ -24,8 +24,7 @@ fn is_the_product_of_its_terms() {
             let g = smith_g1(lambda_beckmann(wo, alpha)) * smith_g1(lambda_beckmann(up, alpha));
             let expected = d_beckmann(h, alpha) * g * oh * -ih / (wo.z * (oh + eta * ih) * (oh + eta * ih));
             let got = lobe(0.4, eta).f_cos(&Pair::new(wo, wi));
-            // The short form of G1 for Beckmann's slopes is that of Λ to the rounding of its printed constants.
-            assert!((got / expected - 1.0).abs() < 1e-3, "{got} for {expected}");
+            assert!((got / expected - 1.0).abs() < 1e-11, "{got} for {expected}");
             assert!((lobe(0.4, eta).tint_cosine(&Pair::new(wo, wi)) - oh).abs() < 1e-12);
         }
     }

@@ -6,9 +6,9 @@
 //! multiplies it.
 //! `eta`: the index of refraction below the surface over that above, 0.25 … 4, default 1.5; values nearer to 1
 //! than 0.01 count as 0.01 off, since at 1 nothing is bent and the lobe has no width.
-//! **Laws** reciprocal as refraction is, f(wo, wi) / η_o² = f(wi, wo) / η_i²; keeps energy: η² times the albedo is below
-//! 1. Radiance that arrives from a denser medium is spread by η², so that the albedo of a smooth boundary is 1/η²; models
-//! for light particles leave that factor out.
+//! **Laws** reciprocal as refraction is, f(wo, wi) / η_o² = f(wi, wo) / η_i²; energy: η² times the albedo stays below 1.
+//! Radiance that arrives from a denser medium is spread, so that the albedo of a smooth boundary is 1/η²; what is written
+//! for light particles leaves that factor out.
 //! **Limits** towards α → 0 perfect refraction. Light that is reflected within the rough surface is lost.
 //! **Source** B. Walter, S. R. Marschner, H. Li and K. E. Torrance, Microfacet Models for Refraction through Rough
 //! Surfaces, 2007, equations 16, 21 and 23 to 34, with the factor of radiance that the paper leaves out. F is the tint.
@@ -60,7 +60,7 @@ impl Model for GgxTransmission {
     }
 
     fn eta(&self) -> f64 {
-        self.bending
+        bending(self.eta)
     }
 
     #[inline(always)]

@@ -260,7 +260,7 @@ impl Reader<'_> {
 
 fn lobe(shape: &str, params: &[(&str, f64)], tint: [f64; 3], textured: bool) -> Lobe {
     let shape = Shape::named(shape, params).expect("the shape exists and its exponent is within range");
-    Lobe { shape, tint: Rgb(tint.map(|channel| channel as f32)).into(), textured }
+    Lobe { textured, ..Lobe::new(shape, Rgb(tint.map(|channel| channel as f32))) }
 }
 
 /// The lobes of a lit material; those whose tint is black are left out.

@@ -8,7 +8,7 @@ use super::super::{Model, Place, ReadError};
 use super::Source;
 use super::json::{self, Node};
 use super::primitive::Builder;
-use crate::{Attenuation, Camera, Light, LightColors, LightKind, Object, Projection, Space};
+use crate::{Attenuation, Camera, Light, LightColors, LightKind, Object, Projection};
 
 /// Reads the default scene, or all nodes where there is none.
 pub(super) fn read(
@@ -199,7 +199,7 @@ impl Visit<'_> {
         let name = if light.name.is_empty() { &self.node.name } else { &light.name };
         builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
         let colors = LightColors::direct(Rgb(color));
-        model.lights.push(Light { name: name.clone(), kind, colors, space: Space::World });
+        model.lights.push(Light { name: name.clone(), ..Light::new(kind, colors) });
         Ok(())
     }
 

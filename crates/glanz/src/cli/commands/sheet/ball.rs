@@ -85,7 +85,7 @@ impl Ball {
         }
         let center = mesh.bounds().center();
         let radius = mesh.positions.iter().map(|p| p.as_dvec3().distance(center)).fold(1e-9, f64::max);
-        let lobe = Lobe { shape: self.shape.clone(), tint: self.tint.clone(), textured: false };
+        let lobe = Lobe::new(self.shape.clone(), self.tint.clone());
         let scene = Scene {
             meshes: vec![mesh],
             materials: vec![Material::of_lobes("ball", vec![lobe])],
@@ -118,18 +118,18 @@ impl Ball {
     fn lights(&self) -> Vec<Light> {
         let lamps = match (self.shape.info().part, self.shape.info().side) {
             (Part::Ambient | Part::Emission, _) => {
-                let kind = LightKind::Ambient;
                 let colors = LightColors::ambient(self.light.scaled(AMBIENT));
-                return vec![Light { name: "ambient".to_owned(), kind, colors, space: Space::World }];
+                return vec![Light { name: "ambient".to_owned(), ..Light::new(LightKind::Ambient, colors) }];
             }
             (_, Side::Reflection) => LAMPS,
             (_, Side::Transmission) => LAMPS_BEHIND,
         };
         let lamp = |(direction, strength): ([f64; 3], f64)| Light {
-            name: String::new(),
-            kind: LightKind::Directional { direction: DVec3::from_array(direction) },
-            colors: LightColors::direct(self.light.scaled(strength)),
             space: Space::Camera,
+            ..Light::new(
+                LightKind::Directional { direction: DVec3::from_array(direction) },
+                LightColors::direct(self.light.scaled(strength)),
+            )
         };
         lamps.into_iter().map(lamp).collect()
     }

@@ -1,0 +1,106 @@
+//! What is where nothing is.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, LanesMask, Real};
+use glanz_scene::Background;
+
+use super::eye::Eye;
+use super::lights::{EyeLight, EyeLights, turned};
+use super::raster::Grid;
+use super::reflect::mixed;
+use super::{block, three};
+use crate::prepare::Sky;
+
+/// The background of a frame.
+#[derive(Clone, Copy)]
+pub(crate) struct Backdrop<'a> {
+    /// Colour and coverage where no surroundings are seen.
+    fixed: ([f32; 3], f32),
+    surroundings: Option<Seen<'a>>,
+}
+
+/// Surroundings that are seen.
+#[derive(Clone, Copy)]
+struct Seen<'a> {
+    eye: &'a Eye,
+    /// None where they are 1 everywhere.
+    sky: Option<&'a Sky>,
+    to_map: [[f32; 3]; 3],
+    /// What each of the three spectra gives in the channels.
+    tint: [[f32; 3]; 3],
+}
+
+impl<'a> Backdrop<'a> {
+    /// The background of a view among lights; `tint` is what surroundings give in the channels.
+    pub fn new(
+        background: Background,
+        eye: &'a Eye,
+        lights: &EyeLights<'a>,
+        tint: Option<[[f32; 3]; 3]>,
+    ) -> Self {
+        let fixed = match background {
+            Background::Color(color) => (color.0, 1.0),
+            Background::Transparent => ([0.0; 3], 0.0),
+            Background::Environment => ([0.0; 3], 1.0),
+        };
+        let seen = || match (lights.surroundings()?, tint?) {
+            (EyeLight::Environment { surroundings, to_map, .. }, tint) => {
+                Some(Seen { eye, sky: surroundings.sky.as_deref(), to_map: *to_map, tint })
+            }
+            _ => None,
+        };
+        let surroundings = if background == Background::Environment { seen() } else { None };
+        Self { fixed, surroundings }
+    }
+
+    /// Colour and coverage, if they are the same everywhere.
+    pub fn fixed(&self) -> Option<([f32; 3], f32)> {
+        self.surroundings.is_none().then_some(self.fixed)
+    }
+
+    /// Colour and coverage of the block at a place of a tile.
+    #[inline(always)]
+    pub fn block<S: Simd>(&self, simd: S, grid: &Grid, at: usize) -> ([Lanes<S>; 3], Lanes<S>) {
+        let (color, alpha) = self.fixed;
+        let splat = |value: f32| Lanes::splat(simd, value);
+        let Some(seen) = &self.surroundings else { return (color.map(splat), splat(alpha)) };
+        let [px, py] = block::coordinates(simd, grid, at, [0.5, 0.5]);
+        (seen.colors(px, py), splat(alpha))
+    }
+
+    /// Colour and coverage of a block with the background where nothing covers it.
+    #[inline(always)]
+    pub fn behind<S: Simd>(
+        &self,
+        simd: S,
+        rgb: [Lanes<S>; 3],
+        covered: u32,
+        (grid, at): (&Grid, usize),
+    ) -> ([Lanes<S>; 3], Lanes<S>) {
+        let (color, alpha) = self.block(simd, grid, at);
+        let mask = LanesMask::from_bits(simd, covered);
+        let over = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| rgb[c].select(mask, color[c]),
+        );
+        (over, alpha.one().select(mask, alpha))
+    }
+}
+
+impl Seen<'_> {
+    #[inline(never)]
+    fn colors<S: Simd>(&self, px: Lanes<S>, py: Lanes<S>) -> [Lanes<S>; 3] {
+        px.at_own_level(
+            #[inline(always)]
+            || {
+                let (_, wo) = self.eye.unproject(px, py, px.one());
+                let amounts = match self.sky {
+                    Some(sky) => sky.at(turned(&self.to_map, -wo)),
+                    None => [px.one(); 3],
+                };
+                mixed(&self.tint, &amounts)
+            },
+        )
+    }
+}

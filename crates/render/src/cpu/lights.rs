@@ -1,0 +1,181 @@
+//! The lights in single precision, relative to the eye.
+
+use glam::{DMat3, DVec3, Mat3};
+use glanz_math::{Real, Vec3};
+use glanz_scene::{AreaShape, Space};
+
+use super::eye::Eye;
+use crate::Prepared;
+use crate::prepare::{
+    Falloff, LightShape, Occluders, PreparedLight, PreparedLuminaire, Shares, Surroundings,
+};
+
+/// The lights of a frame.
+pub(crate) struct EyeLights<'a> {
+    pub list: Vec<EyeLight<'a>>,
+    /// Whether the pixel loop of the classic models knows them all.
+    pub classic: bool,
+    /// What casts shadows, and where the eye is among it.
+    pub occluders: Option<(&'a Occluders, [f32; 3])>,
+}
+
+/// How a light falls off, in single precision.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum EyeFalloff {
+    None,
+    Polynomial([f32; 3]),
+}
+
+/// A cone, in single precision.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EyeCone {
+    pub axis: [f32; 3],
+    pub cos_cutoff: f32,
+    pub exponent: f32,
+    /// Outer cosine and 1 / (inner − outer).
+    pub smooth_edge: Option<[f32; 2]>,
+}
+
+/// What a luminaire sends into each direction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EyeLuminaire<'a> {
+    pub shares: &'a Shares,
+    /// Rows: C 0°, C 90°, γ 0°.
+    pub frame: [[f32; 3]; 3],
+}
+
+/// A surface that shines.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EyeArea {
+    pub form: AreaShape,
+    pub center: [f32; 3],
+    /// Along its width, its height and the way it faces.
+    pub axes: [[f32; 3]; 3],
+    pub two_sided: bool,
+}
+
+/// A light relative to the eye, along world axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum EyeLight<'a> {
+    Directional {
+        towards: [f32; 3],
+    },
+    Point {
+        position: [f32; 3],
+        falloff: EyeFalloff,
+        cone: Option<EyeCone>,
+        luminaire: Option<EyeLuminaire<'a>>,
+    },
+    Area(EyeArea),
+    Environment {
+        surroundings: &'a Surroundings,
+        /// Its number among the surroundings of the scene.
+        number: usize,
+        /// Rows of the rotation into its own directions.
+        to_map: [[f32; 3]; 3],
+    },
+}
+
+impl<'a> EyeLights<'a> {
+    pub fn new(prepared: &'a Prepared, eye: &Eye) -> Self {
+        let mut number = 0;
+        let list: Vec<_> = prepared
+            .lights
+            .iter()
+            .map(|light| {
+                let own = EyeLight::new(light, eye, number);
+                number += usize::from(matches!(own, EyeLight::Environment { .. }));
+                own
+            })
+            .collect();
+        let occluders = prepared.occluders.as_deref();
+        let occluders = occluders.map(|o| (o, (eye.position - o.center()).as_vec3().to_array()));
+        let simple = |light: &PreparedLight| light.shape.is_classic() && light.luminaire.is_none();
+        Self { list, classic: occluders.is_none() && prepared.lights.iter().all(simple), occluders }
+    }
+
+    /// The surroundings that are seen behind everything: the first.
+    pub fn surroundings(&self) -> Option<&EyeLight<'a>> {
+        self.list.iter().find(|light| matches!(light, EyeLight::Environment { .. }))
+    }
+}
+
+impl<'a> EyeLight<'a> {
+    fn new(light: &'a PreparedLight, eye: &Eye, number: usize) -> Self {
+        let direction = |d: DVec3| match light.space {
+            Space::World => d,
+            Space::Camera => eye.axes[0] * d.x + eye.axes[1] * d.y + eye.axes[2] * d.z,
+        };
+        let point = |p: DVec3| match light.space {
+            Space::World => p - eye.position,
+            Space::Camera => direction(p),
+        };
+        let array = |v: DVec3| v.as_vec3().to_array();
+        let luminaire = light.luminaire.as_ref().map(|PreparedLuminaire { shares, frame }| EyeLuminaire {
+            shares,
+            frame: [frame.x_axis, frame.y_axis, frame.z_axis].map(|axis| array(direction(axis))),
+        });
+        match &light.shape {
+            LightShape::Directional { towards } => Self::Directional { towards: array(direction(*towards)) },
+            LightShape::Point { position, falloff } => Self::Point {
+                position: array(point(*position)),
+                falloff: single(*falloff),
+                cone: None,
+                luminaire,
+            },
+            LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, falloff } => Self::Point {
+                position: array(point(*position)),
+                falloff: single(*falloff),
+                cone: Some(EyeCone {
+                    axis: array(direction(*axis)),
+                    cos_cutoff: *cos_cutoff as f32,
+                    exponent: *exponent as f32,
+                    smooth_edge: smooth_edge
+                        .map(|(inner, outer)| [outer as f32, (1.0 / (inner - outer).max(1e-6)) as f32]),
+                }),
+                luminaire,
+            },
+            LightShape::Area { form, position, axes, two_sided } => Self::Area(EyeArea {
+                form: *form,
+                center: array(point(*position)),
+                axes: axes.map(|axis| array(direction(axis))),
+                two_sided: *two_sided,
+            }),
+            LightShape::Environment(surroundings) => {
+                let world = DMat3::from_cols_array_2d(
+                    &[DVec3::X, DVec3::Y, DVec3::Z].map(|axis| direction(axis).to_array()),
+                );
+                // The rows of the inverse of a rotation are its columns.
+                let rotation: Mat3 = (world * surroundings.rotation).as_mat3();
+                Self::Environment { surroundings, number, to_map: rotation.to_cols_array_2d() }
+            }
+        }
+    }
+
+    /// How many lights of the tint table it is.
+    #[inline(always)]
+    pub fn rows(&self) -> usize {
+        if matches!(self, Self::Environment { .. }) { 3 } else { 1 }
+    }
+}
+
+fn single(falloff: Falloff) -> EyeFalloff {
+    match falloff {
+        Falloff::None => EyeFalloff::None,
+        Falloff::Polynomial { constant, linear, quadratic } => {
+            EyeFalloff::Polynomial([constant as f32, linear as f32, quadratic as f32])
+        }
+    }
+}
+
+/// A vector of three constants.
+#[inline(always)]
+pub(crate) fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
+    Vec3::new(like.lit(f64::from(v[0])), like.lit(f64::from(v[1])), like.lit(f64::from(v[2])))
+}
+
+/// A vector along other axes.
+#[inline(always)]
+pub(crate) fn turned<R: Real>(rows: &[[f32; 3]; 3], v: Vec3<R>) -> Vec3<R> {
+    Vec3::new(v.dot(splat(v.x, &rows[0])), v.dot(splat(v.x, &rows[1])), v.dot(splat(v.x, &rows[2])))
+}

@@ -1,0 +1,234 @@
+//! Light from surfaces that shine.
+
+use glanz_math::{Frame, PI, Real, Vec3};
+use glanz_scene::AreaShape;
+
+use super::super::lights::{EyeArea, EyeLights, splat};
+use super::polygon::form_factor;
+use super::{Sum, is_transmitting, shadow};
+use crate::prepare::{Cosines, DirectLobe, is_cosine};
+
+/// Corners of the polygon that stands for a disk, or for what is seen of a sphere.
+const ROUND: usize = 16;
+
+/// Points of the light along each of its directions, for lobes that know a tangent.
+const POINTS: usize = 8;
+
+/// A light as seen from a point: the corners of its outline relative to it.
+struct Outline<R> {
+    corners: [Vec3<R>; ROUND],
+    count: usize,
+    /// Unit vector to its middle, and how far that is.
+    middle: Vec3<R>,
+    distance: R,
+    /// 1 where the point is on a side that shines.
+    shines: R,
+}
+
+/// Adds what an area gives.
+#[inline(always)]
+pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea, row: usize) {
+    let outline = Outline::of(area, sum.point.position);
+    let mut reach = outline.shines;
+    if let Some(occluders) = lights.occluders {
+        reach = reach * shadow::free(occluders, sum.point, outline.middle, Some(outline.distance));
+    }
+    let normal = sum.point.normal;
+    let zero = reach.zero();
+    reach = reach.select(normal.dot(normal).gt(zero.lit(0.25)), zero);
+    if !R::any(zero.lt(reach)) {
+        return;
+    }
+    let frame = view_frame(sum.point.wo, normal, sum.cos_o);
+    let material = sum.material;
+    let pair = sum.mirror_pair();
+    for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
+        let value = match &field.cosines {
+            _ if lobe.shape.info().delta => mirrored(sum, area, lobe),
+            None if !is_cosine(&lobe.shape) => by_points(sum, area, lobe),
+            map => {
+                let local = |v: Vec3<R>| {
+                    let v = frame.to_local(v);
+                    if is_transmitting(lobe) { Vec3::new(v.x, v.y, -v.z) } else { v }
+                };
+                seen_through(&outline, map.as_deref(), sum.cos_o, local) * field.albedo.at(sum.cos_o)
+            }
+        };
+        sum.add(row, k, value * reach, &pair);
+    }
+}
+
+/// The share of a lobe that the light fills.
+#[inline(always)]
+fn seen_through<R: Real>(
+    outline: &Outline<R>,
+    map: Option<&Cosines>,
+    cos_o: R,
+    local: impl Fn(Vec3<R>) -> Vec3<R>,
+) -> R {
+    let mut corners = outline.corners;
+    let inverse = map.map(|map| map.at(cos_o));
+    for corner in &mut corners[..outline.count] {
+        let v = local(*corner);
+        *corner = match inverse {
+            Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+            None => v,
+        };
+    }
+    form_factor(&corners[..outline.count])
+}
+
+/// The frame around the normal whose x axis is the viewer's tangential direction.
+#[inline(always)]
+fn view_frame<R: Real>(wo: Vec3<R>, n: Vec3<R>, cos_o: R) -> Frame<R> {
+    let flat = wo - n * cos_o;
+    let squared = flat.dot(flat);
+    let known = squared.lit(1e-10).lt(squared);
+    let unit = flat * squared.max(squared.lit(1e-10)).rsqrt();
+    let any = Frame::around(n).t;
+    let t = Vec3::new(unit.x.select(known, any.x), unit.y.select(known, any.y), unit.z.select(known, any.z));
+    Frame { t, b: n.cross(t), n }
+}
+
+/// What a perfect mirror shows: 1 where the mirrored line of sight meets the light.
+#[inline(always)]
+fn mirrored<R: Real>(sum: &Sum<R>, area: &EyeArea, lobe: &DirectLobe) -> R {
+    let point = sum.point;
+    let zero = sum.cos_o.zero();
+    if is_transmitting(lobe) {
+        return zero;
+    }
+    let ray = point.wo.reflected(point.normal);
+    let to_center = splat(zero, &area.center) - point.position;
+    let along = |axis: usize, v: Vec3<R>| v.dot(splat(zero, &area.axes[axis]));
+    let met = match area.form {
+        AreaShape::Sphere { radius } => {
+            let nearest = to_center.dot(ray);
+            let off = to_center.dot(to_center) - nearest.sqr();
+            off.lt(zero.lit(radius * radius)) & zero.lt(nearest)
+        }
+        AreaShape::Rectangle { .. } | AreaShape::Disk { .. } => {
+            let slope = along(2, ray);
+            let t = along(2, to_center) / slope.select(slope.abs().gt(zero.lit(1e-20)), zero.lit(1e-20));
+            let hit = ray * t - to_center;
+            let inside = match area.form {
+                AreaShape::Rectangle { width, height } => {
+                    along(0, hit).abs().lt(zero.lit(0.5 * width))
+                        & along(1, hit).abs().lt(zero.lit(0.5 * height))
+                }
+                _ => {
+                    let radius = area.form.area() / PI;
+                    (along(0, hit).sqr() + along(1, hit).sqr()).lt(zero.lit(radius))
+                }
+            };
+            inside & zero.lt(t)
+        }
+    };
+    let mut value = zero.one().select(met, zero);
+    let pair = sum.mirror_pair();
+    for veil in &lobe.veils {
+        value = value * veil.factor(&pair);
+    }
+    value
+}
+
+/// The lobe over points of the light, each standing for its part of the outline.
+#[inline(always)]
+fn by_points<R: Real>(sum: &Sum<R>, area: &EyeArea, lobe: &DirectLobe) -> R {
+    let zero = sum.cos_o.zero();
+    let center = splat(zero, &area.center) - sum.point.position;
+    let (axes, size) = disk(area, center);
+    let mut total = zero;
+    for i in 0..POINTS * POINTS {
+        let (u, v) = grid_point(area.form, i);
+        let to = center + axes[0] * zero.lit(u) * size[0] + axes[1] * zero.lit(v) * size[1];
+        let squared = to.dot(to).max(zero.lit(1e-20));
+        let wi = to * squared.rsqrt();
+        let facing = wi.dot(axes[2]).abs();
+        let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
+        let pair = sum.pair(wi);
+        let mut value = lobe.shape.f_cos(&pair);
+        for veil in &lobe.veils {
+            value = value * veil.factor(&pair);
+        }
+        total = total + value * solid;
+    }
+    total
+}
+
+/// A point of a grid over −1 … 1 squared, or over the unit disk with equal areas.
+fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
+    let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+    let (s, t) = (step(number % POINTS), step(number / POINTS));
+    match form {
+        AreaShape::Rectangle { .. } => (2.0 * s - 1.0, 2.0 * t - 1.0),
+        _ => {
+            let (sin, cos) = libm::sincos(2.0 * PI * t);
+            let radius = libm::sqrt(s);
+            (radius * cos, radius * sin)
+        }
+    }
+}
+
+/// The flat figure that is seen of a light: its axes, half extents along the first two, and its area.
+#[inline(always)]
+fn disk<R: Real>(area: &EyeArea, center: Vec3<R>) -> ([Vec3<R>; 3], [R; 3]) {
+    let zero = center.x.zero();
+    let own = [0, 1, 2].map(|i: usize| splat(zero, &area.axes[i]));
+    match area.form {
+        AreaShape::Rectangle { width, height } => {
+            (own, [zero.lit(0.5 * width), zero.lit(0.5 * height), zero.lit(width * height)])
+        }
+        AreaShape::Disk { radius } => {
+            (own, [zero.lit(radius), zero.lit(radius), zero.lit(PI * radius * radius)])
+        }
+        AreaShape::Sphere { radius } => {
+            // The rim of the visible cap, seen as a disk in front of the centre.
+            let squared = center.dot(center).max(zero.lit(radius * radius * 1.000_001));
+            let towards = center * squared.rsqrt();
+            let frame = Frame::around(towards);
+            let shrink = (zero.one() - zero.lit(radius * radius) / squared).sqrt();
+            // Moved to the centre it must be larger in proportion.
+            let rim = zero.lit(radius) / shrink;
+            ([frame.t, frame.b, towards], [rim, rim, rim.sqr() * zero.lit(PI)])
+        }
+    }
+}
+
+impl<R: Real> Outline<R> {
+    #[inline(always)]
+    fn of(area: &EyeArea, position: Vec3<R>) -> Self {
+        let zero = position.x.zero();
+        let center = splat(zero, &area.center) - position;
+        let (axes, size) = disk(area, center);
+        let squared = center.dot(center).max(zero.lit(1e-20));
+        let middle = center * squared.rsqrt();
+        let mut corners = [center; ROUND];
+        let count = match area.form {
+            AreaShape::Rectangle { .. } => {
+                for (corner, (u, v)) in
+                    corners.iter_mut().zip([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+                {
+                    *corner = center + axes[0] * size[0] * zero.lit(u) + axes[1] * size[1] * zero.lit(v);
+                }
+                4
+            }
+            _ => {
+                let turn = 2.0 * PI / ROUND as f64;
+                // The polygon has the area of the circle.
+                let stretch = libm::sqrt(turn / libm::sin(turn));
+                for (i, corner) in corners.iter_mut().enumerate() {
+                    let (sin, cos) = libm::sincos(turn * i as f64);
+                    *corner = center
+                        + axes[0] * size[0] * zero.lit(cos * stretch)
+                        + axes[1] * size[1] * zero.lit(sin * stretch);
+                }
+                ROUND
+            }
+        };
+        let always = area.two_sided || matches!(area.form, AreaShape::Sphere { .. });
+        let faces = center.dot(splat(zero, &area.axes[2])).lt(zero);
+        let shines = if always { zero.one() } else { zero.one().select(faces, zero) };
+        Self { corners, count, middle, distance: squared.sqrt(), shines }
+    }
+}

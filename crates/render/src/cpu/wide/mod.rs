@@ -1,0 +1,162 @@
+//! The sum over lights and lobes with all that the classic models do not have: lobes that know a tangent, lie
+//! below coats or let light through; lights that are surfaces or surroundings; luminaires and shadows.
+//!
+//! It is the sum of `reflect.rs`: C = Σ_l a_l(x) · Σ_k s_k(wo, wi) · T\[l, k, c\].
+
+mod area;
+mod lamp;
+mod polygon;
+mod shadow;
+mod surroundings;
+
+use glanz_bsdf::{Pair, Side};
+use glanz_math::{Frame, Real, Vec3};
+use glanz_scene::Metalness;
+
+use super::lights::{EyeLight, EyeLights};
+use super::reflect::{Point, Reflected, add, literal, mixed};
+use crate::prepare::{Along, DirectLobe, MixTints, PreparedMaterial};
+
+/// The least cosine of the view angle: interpolated normals may turn further away than the surface that is seen.
+const LEAST_COS_O: f64 = 1e-4;
+
+/// All light that `material` sends from `point` to the viewer, without its own emission; see
+/// [`super::reflect::reflect`]. A function of its own, once per kind of number and SIMD level.
+#[inline(never)]
+pub(crate) fn reflect<R: Real>(
+    lights: &EyeLights,
+    material: &PreparedMaterial,
+    point: &Point<R>,
+    texel: Option<[R; 3]>,
+) -> Reflected<R> {
+    point.normal.x.at_own_level(
+        #[inline(always)]
+        || reflect_here(lights, material, point, texel),
+    )
+}
+
+#[inline(always)]
+fn reflect_here<R: Real>(
+    lights: &EyeLights,
+    material: &PreparedMaterial,
+    point: &Point<R>,
+    texel: Option<[R; 3]>,
+) -> Reflected<R> {
+    let mut sum = Sum::new(material, point, texel);
+    let mut row = 0;
+    for light in &lights.list {
+        match light {
+            EyeLight::Area(area) => area::add(&mut sum, lights, area, row),
+            EyeLight::Environment { surroundings, number, to_map } => {
+                surroundings::add(&mut sum, surroundings, *number, to_map, row);
+            }
+            _ => lamp::add(&mut sum, lights, light, row),
+        }
+        row += light.rows();
+    }
+    sum.reflected
+}
+
+/// The light that a point sends, so far, and what it takes to add more.
+struct Sum<'a, R> {
+    material: &'a PreparedMaterial,
+    mix: Option<(&'a MixTints, [R; 3])>,
+    point: &'a Point<R>,
+    cos_o: R,
+    /// The axes of lobes that know a tangent.
+    axes: Option<[Vec3<R>; 2]>,
+    reflected: Reflected<R>,
+}
+
+impl<'a, R: Real> Sum<'a, R> {
+    /// What ambient light gives.
+    #[inline(always)]
+    fn new(material: &'a PreparedMaterial, point: &'a Point<R>, texel: Option<[R; 3]>) -> Self {
+        let like = point.normal.x;
+        let mix = material.mix.as_deref().zip(texel);
+        let textured = match &mix {
+            Some((mix, texel)) => mixed(&mix.ambient, texel),
+            None => literal(like, &material.ambient[0]),
+        };
+        let reflected = Reflected { textured, plain: literal(like, &material.ambient[1]) };
+        let cos_o = point.normal.dot(point.wo).max(like.lit(LEAST_COS_O));
+        let axes = material.anisotropic.then(|| axes(material, point));
+        Self { material, mix, point, cos_o, axes, reflected }
+    }
+
+    /// The pair of viewer and light.
+    #[inline(always)]
+    fn pair(&self, wi: Vec3<R>) -> Pair<R> {
+        let wo = self.point.wo;
+        let mut pair = Pair::isotropic(self.cos_o, self.point.normal.dot(wi), wo.dot(wi));
+        pair.widening = self.point.widening;
+        if let Some([x, y]) = self.axes {
+            pair.tangent_o = (x.dot(wo), y.dot(wo));
+            pair.tangent_i = (x.dot(wi), y.dot(wi));
+        }
+        pair
+    }
+
+    /// The pair of the viewer and light that is mirrored to it by the surface itself.
+    #[inline(always)]
+    fn mirror_pair(&self) -> Pair<R> {
+        let c2 = self.cos_o.sqr();
+        let mut pair = Pair::isotropic(self.cos_o, self.cos_o, c2 + c2 - c2.one());
+        pair.widening = self.point.widening;
+        pair
+    }
+
+    /// How much of a lobe there is at the point.
+    #[inline(always)]
+    fn share(&self, lobe: &DirectLobe) -> Option<R> {
+        let metal = self.point.metal;
+        match lobe.share {
+            Metalness::Any => None,
+            Metalness::Metal { factor } => Some(metal * metal.lit(factor)),
+            Metalness::Dielectric { factor } => Some(metal.one() - metal * metal.lit(factor)),
+        }
+    }
+
+    /// Adds a lobe's value for a light of the table; the pair says where a tint that is a curve is taken.
+    #[inline(always)]
+    fn add(&mut self, row: usize, lobe: usize, value: R, pair: &Pair<R>) {
+        let material = self.material;
+        let entry = row * material.lobes.len() + lobe;
+        let lobe = &material.lobes[lobe];
+        let tint = match &self.mix {
+            _ if lobe.along != Along::Nothing => material.curves[entry].at(lobe.along.at(&lobe.shape, pair)),
+            Some((mix, texel)) if lobe.textured => mixed(&mix.tints[entry], texel),
+            _ => literal(value, &material.tints[entry]),
+        };
+        let value = match self.share(lobe) {
+            Some(share) => value * share,
+            None => value,
+        };
+        let reflected = &mut self.reflected;
+        add(if lobe.textured { &mut reflected.textured } else { &mut reflected.plain }, value, tint);
+    }
+}
+
+/// Whether light on the other side of the surface counts for a lobe.
+#[inline(always)]
+fn is_transmitting(lobe: &DirectLobe) -> bool {
+    lobe.shape.info().side == Side::Transmission
+}
+
+/// The x and y axis of a lobe's frame: the surface's tangent, laid into the plane of the normal and turned.
+/// Without one, x runs around the vertical.
+#[inline(always)]
+fn axes<R: Real>(material: &PreparedMaterial, point: &Point<R>) -> [Vec3<R>; 2] {
+    let n = point.normal;
+    let zero = n.x.zero();
+    let tangent = point.tangent.unwrap_or(Vec3::new(n.z, zero, -n.x));
+    let flat = tangent - n * n.dot(tangent);
+    let squared = flat.dot(flat);
+    let known = squared.lit(1e-12).lt(squared);
+    let any = Frame::around(n).t;
+    let unit = flat * squared.max(squared.lit(1e-12)).rsqrt();
+    let x = Vec3::new(unit.x.select(known, any.x), unit.y.select(known, any.y), unit.z.select(known, any.z));
+    let y = n.cross(x);
+    let (sin, cos) = (zero.lit(material.aniso[0]), zero.lit(material.aniso[1]));
+    [x * cos + y * sin, y * cos - x * sin]
+}

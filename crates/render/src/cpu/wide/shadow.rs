@@ -1,0 +1,31 @@
+//! Exact hard shadows: one ray per light and pixel.
+
+use glanz_math::{Real, Vec3};
+
+use super::super::reflect::Point;
+use crate::prepare::Occluders;
+
+/// 1 where nothing stands between the point and the light, else 0. `eye` is where the eye is among the occluders.
+#[inline(always)]
+pub(super) fn free<R: Real>(
+    (occluders, eye): (&Occluders, [f32; 3]),
+    point: &Point<R>,
+    wi: Vec3<R>,
+    distance: Option<R>,
+) -> R {
+    let arrays = |v: Vec3<R>| [v.x.to_array(), v.y.to_array(), v.z.to_array()];
+    let (position, normal, towards) = (arrays(point.position), arrays(point.normal), arrays(wi));
+    let distance = distance.map_or([f32::INFINITY; 16], R::to_array);
+    let mut values = [0.0; 16];
+    for lane in 0..R::LANES {
+        let at = |rows: &[[f32; 16]; 3]| [rows[0][lane], rows[1][lane], rows[2][lane]];
+        let (p, n, w) = (at(&position), at(&normal), at(&towards));
+        let cosine = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
+        // Rays start on the side of the light, for surfaces that light passes too.
+        let side = if cosine < 0.0 { -1.0 } else { 1.0 };
+        let from = [p[0] + eye[0], p[1] + eye[1], p[2] + eye[2]];
+        let is_free = occluders.is_free(from, n.map(|c| c * side), w, distance[lane]);
+        values[lane] = if is_free { 1.0 } else { 0.0 };
+    }
+    wi.x.with_array(&values)
+}

@@ -1,0 +1,72 @@
+//! Light from all around.
+
+use glanz_bsdf::Part;
+use glanz_math::{Real, Vec3};
+
+use super::super::lights::turned;
+use super::{Sum, is_transmitting};
+use crate::prepare::{DirectLobe, Field, Surroundings};
+
+/// Adds what surroundings give; they are the three lights of the table from `row` on.
+#[inline(always)]
+pub(super) fn add<R: Real>(
+    sum: &mut Sum<R>,
+    surroundings: &Surroundings,
+    number: usize,
+    to_map: &[[f32; 3]; 3],
+    row: usize,
+) {
+    let pair = sum.mirror_pair();
+    let zero = pair.cos_o.zero();
+    // Without a normal there is no surface to light.
+    let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
+    let material = sum.material;
+    for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
+        let seen = seen(sum, surroundings, number, to_map, lobe, field);
+        let mut share = field.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+        if lobe.shape.info().delta {
+            for veil in &lobe.veils {
+                share = share * veil.factor(&pair);
+            }
+        }
+        for (basis, seen) in seen.into_iter().enumerate() {
+            sum.add(row + basis, k, seen * share, &pair);
+        }
+    }
+}
+
+/// What a lobe sees of the surroundings, as amounts of the three spectra; 1 where they are uniform.
+#[inline(always)]
+fn seen<R: Real>(
+    sum: &Sum<R>,
+    surroundings: &Surroundings,
+    number: usize,
+    to_map: &[[f32; 3]; 3],
+    lobe: &DirectLobe,
+    field: &Field,
+) -> [R; 3] {
+    let one = sum.cos_o.one();
+    let Some(sky) = &surroundings.sky else { return [one; 3] };
+    let normal = sum.point.normal;
+    let below = is_transmitting(lobe);
+    if lobe.part == Part::Diffuse {
+        let side = if below { -normal } else { normal };
+        return surroundings.irradiance.at(turned(to_map, side));
+    }
+    let direction = match below {
+        true => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
+        false => sum.point.wo.reflected(normal),
+    };
+    let own = field.skies.get(number).and_then(Option::as_deref).unwrap_or(sky);
+    own.at(turned(to_map, direction))
+}
+
+/// Where a line of sight goes on below a surface; where it is reflected totally, along the surface.
+#[inline(always)]
+fn refracted<R: Real>(wo: Vec3<R>, normal: Vec3<R>, cos_o: R, eta: f64) -> Vec3<R> {
+    let inverse = cos_o.lit(1.0 / eta);
+    let sin2 = (cos_o.one() - cos_o.sqr()) * inverse.sqr();
+    let cos_t = (cos_o.one() - sin2).max(cos_o.zero()).sqrt();
+    let down = normal * (cos_o * inverse - cos_t) - wo * inverse;
+    down * down.dot(down).max(cos_o.lit(1e-12)).rsqrt()
+}
