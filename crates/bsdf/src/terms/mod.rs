@@ -1,6 +1,7 @@
 //! Terms that several models, and tints, share.
 
 mod distribution;
+pub(crate) mod facets;
 mod falloff;
 mod film;
 mod fresnel;

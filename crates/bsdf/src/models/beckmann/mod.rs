@@ -15,10 +15,10 @@
 //! of our own for E.
 //! **Cost** one exponential, two square roots, two quotients; two more quotients for the second part.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::{ALPHA, ALPHA_Y, MULTISCATTER, widths};
-use crate::terms::{Distribution, Half, Missing, exp_of_minus, stretched2};
+use crate::terms::{Distribution, Half, Missing, exp_of_minus, facets, stretched2};
 use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// Reflection by Beckmann's slopes.
@@ -83,6 +83,14 @@ impl Model for Beckmann {
             value = value + self.missing.f_cos(pair, None);
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Beckmann, half, widths(self.alpha, self.alpha_y)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing(Distribution::Beckmann, pair, widths(self.alpha, self.alpha_y)))
     }
 }
 

@@ -14,9 +14,9 @@
 //! cover the surface, ∫ D cosθh dω = 1. Fresnel's F is the tint, as is all that depends on wavelength.
 //! **Cost** one exponential (two with a second slope), three quotients.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Half, exp_of_minus};
+use crate::terms::{Distribution, Half, exp_of_minus, facets, g_v_cavity};
 use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// The root mean square slope.
@@ -89,6 +89,15 @@ impl Model for CookTorrance {
             d = d + term(tan2, self.terms[1]);
         }
         d * ratio.sqr() * groove(pair, half.length2)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        let term = |m: f64| facets::distribution(Distribution::Beckmann, half, (m, m));
+        Some((1.0 - self.weight2) * term(self.m) + self.weight2 * term(self.m2))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(g_v_cavity(pair.cos_half(), pair.cos_o, pair.cos_i, pair.cos_view_half()))
     }
 }
 

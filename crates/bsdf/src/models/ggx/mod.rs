@@ -16,9 +16,9 @@
 //! [`ggx_multiple`](crate::models::ggx_multiple) for that part alone, which may have a tint of its own).
 //! **Cost** two square roots, two quotients; two more quotients and twelve products for the second part.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Distribution, Half, Missing, stretched2};
+use crate::terms::{Distribution, Half, Missing, facets, stretched2};
 use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// The least width: its square must stay well above 6e-8, to which `f32` rounds cosines.
@@ -124,6 +124,14 @@ impl Model for Ggx {
             value = value + self.missing.f_cos(pair, Some(pair.widening));
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Ggx, half, widths(self.alpha, self.alpha_y)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing(Distribution::Ggx, pair, widths(self.alpha, self.alpha_y)))
     }
 }
 

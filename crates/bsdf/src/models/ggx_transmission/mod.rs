@@ -14,11 +14,11 @@
 //! Surfaces, 2007, equations 16, 21 and 23 to 34, with the factor of radiance that the paper leaves out. F is the tint.
 //! **Cost** two square roots, three quotients.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::{ALPHA, LEAST_ALPHA};
 use crate::models::refraction::ETA;
-use crate::terms::{Refracted, bending, refracted_cosine};
+use crate::terms::{Distribution, Refracted, bending, facets, refracted_cosine};
 use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// Refraction by GGX slopes.
@@ -81,6 +81,14 @@ impl Model for GgxTransmission {
         let masked = above(pair.cos_o, width2) * above(down, width2);
         let value = q.sqr() * width2 * half.product * down * zero.lit(self.scale) / masked;
         value.select(half.lit, zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Ggx, half, (self.alpha, self.alpha)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing_apart(Distribution::Ggx, pair, (self.alpha, self.alpha)))
     }
 }
 

@@ -76,7 +76,7 @@ pub fn medium(word: &str, nm: f64) -> Result<Medium, Failure> {
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Tint")]
 pub struct FactorArgs {
-    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list iors`, or a refractive
+    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list metals`, or a refractive
     /// index such as 1.5
     #[arg(long, value_name = "NAME")]
     pub ior: Option<String>,
