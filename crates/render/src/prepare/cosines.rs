@@ -123,6 +123,15 @@ fn points(shape: &Shape, theta_o: f64) -> Vec<Point> {
     points
 }
 
+/// The mean direction of a lobe for a viewer at an angle of this cosine, on the side of the lobe's light and away
+/// from the viewer: the sine of its angle from the normal over the viewer's, and its cosine. 1 and `cos_o` are the
+/// mirrored direction.
+pub(super) fn mean_direction(shape: &Shape, cos_o: f64) -> [f64; 2] {
+    let theta = libm::acos(cos_o.clamp(GRAZING, 0.9999));
+    let [sin, cos] = middle(&points(shape, theta));
+    [-sin / libm::sin(theta), cos]
+}
+
 /// The mean direction, as sine and cosine of its angle from the normal towards +x.
 fn middle(points: &[Point]) -> [f64; 2] {
     let (mut x, mut z) = (0.0, 0.0);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glanz_bsdf::{Part, Series, Shape, Side, Veil, veiled_albedo};
 
-use super::cosines::Cosines;
+use super::cosines::{self, Cosines};
 use super::glossy;
 use super::lights::{LightShape, PreparedLight};
 use super::materials::{DirectLobe, PreparedMaterial};
@@ -18,6 +18,9 @@ const TERMS: usize = 16;
 pub struct Field {
     /// Its albedo over the cosine of the view angle, veils included.
     pub albedo: Series,
+    /// Its mean direction, away from the viewer: the sine of its angle from the normal over that of the view angle,
+    /// and its cosine, both over the cosine of the view angle.
+    pub middle: [Series; 2],
     /// Its form where it is not the cosine itself; none where the scene has no areas.
     pub cosines: Option<Arc<Cosines>>,
     /// The scene's surroundings as the lobe blurs them, in the order of the lights; none of those that are the
@@ -28,7 +31,9 @@ pub struct Field {
 impl Field {
     /// That of the clamped cosine, in scenes of so many lights.
     pub fn of_cosine(lights: usize) -> Self {
-        Self { albedo: Series::through(1, |_| 1.0), cosines: None, skies: vec![None; lights] }
+        let constant = || Series::through(1, |_| 1.0);
+        let (albedo, middle) = (constant(), [constant(), constant()]);
+        Self { albedo, middle, cosines: None, skies: vec![None; lights] }
     }
 }
 
@@ -90,6 +95,10 @@ impl Maker {
         };
         Field {
             albedo: albedo(shape, &lobe.veils),
+            middle: [0, 1].map(|i: usize| match blurs && !self.skies.is_empty() {
+                true => Series::through(TERMS, |cosine| cosines::mean_direction(shape, cosine)[i]),
+                false => Series::default(),
+            }),
             cosines: fitted.then(|| Arc::new(Cosines::fit(shape))),
             skies: self.skies.iter().map(sky).collect(),
         }

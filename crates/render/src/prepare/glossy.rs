@@ -1,9 +1,9 @@
 //! Surroundings as a lobe sees them: blurred by its shape.
 //!
-//! For each direction of mirrored light, the mean of the surroundings weighted with the lobe as it is for
-//! a viewer straight above. The pixel loop multiplies it with the lobe's albedo for the true view angle. That
-//! keeps the energy for every angle and is exact in uniform surroundings and for viewers above; the
-//! lobe's stretching towards grazing views is left out, as in B. Karis, "Real Shading in Unreal Engine 4",
+//! For each direction, the mean of the surroundings weighted with the lobe as it is for a viewer straight above. The
+//! pixel loop takes it in the lobe's mean direction and multiplies it with the lobe's albedo, both for the true
+//! view angle. That keeps the energy for every angle and is exact in uniform surroundings and for viewers above;
+//! the lobe's stretching towards grazing views is left out, as in B. Karis, "Real Shading in Unreal Engine 4",
 //! SIGGRAPH course, 2013, from which the separation comes. `tests/surroundings` states the error.
 
 use glam::DVec3;
@@ -15,89 +15,96 @@ use super::sky::Sky;
 /// Share of a lobe that is left out where it is faintest.
 const LEFT_OUT: f64 = 0.003;
 
-/// Pixels of the surroundings from the middle of a lobe to its edge: finer ones are averaged before.
-const ACROSS: f64 = 12.0;
+/// Pixels of the surroundings from the middle of a lobe to where half of it is: finer ones are averaged before.
+const ACROSS: f64 = 4.0;
 
 /// Pixels of the result over the same length.
-const ACROSS_RESULT: f64 = 8.0;
+const ACROSS_RESULT: f64 = 4.0;
 
 /// Azimuths over which lobes that know a tangent are averaged.
 const AZIMUTHS: usize = 8;
 
+/// Steps of the angle in which a lobe is taken, and of the table that is made of it.
+const STEPS: usize = 400;
+const ENTRIES: usize = 2048;
+
 /// A lobe's weight over the angle from its middle.
 struct Profile {
-    /// Angles, from 0 on.
-    angles: Vec<f64>,
-    weights: Vec<f64>,
+    /// Over the sine of half the angle, from 0 to `end`.
+    table: Vec<f64>,
+    /// The angle within which half of it is, and the one at which it ends.
+    core: f64,
+    end: f64,
 }
 
 impl Profile {
     fn of(shape: &Shape) -> Self {
-        let info = shape.info();
-        let count = if shape.is_anisotropic() { AZIMUTHS } else { 1 };
-        let sign = if info.side == Side::Transmission { -1.0 } else { 1.0 };
-        let at = |angle: f64| {
-            let value = |i: usize| {
-                let w = Vec3::from_angles(angle, 2.0 * PI * i as f64 / AZIMUTHS as f64);
-                shape.f_cos(&Pair::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(w.x, w.y, sign * w.z)))
-            };
-            (0..count).map(value).sum::<f64>() / count as f64
-        };
-        // Steps that grow with the angle hold the narrowest and the widest lobes.
-        let angles: Vec<f64> = (0..=240).map(|i| PI / 2.0 * libm::pow(i as f64 / 240.0, 3.0)).collect();
-        let weights: Vec<f64> = angles.iter().map(|angle| at(*angle)).collect();
+        let angle = |i: usize| PI / 2.0 * libm::pow(i as f64 / STEPS as f64, 3.0);
+        let weights: Vec<f64> = (0..=STEPS).map(|i| around(shape, angle(i))).collect();
         let ring = |i: usize| {
-            let (a, b) = (angles[i], angles[i + 1]);
+            let (a, b) = (angle(i), angle(i + 1));
             (weights[i] * libm::sin(a) + weights[i + 1] * libm::sin(b)) * (b - a)
         };
-        let total: f64 = (0..240).map(ring).sum();
-        let (mut sum, mut last) = (0.0, 1);
-        while last < 240 && sum < total * (1.0 - LEFT_OUT) {
-            sum += ring(last - 1);
-            last += 1;
-        }
-        Self { angles: angles[..=last].to_vec(), weights: weights[..=last].to_vec() }
+        let total: f64 = (0..STEPS).map(ring).sum();
+        let holds = |share: f64| {
+            let (mut sum, mut last) = (0.0, 1);
+            while last < STEPS && sum < total * share {
+                sum += ring(last - 1);
+                last += 1;
+            }
+            angle(last)
+        };
+        let (core, end) = (holds(0.5), holds(1.0 - LEFT_OUT));
+        let longest = libm::sin(0.5 * end);
+        let entry = |i: usize| around(shape, 2.0 * libm::asin(longest * i as f64 / ENTRIES as f64));
+        Self { table: (0..=ENTRIES).map(entry).collect(), core, end }
     }
 
-    /// The angle at which it ends.
-    fn end(&self) -> f64 {
-        self.angles.last().copied().unwrap_or(0.0)
-    }
-
-    fn at(&self, angle: f64) -> f64 {
-        let next = self.angles.partition_point(|a| *a <= angle);
-        if next == self.angles.len() {
-            return 0.0;
+    /// The weight at an angle of this cosine.
+    fn at(&self, cosine: f64) -> f64 {
+        let longest = libm::sin(0.5 * self.end);
+        let place = libm::sqrt((0.5 * (1.0 - cosine)).max(0.0)) / longest * ENTRIES as f64;
+        let whole = place as usize;
+        match self.table.get(whole..whole + 2) {
+            Some(pair) => pair[0] + (pair[1] - pair[0]) * (place - whole as f64),
+            None => 0.0,
         }
-        let (a, b) = (self.angles[next - 1], self.angles[next]);
-        let t = (angle - a) / (b - a);
-        self.weights[next - 1] * (1.0 - t) + self.weights[next] * t
     }
+}
+
+/// A lobe for a viewer straight above, at an angle from the mirrored or the straight direction.
+fn around(shape: &Shape, angle: f64) -> f64 {
+    let count = if shape.is_anisotropic() { AZIMUTHS } else { 1 };
+    let sign = if shape.info().side == Side::Transmission { -1.0 } else { 1.0 };
+    let value = |i: usize| {
+        let w = Vec3::from_angles(angle, 2.0 * PI * i as f64 / AZIMUTHS as f64);
+        shape.f_cos(&Pair::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(w.x, w.y, sign * w.z)))
+    };
+    (0..count).map(value).sum::<f64>() / count as f64
 }
 
 /// The surroundings blurred by a lobe. Lobes narrower than a pixel leave them as they are.
 pub(super) fn blurred(sky: &Sky, shape: &Shape) -> Sky {
     let profile = Profile::of(shape);
-    let end = profile.end();
+    let pixels = |sky: &Sky| profile.core * sky.size()[1] as f64 / PI;
     let mut source = sky.clone();
-    while source.size()[1] > 16 && end * source.size()[1] as f64 / PI > 2.0 * ACROSS {
+    while source.size()[1] > 16 && pixels(&source) > 2.0 * ACROSS {
         source = source.halved();
     }
     let [width, height] = source.size();
-    if end * (height as f64) < PI {
+    if pixels(&source) < 0.5 {
         return source;
     }
-    let rows = (ACROSS_RESULT * PI / end).ceil().clamp(16.0, height as f64) as usize;
-    let columns = (rows * 2).min(width.max(1));
+    let rows = (ACROSS_RESULT * PI / profile.core).ceil().clamp(16.0, height.max(16) as f64) as usize;
     let directions: Vec<Vec<DVec3>> =
         (0..height).map(|row| (0..width).map(|column| source.direction(row, column)).collect()).collect();
-    Sky::from_fn(columns, rows, |middle| mean(&source, &directions, &profile, middle))
+    Sky::from_fn(2 * rows, rows, |middle| mean(&source, &directions, &profile, middle))
 }
 
 /// The mean around a direction.
 fn mean(sky: &Sky, directions: &[Vec<DVec3>], profile: &Profile, middle: DVec3) -> [f32; 3] {
     let [width, height] = sky.size();
-    let end = profile.end();
+    let end = profile.end;
     let theta = libm::acos(middle.y.clamp(-1.0, 1.0));
     let row_of = |theta: f64| theta / PI * height as f64 - 0.5;
     let first = row_of(theta - end).floor().max(0.0) as usize;
@@ -108,7 +115,7 @@ fn mean(sky: &Sky, directions: &[Vec<DVec3>], profile: &Profile, middle: DVec3) 
         let solid = sky.solid_angle(row);
         for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, end) {
             let cosine = directions[row][column].dot(middle);
-            let own = profile.at(libm::acos(cosine.clamp(-1.0, 1.0))) * solid;
+            let own = profile.at(cosine) * solid;
             weight += own;
             for (sum, value) in sum.iter_mut().zip(sky.pixel(row, column)) {
                 *sum += own * f64::from(value);

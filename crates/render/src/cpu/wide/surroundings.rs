@@ -56,9 +56,18 @@ fn seen<R: Real>(
             || surroundings.irradiance.at(side),
         );
     }
-    let direction = match below {
-        true => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
-        false => sum.point.wo.reflected(normal),
+    let direction = match lobe.shape.info().delta {
+        true if below => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
+        true => sum.point.wo.reflected(normal),
+        false => {
+            let [sine, cosine] = field.middle.each_ref().map(
+                #[inline(always)]
+                |series| series.at(sum.cos_o),
+            );
+            let up = if below { -cosine } else { cosine };
+            let middle = (normal * sum.cos_o - sum.point.wo) * sine + normal * up;
+            middle * middle.dot(middle).max(one.lit(1e-12)).rsqrt()
+        }
     };
     let own = field.skies.get(number).and_then(Option::as_deref).unwrap_or(sky);
     let direction = turned(to_map, direction);
