@@ -3,7 +3,7 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 29] = [
+const COMMANDS: [&[&str]; 33] = [
     &[],
     &["render"],
     &["sweep"],
@@ -17,6 +17,10 @@ const COMMANDS: [&[&str]; 29] = [
     &["bsdf", "show"],
     &["bsdf", "eval"],
     &["bsdf", "albedo"],
+    &["material"],
+    &["material", "list"],
+    &["material", "show"],
+    &["material", "sheet"],
     &["color"],
     &["color", "convert"],
     &["color", "spectrum"],

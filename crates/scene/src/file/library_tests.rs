@@ -1,6 +1,7 @@
 //! Materials of the library in scene files.
 
 use super::tests::{parse, scene};
+use super::{LoadOptions, parse_str};
 use crate::{AlphaMode, Coat, Material, library};
 
 /// The message, the text that it points at, and the advice.
@@ -60,12 +61,19 @@ fn the_content_of_the_library_is_part_of_the_hash() {
 
 #[test]
 fn a_texture_that_multiplies_nothing_is_told() {
+    let folder = std::env::temp_dir().join(format!("glanz-library-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the test");
+    image::RgbaImage::from_pixel(1, 1, image::Rgba([255; 4]))
+        .save(folder.join("a.png"))
+        .expect("it can be written");
     let notes = |name: &str| {
-        let text = format!("[materials.a]\nlibrary = '{name}'\nbase_color_texture = 'none.png'");
-        // The texture is missing, but the note comes before.
-        parse(&text).expect_err("there is no such texture")
+        let text = format!("[materials.a]\nlibrary = '{name}'\nbase_color_texture = 'a.png'");
+        parse_str(&text, &folder, &LoadOptions::default()).expect("the scene is fine").notes
     };
-    assert_eq!(notes("gold").message, "there is no file 'none.png'");
+    let note = "material 'a': no term of 'gold' takes a texture; only the texture's alpha counts";
+    let (gold, plaster) = (notes("gold"), notes("plaster"));
+    std::fs::remove_dir_all(&folder).expect("the test's own folder");
+    assert_eq!((gold, plaster), (vec![note.to_owned()], Vec::new()));
 }
 
 #[test]

@@ -31,7 +31,7 @@ lobes = [
         toml: r#"
 lobes = [
   { shape = "eon", roughness = 1, tint = [0.09, 0.004, 0.008] },
-  { shape = "charlie", alpha = 0.25, tint = [0.6, 0.06, 0.08] },
+  { shape = "charlie", alpha = 0.25, tint = [0.85, 0.12, 0.15] },
 ]"#,
     },
     Entry {
@@ -41,7 +41,7 @@ lobes = [
         toml: r#"
 lobes = [
   { shape = "eon", roughness = 1, tint = 0.006 },
-  { shape = "charlie", alpha = 0.25, tint = 0.07 },
+  { shape = "charlie", alpha = 0.25, tint = 0.25 },
 ]"#,
     },
     Entry {

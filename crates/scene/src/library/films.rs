@@ -35,21 +35,21 @@ see_through = { film_nm = 650, film_ior = 1.33 }"#,
         toml: r#"lobes = [{ shape = "mirror", tint = { film_nm = 400, film_ior = 1.47, ior = "water" } }]"#,
     },
     Entry {
-        name: "titanium-anodised-gold",
+        name: "titanium-gold",
         title: "anodised titanium, 30 nm of oxide",
         source: ANODISED,
         toml: r#"
 lobes = [{ shape = "ggx", alpha = 0.12, tint = { film_nm = 30, film_ior = 2.4, ior = "Ti" } }]"#,
     },
     Entry {
-        name: "titanium-anodised-blue",
+        name: "titanium-blue",
         title: "anodised titanium, 55 nm of oxide",
         source: ANODISED,
         toml: r#"
 lobes = [{ shape = "ggx", alpha = 0.12, tint = { film_nm = 55, film_ior = 2.4, ior = "Ti" } }]"#,
     },
     Entry {
-        name: "titanium-anodised-violet",
+        name: "titanium-violet",
         title: "anodised titanium, 140 nm of oxide",
         source: ANODISED,
         toml: r#"

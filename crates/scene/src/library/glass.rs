@@ -14,19 +14,19 @@ const ENTRIES: &[Entry] = &[
         name: "glass-bottle",
         title: "pane of green bottle glass, 4 mm",
         source: "index 1.52 of soda-lime glass; what passes is chosen",
-        toml: r#"pane = { ior = 1.52, thickness_mm = 4, transmittance_1mm = [0.62, 0.86, 0.66] }"#,
+        toml: r#"pane = { ior = 1.52, thickness_mm = 4, transmittance_1mm = [0.8, 0.94, 0.83] }"#,
     },
     Entry {
         name: "glass-smoked",
         title: "pane of smoked glass, 6 mm",
         source: "index 1.52 of soda-lime glass; what passes is chosen",
-        toml: r#"pane = { ior = 1.52, thickness_mm = 6, transmittance_1mm = [0.8, 0.76, 0.72] }"#,
+        toml: r#"pane = { ior = 1.52, thickness_mm = 6, transmittance_1mm = [0.91, 0.9, 0.885] }"#,
     },
     Entry {
         name: "acrylic-pane",
         title: "pane of acrylic, 3 mm, orange",
         source: "index of PMMA (Sultanova 2009); what passes is chosen",
-        toml: r#"pane = { ior = "PMMA", thickness_mm = 3, transmittance_1mm = [0.97, 0.6, 0.2] }"#,
+        toml: r#"pane = { ior = "PMMA", thickness_mm = 3, transmittance_1mm = [0.98, 0.8, 0.5] }"#,
     },
     Entry {
         name: "glass-solid",

@@ -42,9 +42,9 @@ coat = { ior = 1.55, alpha = 0.03, thickness_mm = 0.5, transmittance_1mm = [0.02
     },
     Entry {
         name: "moon-dust",
-        title: "dust that is as bright at the edge as in the middle",
-        source: "Lommel and Seeliger's disk in the form of Minnaert 1941 with k = 0.5; the reflectance is chosen",
-        toml: r#"lobes = [{ shape = "minnaert", k = 0.5, tint = [0.16, 0.15, 0.135] }]"#,
+        title: "dust that is nearly as bright at the edge as in the middle",
+        source: CHOSEN,
+        toml: r#"lobes = [{ shape = "minnaert", k = 0.7, tint = [0.16, 0.15, 0.135] }]"#,
     },
     Entry {
         name: "slate",

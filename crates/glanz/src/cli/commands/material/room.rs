@@ -25,7 +25,7 @@ const FOV_DEG: f64 = 20.0;
 const FILLED: f64 = 0.92;
 /// Directions in which lamps shine and how strong they are: a key from the upper left, and one from behind, which
 /// passes leaves and paper and shows grazing reflection.
-const LAMPS: [([f64; 3], f64); 2] = [([1.0, -1.1, -1.2], 0.55), ([-0.9, -0.5, 1.0], 0.45)];
+const LAMPS: [([f64; 3], f64); 2] = [([1.0, -1.1, -1.2], 0.35), ([-0.9, -0.5, 1.0], 0.35)];
 /// Light for ambient terms, which do not see the room.
 const AMBIENT: f64 = 0.35;
 /// Squares along the side of the board behind clear things.

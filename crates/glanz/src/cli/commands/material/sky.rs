@@ -6,10 +6,10 @@ use glanz_scene::EnvironmentMap;
 /// Columns of the picture; half as many rows. A ball shows all of it, in a picture of a few hundred pixels.
 const WIDTH: usize = 512;
 /// Linear RGB of the walls at the ceiling, at eye level and at the floor's edge.
-const CEILING: [f64; 3] = [0.34, 0.36, 0.4];
-const WALL: [f64; 3] = [0.2, 0.2, 0.21];
-/// The floor at the horizon, and below.
-const FLOOR: [f64; 3] = [0.12, 0.105, 0.09];
+const CEILING: [f64; 3] = [0.5, 0.52, 0.56];
+const WALL: [f64; 3] = [0.34, 0.34, 0.35];
+/// The floor at the horizon; it is brighter below.
+const FLOOR: [f64; 3] = [0.2, 0.185, 0.17];
 /// Daylight in the window.
 const WINDOW: [f64; 3] = [5.0, 5.3, 5.8];
 /// The screen, in warm light.
@@ -63,7 +63,7 @@ fn color(direction: DVec3) -> [f64; 3] {
     }
     match direction.y >= 0.0 {
         true => mixed(WALL, CEILING, direction.y),
-        false => mixed(FLOOR, FLOOR.map(|value| 0.6 * value), -direction.y),
+        false => mixed(FLOOR, FLOOR.map(|value| 1.5 * value), -direction.y),
     }
 }
 
@@ -83,8 +83,8 @@ mod tests {
             let ring = libm::cos(height);
             room.at(DVec3::new(ring * libm::sin(azimuth), libm::sin(height), ring * libm::cos(azimuth)))[1]
         };
-        assert!(toward(-55.0, 30.0) > 10.0 * toward(20.0, 30.0), "a pane of the window");
-        assert!(toward(74.0, 10.0) > 5.0 * toward(20.0, 10.0), "the screen");
+        assert!(toward(-55.0, 30.0) > 8.0 * toward(20.0, 30.0), "a pane of the window");
+        assert!(toward(74.0, 10.0) > 4.0 * toward(20.0, 10.0), "the screen");
         assert!(toward(0.0, -20.0) < toward(0.0, 20.0), "the floor is dark");
         assert!(room.mean().iter().all(|mean| (0.2..0.8).contains(mean)), "{:?}", room.mean());
     }
