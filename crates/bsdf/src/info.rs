@@ -68,7 +68,8 @@ pub struct ModelInfo {
     pub part: Part,
     /// On which side of the surface the light must be.
     pub side: Side,
-    /// Whether it asks where the tangent is: only then must [`Pair`](crate::Pair) know it.
+    /// Whether it may ask where the tangent is: only then must [`Pair`](crate::Pair) know it. Whether a shape with its
+    /// parameters does is told by [`Shape::is_anisotropic`](crate::Shape::is_anisotropic).
     pub anisotropic: bool,
     /// Whether it sends light into a single direction, as a mirror does. Such a lobe answers to
     /// surroundings and not to lights, and its `f_cos` is 0.

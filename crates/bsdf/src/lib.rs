@@ -56,6 +56,11 @@ pub trait Model: Sized {
         1.0
     }
 
+    /// Whether this very shape asks where the tangent is: an anisotropic model with equal widths does not.
+    fn is_anisotropic(&self) -> bool {
+        Self::INFO.anisotropic
+    }
+
     /// The cosine, 0 … 1, that a tint by Fresnel's law takes: that of the angle at which light meets the facet
     /// that sends it to the viewer.
     #[inline(always)]

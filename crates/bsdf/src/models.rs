@@ -51,6 +51,13 @@ macro_rules! models {
                 }
             }
 
+            /// See [`Model::is_anisotropic`].
+            pub fn is_anisotropic(&self) -> bool {
+                match self {
+                    $(Self::$model(model) => model.is_anisotropic(),)+
+                }
+            }
+
             /// The BSDF times the incident cosine, in 1/sr.
             #[inline(always)]
             pub fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {

@@ -40,4 +40,4 @@ pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene,
 pub use sheet::{Absorption, Film, Pane, Through};
 pub use subdivide::SubdivideError;
 pub use texture::{Texture, TextureFilter, Wrap};
-pub use tint::{LightColor, Tint};
+pub use tint::{LightColor, Polarization, Tint};

@@ -109,12 +109,23 @@ pub enum Tint {
     /// Fresnel reflection of a smooth boundary, by the angle between viewer and half vector; where a
     /// lobe has none, at normal incidence. Lobes that light passes through take what is not reflected.
     Ior(Arc<Ior>),
+    /// Fresnel reflection of light that a filter lets pass in one polarisation.
+    Polarized(Arc<Ior>, Polarization),
     /// Fresnel reflection in Schlick's form: this reflectance at normal incidence, 1 at grazing.
     Schlick(Box<Tint>),
     /// What a film and its base reflect.
     Film(Arc<Film>),
     /// What both sides of a pane reflect.
     Pane(Arc<Pane>),
+}
+
+/// Which way light swings, against the plane of incidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Polarization {
+    /// Across it.
+    S,
+    /// In it.
+    P,
 }
 
 impl Tint {
@@ -132,7 +143,7 @@ impl Tint {
             Self::Rgb(rgb) => rgb.is_finite(),
             Self::Spectrum(spectrum) => spectrum.is_finite(),
             Self::Reradiation(matrix) => matrix.is_finite(),
-            Self::Ior(ior) => ior.eta.is_finite() && ior.k.is_finite(),
+            Self::Ior(ior) | Self::Polarized(ior, _) => ior.eta.is_finite() && ior.k.is_finite(),
             Self::Schlick(at_normal) => at_normal.is_finite(),
             Self::Film(film) => film.is_finite(),
             Self::Pane(pane) => pane.is_finite(),
@@ -141,7 +152,7 @@ impl Tint {
 
     /// Whether it depends on the angle at which light meets the facet that sends it on.
     pub fn depends_on_angle(&self) -> bool {
-        matches!(self, Self::Ior(_) | Self::Schlick(_) | Self::Film(_) | Self::Pane(_))
+        !matches!(self, Self::Rgb(_) | Self::Spectrum(_) | Self::Reradiation(_))
     }
 
     /// The tint in RGB, if that is how it was given.

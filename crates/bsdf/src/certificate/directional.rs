@@ -23,7 +23,12 @@ pub(super) fn albedo_by(info: &ModelInfo, eta: f64, wo: Vec3<f64>, f_cos: &dyn F
     if info.anisotropic || info.side == Side::Transmission {
         return directional(info, eta, (wo.z, phi_o), f_cos);
     }
-    let phi_peak = phi_o + PI;
+    by_angles(wo, f_cos)
+}
+
+/// The same over the upper hemisphere, in angles that are refined towards the mirror direction.
+pub(super) fn by_angles(wo: Vec3<f64>, f_cos: &dyn Fn(&Pair<f64>) -> f64) -> f64 {
+    let phi_peak = libm::atan2(wo.y, wo.x) + PI;
     let theta_o = libm::acos(wo.z.clamp(0.0, 1.0));
     let rule = GaussLegendre::new(POINTS);
     let polar = refined(0.0, 0.5 * PI, theta_o);

@@ -40,6 +40,26 @@ pub fn fresnel_conductor<R: Real>(cos_theta: R, eta: R, k: R) -> R {
     (s + p) * half
 }
 
+/// Reflectance of a boundary to a medium with the complex index η + i k, of light polarised across (s) and in (p) the
+/// plane of incidence: (s, p), whose mean is that of unpolarised light. In `f64` only, for preparing tints.
+///
+/// `cos_theta` is the cosine of the angle of incidence, 0 … 1.
+pub fn fresnel_polarized(cos_theta: f64, eta: f64, k: f64) -> (f64, f64) {
+    // √(η² − sin²θ) of the complex index, as a + i b (Born and Wolf, §14.2).
+    let sin2 = 1.0 - cos_theta * cos_theta;
+    let (re, im) = (eta * eta - k * k - sin2, 2.0 * eta * k);
+    let length = libm::sqrt(re * re + im * im);
+    let (a, b) = (libm::sqrt((0.5 * (length + re)).max(0.0)), libm::sqrt((0.5 * (length - re)).max(0.0)));
+    let share = |c: f64, (a, b): (f64, f64)| {
+        ((c - a) * (c - a) + b * b) / ((c + a) * (c + a) + b * b).max(f64::MIN_POSITIVE)
+    };
+    let s = share(cos_theta, (a, b));
+    // The ratio of p to s: |(a − sinθ tanθ) + i b|² over the same with +.
+    let grazing = sin2 / cos_theta.max(1e-300);
+    let p = if cos_theta > 1e-12 { s * share(a, (grazing, b)) } else { 1.0 };
+    (s, p)
+}
+
 /// Schlick's approximation: `f0` at normal incidence, 1 at grazing incidence.
 #[inline(always)]
 pub fn fresnel_schlick<R: Real>(cos_theta: R, f0: R) -> R {
@@ -104,6 +124,18 @@ mod tests {
         assert_eq!(fresnel_dielectric(0.0, 1.5), 1.0);
         assert_eq!(fresnel_conductor(0.0, 0.2, 3.0), 1.0);
         assert_eq!(fresnel_schlick(0.0, 0.04), 1.0);
+    }
+
+    #[test]
+    fn glass_reflects_no_light_of_one_polarisation_at_brewsters_angle() {
+        let (s, p) = fresnel_polarized(cosine(45.0), 1.5, 0.0);
+        assert!((s - 0.092_013).abs() < DIGITS && (p - 0.008_466).abs() < DIGITS, "{s}, {p}");
+        assert!(fresnel_polarized(cosine(56.3099), 1.5, 0.0).1 < 1e-10);
+        for (eta, k) in [(1.5, 0.0), (0.2, 3.0)] {
+            let (s, p) = fresnel_polarized(cosine(70.0), eta, k);
+            let mean = fresnel_conductor(cosine(70.0), eta, k);
+            assert!((0.5 * (s + p) - mean).abs() < 1e-12, "{eta}, {k}");
+        }
     }
 
     #[test]

@@ -18,8 +18,8 @@ const TERMS: usize = 7;
 /// pₖ of an isotropic GGX surface as polynomials in α, 0.001 … 1, lowest power first.
 ///
 /// By linear programming: the greatest distance to [`smith_albedo`] on 25 widths and 40 cosines is the least
-/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of what is missing. It is 0.0041;
-/// the tests find it again.
+/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of what is missing. It is 0.0041.
+/// `tests/python/fit_ggx.py` finds them again, the tests here what they are worth.
 const GGX: [[f64; 6]; TERMS] = [
     [-7.3287927e-08, -0.000253404659, -2.14054226, -0.319312619, 5.85471844, -3.57643332],
     [-6.24737662e-05, 1.33244929, 7.45090315, 35.441814, -60.0, 23.1072418],
@@ -67,7 +67,8 @@ pub(crate) struct Missing {
 impl Missing {
     /// The lobe times `weight` for a surface of the two widths, 0.001 … 1.
     ///
-    /// A series is known for GGX surfaces of one width; for others one is fitted, which takes about a millisecond.
+    /// A series is known for GGX surfaces of one width; for others one is fitted, which takes a millisecond, and
+    /// ten where the widths differ.
     pub(crate) fn new(distribution: Distribution, alpha: (f64, f64), weight: f64) -> Self {
         let none = Self {
             alpha,
@@ -118,14 +119,21 @@ impl Missing {
         if self.is_isotropic() {
             let center = cosine.lit(self.center);
             let q = cosine.one() / (cosine + center);
-            let sum = series(|k| cosine.lit(self.series[0][k]), center * q - cosine.lit(self.origin));
+            let sum = series(
+                #[inline(always)]
+                |k| cosine.lit(self.series[0][k]),
+                center * q - cosine.lit(self.origin),
+            );
             return (cosine * q * sum - cosine.lit(self.less)).max(cosine.zero());
         }
         let (width, twice) = self.along(tangent);
         let center = cosine.lit(self.center) * width;
         let q = cosine.one() / (cosine + center);
-        let term = |k: usize| cosine.lit(self.series[0][k]) + twice * cosine.lit(self.series[1][k]);
-        let sum = series(term, center * q - cosine.lit(self.origin));
+        let sum = series(
+            #[inline(always)]
+            |k| cosine.lit(self.series[0][k]) + twice * cosine.lit(self.series[1][k]),
+            center * q - cosine.lit(self.origin),
+        );
         (cosine * q * sum - cosine.lit(self.less)).max(cosine.zero())
     }
 
@@ -146,17 +154,37 @@ impl Missing {
     fn widened<R: Real>(&self, pair: &Pair<R>, w: R) -> R {
         let mean = (w * w.lit(libm::sqrt(self.alpha.0 * self.alpha.1))).clamp(1e-3, 1.0);
         let c = mean.lit(GGX_CENTER[0]) + mean.lit(GGX_CENTER[1]) * mean;
-        let terms: [R; TERMS] = core::array::from_fn(|k| polynomial_of(&GGX[k], mean));
-        let at = |cosine: R, tangent: (R, R)| {
-            let cosine = cosine.max(cosine.zero());
-            let width = if self.is_isotropic() { mean } else { self.along(tangent).0 * w };
-            let center = c * width.max(w.lit(1e-3));
-            let q = cosine.one() / (cosine + center);
-            (cosine * q * series(|k| terms[k], center * q)).max(cosine.zero())
-        };
+        let mut terms = [w; TERMS];
+        for (term, row) in terms.iter_mut().zip(&GGX) {
+            *term = polynomial_of(row, mean);
+        }
         let average = polynomial_of(&GGX_AVERAGE, mean.sqrt()) * mean.sqr();
-        let both = at(pair.cos_o, pair.tangent_o) * at(pair.cos_i, pair.tangent_i);
+        let (mut both, center) = (w.one(), (c, w, mean));
+        for (cosine, tangent) in [(pair.cos_o, pair.tangent_o), (pair.cos_i, pair.tangent_i)] {
+            both = both * self.widened_at(&terms, center, cosine, tangent);
+        }
         both * pair.cos_i * pair.cos_i.lit(self.weight / PI) / average
+    }
+
+    /// 1 − E towards one direction, with c, the widening and the mean width.
+    #[inline(always)]
+    fn widened_at<R: Real>(
+        &self,
+        terms: &[R; TERMS],
+        (c, w, mean): (R, R, R),
+        cosine: R,
+        tangent: (R, R),
+    ) -> R {
+        let cosine = cosine.max(cosine.zero());
+        let width = if self.is_isotropic() { mean } else { self.along(tangent).0 * w };
+        let center = c * width.max(w.lit(1e-3));
+        let q = cosine.one() / (cosine + center);
+        let sum = series(
+            #[inline(always)]
+            |k| terms[k],
+            center * q,
+        );
+        (cosine * q * sum).max(cosine.zero())
     }
 
     /// 1 − Eavg: twice the mean over all azimuths of ∫ (1 − E) cosθ dcosθ.

@@ -26,7 +26,6 @@ fn a_surface_of_one_width_sends_out_what_it_gets_to_half_a_percent() {
     for distribution in [Distribution::Ggx, Distribution::Beckmann] {
         for alpha in [0.001, 0.01, 0.03, 0.08, 0.15, 0.22, 0.37, 0.5, 0.72, 0.9, 1.0] {
             let (low, high) = error(distribution, (alpha, alpha));
-            println!("{distribution:?} {alpha}: {low:.4} {high:.4}");
             assert!(low > -FURNACE && high < 5e-4, "{distribution:?}, {alpha}: {low} … {high}");
         }
     }
@@ -43,7 +42,6 @@ fn an_elongated_surface_makes_no_energy_and_loses_a_few_percent_at_most() {
             ((0.9, 0.1), 0.12),
         ] {
             let (low, high) = error(distribution, alpha);
-            println!("{distribution:?} {alpha:?}: {low:.4} {high:.4}");
             assert!(low > -loss && high < 5e-4, "{distribution:?}, {alpha:?}: {low} … {high}");
         }
     }

@@ -1,6 +1,7 @@
 //! Terms that several models, and tints, share.
 
 mod distribution;
+pub(crate) mod facets;
 mod falloff;
 mod film;
 mod fresnel;
@@ -13,7 +14,7 @@ pub(crate) mod ward;
 
 pub use distribution::{d_beckmann, d_charlie, d_gaussian, d_ggx, gaussian_scale};
 pub use film::{fresnel_film, fresnel_slab};
-pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick};
+pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_polarized, fresnel_schlick};
 pub use masking::{g_v_cavity, lambda_beckmann, lambda_ggx, smith_g1, smith_g2};
 pub use smith::{Distribution, smith_albedo, smith_albedo_average};
 

@@ -1,7 +1,7 @@
 //! The colours of lights and surfaces, in words and as JSON.
 
 use glanz_color::{Rgb, Spectrum, rgb_spectra};
-use glanz_scene::{LightColor, Tint};
+use glanz_scene::{LightColor, Polarization, Tint};
 use serde_json::{Value, json};
 
 use super::print::number;
@@ -36,6 +36,9 @@ pub fn tint_text(tint: &Tint) -> String {
             format!("{} under D65 (fluorescent)", rgb_text(rgb_spectra::rgb_of_light(&sent)))
         }
         Tint::Ior(ior) => format!("Fresnel reflection of {}", ior.name),
+        Tint::Polarized(ior, way) => {
+            format!("Fresnel reflection of {}, {} polarised", ior.name, polarization(*way))
+        }
         Tint::Schlick(at_normal) => format!("Schlick's Fresnel reflection from {}", tint_text(at_normal)),
         Tint::Film(film) => format!(
             "Fresnel reflection of {} nm of {} on {}",
@@ -58,6 +61,7 @@ pub fn tint_json(tint: &Tint) -> Value {
             json!({ "reradiation": { "diagonal": matrix.reflectance().0.as_slice() } })
         }
         Tint::Ior(ior) => json!({ "ior": ior.name }),
+        Tint::Polarized(ior, way) => json!({ "ior": ior.name, "polarization": polarization(*way) }),
         Tint::Schlick(at_normal) => json!({ "schlick": tint_json(at_normal) }),
         Tint::Film(film) => json!({ "film": {
             "thickness_nm": film.thickness_nm, "ior": film.film.name, "base": film.base.name,
@@ -66,6 +70,13 @@ pub fn tint_json(tint: &Tint) -> Value {
             "ior": pane.ior.name, "thickness_mm": pane.thickness * 1e3,
             "absorption_per_m": spectrum_json(&pane.absorption),
         } }),
+    }
+}
+
+fn polarization(way: Polarization) -> &'static str {
+    match way {
+        Polarization::S => "s",
+        Polarization::P => "p",
     }
 }
 

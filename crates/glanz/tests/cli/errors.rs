@@ -61,6 +61,30 @@ fails! {
     a_parameter_that_is_no_number: ["bsdf", "albedo", "phong", "--set", "shininess=high"];
     a_direction_that_is_none: ["bsdf", "eval", "phong", "--wo", "0", "--wi", "0,0"];
     an_albedo_of_emission: ["bsdf", "albedo", "emission"];
+    a_check_of_nothing: ["check"];
+    a_check_of_all_and_one: ["check", "phong", "--all"];
+    an_unknown_model_to_check: ["check", "lamberd"];
+    a_parameter_that_no_model_has: ["check", "phong", "lambert", "--set", "shinines=3"];
+    a_parameter_of_a_model_that_is_not_named: ["check", "phong", "--set", "lambert.shininess=3"];
+    a_plot_of_no_model: ["plot", "-o", "a.svg"];
+    a_plot_of_emission: ["plot", "emission", "-o", "a.svg"];
+    a_plot_from_below: ["plot", "phong", "--theta", "30,120", "-o", "a.svg"];
+    a_plot_of_too_many_lobes: ["plot", "phong", "--set", "shininess=1:99:99", "-o", "a.svg"];
+    a_plot_of_factors_of_a_model_without: ["plot", "phong", "--kind", "terms", "-o", "a.svg"];
+    a_plot_of_fresnel_with_a_model: ["plot", "phong", "--kind", "fresnel", "-o", "a.svg"];
+    a_plot_of_an_unknown_medium: ["plot", "--kind", "fresnel", "--ior", "1.5,Ay", "-o", "a.svg"];
+    a_plot_of_an_unknown_kind: ["plot", "phong", "--kind", "polr", "-o", "a.svg"];
+    a_plot_at_a_wavelength_for_nothing: ["plot", "phong", "--lambda-nm", "500", "-o", "a.svg"];
+    a_wavelength_beyond_the_grid: ["bsdf", "albedo", "phong", "--ior", "Au", "--lambda-nm", "900"];
+    a_viewer_below_the_surface: ["bsdf", "eval", "phong", "--wo", "100,0", "--wi", "0,0"];
+    a_missing_table_of_directions: ["bsdf", "eval", "phong", "--directions", "none.csv"];
+    a_table_of_directions_that_is_none: ["bsdf", "eval", "phong", "--directions", "scene.toml"];
+    directions_and_a_direction: ["bsdf", "eval", "phong", "--directions", "a.csv", "--wo", "0,0"];
+    a_sheet_of_an_unknown_key: ["sheet", "phong", "--vary", "shinyness=1,2"];
+    a_sheet_with_a_key_twice: ["sheet", "phong", "--vary", "shininess=1,2", "--set", "shininess=3"];
+    a_sheet_with_a_value_out_of_range: ["sheet", "phong", "--vary", "shininess=1,-2"];
+    a_sheet_of_an_unknown_metal: ["sheet", "phong", "--vary", "ior=Au,Agg"];
+    a_sheet_of_an_unknown_mesh: ["sheet", "phong", "--vary", "shininess=1,2", "--mesh", "spere"];
     an_unknown_light: ["color", "spectrum", "gold", "--under", "FL15"];
     an_unknown_spectrum: ["color", "spectrum", "glod"];
     an_unknown_spectrum_that_is_like_nothing: ["color", "spectrum", "marmalade"];
@@ -85,6 +109,25 @@ fails! {
     a_plot_folder_that_is_missing: ["color", "plot", "cones", "-o", "none/a.svg"];
     a_csv_that_is_a_folder: ["color", "spectrum", "D65", "--csv", "."];
     an_unknown_shell: ["completions", "tcsh"];
+}
+
+#[test]
+fn a_wrong_field_of_directions_is_told_by_line_and_column_and_nothing_is_written() {
+    let folder = Folder::new();
+    let failures = [
+        ("theta_o_deg,phi_o_deg,theta_i_deg,phi_i_deg\n30,0,45,180\n30,0,x,180\n", "not-a-number"),
+        ("theta_o_deg,phi_o_deg,theta_i_deg,phi_i_deg\n30,0,45\n", "too-few"),
+        ("theta_o_deg,phi_o_deg,theta_i_deg,phi_i_deg\n130,0,45,0\n", "from-below"),
+        ("theta_o,phi_o_deg,theta_i_deg,phi_i_deg\n30,0,45,0\n", "header"),
+        ("wo_x,wo_y,wo_z,wi_x,wi_y,wi_z\n0,0,1,0,0,2\n", "too-long"),
+        ("", "empty"),
+    ];
+    for (table, name) in failures {
+        folder.write("dirs.csv", table);
+        let run = folder.glanz(&["bsdf", "eval", "phong", "--directions", "dirs.csv", "-o", "values.csv"]);
+        insta::assert_snapshot!(format!("directions_{name}"), run.failure());
+        assert_eq!(folder.names(), ["dirs.csv"]);
+    }
 }
 
 #[test]

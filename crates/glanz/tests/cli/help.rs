@@ -3,7 +3,7 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 33] = [
+const COMMANDS: [&[&str]; 36] = [
     &[],
     &["render"],
     &["sweep"],
@@ -17,6 +17,9 @@ const COMMANDS: [&[&str]; 33] = [
     &["bsdf", "show"],
     &["bsdf", "eval"],
     &["bsdf", "albedo"],
+    &["sheet"],
+    &["plot"],
+    &["check"],
     &["material"],
     &["material", "list"],
     &["material", "show"],

@@ -7,6 +7,7 @@ mod comparisons;
 mod errors;
 mod help;
 mod house;
+mod lobes;
 mod materials;
 mod models;
 mod pictures;

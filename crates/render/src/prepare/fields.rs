@@ -83,7 +83,7 @@ impl Maker {
 
     fn new_field(&self, lobe: &DirectLobe) -> Field {
         let shape = &lobe.shape;
-        let fitted = self.has_areas && !shape.info().delta && !is_cosine(shape) && !shape.info().anisotropic;
+        let fitted = self.has_areas && !shape.info().delta && !is_cosine(shape) && !shape.is_anisotropic();
         let blurs = lobe.part == Part::Specular && !shape.info().delta;
         let sky = |sky: &Option<Arc<Sky>>| {
             sky.as_ref().filter(|_| blurs).map(|sky| Arc::new(glossy::blurred(sky, shape)))

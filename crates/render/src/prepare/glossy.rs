@@ -34,7 +34,7 @@ struct Profile {
 impl Profile {
     fn of(shape: &Shape) -> Self {
         let info = shape.info();
-        let count = if info.anisotropic { AZIMUTHS } else { 1 };
+        let count = if shape.is_anisotropic() { AZIMUTHS } else { 1 };
         let sign = if info.side == Side::Transmission { -1.0 } else { 1.0 };
         let at = |angle: f64| {
             let value = |i: usize| {

@@ -112,7 +112,7 @@ pub(super) fn prepare(
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
     add(&mut ambient[0], table.emission(&terms.textured_emission, None));
     Ok(PreparedMaterial {
-        anisotropic: lobes.iter().any(|lobe| lobe.shape.info().anisotropic),
+        anisotropic: lobes.iter().any(|lobe| lobe.shape.is_anisotropic()),
         transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
         classic: lobes.iter().all(DirectLobe::is_classic) && material.metal_rough_map.is_none(),
         lobes,

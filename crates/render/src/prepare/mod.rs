@@ -265,7 +265,7 @@ fn with_needed_attributes<'a>(
     if mesh.normals.is_empty() && !mesh.corners.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_normals(glanz_scene::Normals::Given));
     }
-    let turned = |lobe: &glanz_scene::Lobe| lobe.shape.info().anisotropic;
+    let turned = |lobe: &glanz_scene::Lobe| lobe.shape.is_anisotropic();
     let asks = material.normal_map.is_some() || material.lobes.iter().any(turned);
     if asks && mesh.tangents.is_empty() && !mesh.uvs.is_empty() {
         mesh = std::borrow::Cow::Owned(mesh.into_owned().with_tangents());

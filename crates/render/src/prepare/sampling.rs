@@ -161,6 +161,9 @@ impl Sampling {
             Tint::Rgb(rgb) => Surface::Share(self.at_nodes(&rgb_spectra::spectrum_of_reflectance(*rgb))),
             Tint::Spectrum(spectrum) => Surface::Share(self.reflectance(spectrum)),
             Tint::Ior(ior) => Surface::Share(self.reflectance(&sheets::boundary(ior, cosine))),
+            Tint::Polarized(ior, polarization) => {
+                Surface::Share(self.reflectance(&sheets::polarized(ior, *polarization, cosine)))
+            }
             Tint::Film(film) => Surface::Share(self.reflectance(&sheets::film(film, cosine))),
             Tint::Pane(pane) => Surface::Share(self.reflectance(&sheets::pane(pane, cosine).0)),
             Tint::Schlick(at_normal) => self.surface(at_normal, 1.0).map(|f0| fresnel_schlick(cosine, f0)),

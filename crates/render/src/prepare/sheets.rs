@@ -1,14 +1,24 @@
 //! What boundaries, films, panes and coats do to each wavelength at an angle.
 
-use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_film, fresnel_slab};
+use glanz_bsdf::terms::{
+    fresnel_conductor, fresnel_dielectric, fresnel_film, fresnel_polarized, fresnel_slab,
+};
 use glanz_color::{Ior, Spectrum, lambda_nm};
-use glanz_scene::{Film, Pane};
+use glanz_scene::{Film, Pane, Polarization};
 
 /// What a boundary between air and a medium reflects.
 pub(super) fn boundary(ior: &Ior, cosine: f64) -> Spectrum {
     Spectrum(core::array::from_fn(|i| match ior.k[i] {
         0.0 => fresnel_dielectric(cosine, ior.eta[i]),
         k => fresnel_conductor(cosine, ior.eta[i], k),
+    }))
+}
+
+/// The same of light of one polarisation.
+pub(super) fn polarized(ior: &Ior, polarization: Polarization, cosine: f64) -> Spectrum {
+    Spectrum(core::array::from_fn(|i| {
+        let (s, p) = fresnel_polarized(cosine, ior.eta[i], ior.k[i]);
+        if polarization == Polarization::S { s } else { p }
     }))
 }
 

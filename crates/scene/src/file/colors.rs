@@ -8,6 +8,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::types::names;
 use super::values::{Amount, At, Color, Number};
 
 /// A function of wavelength: exactly one of `spectrum`, `blackbody`, `gaussian`, `line`, `file`,
@@ -37,6 +38,9 @@ pub(crate) struct SpectralTable {
     /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
     /// refraction from 1.05 to 20; surfaces only.
     pub ior: Option<At<IorValue>>,
+    /// Beside `ior`: Fresnel reflection as seen through a filter that lets light pass that is polarised across ("s")
+    /// or in ("p") the plane of incidence.
+    pub polarization: Option<At<PolarizationName>>,
     /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
     /// air if that is missing. Surfaces only.
     pub film_nm: Option<At<Amount>>,
@@ -46,6 +50,17 @@ pub(crate) struct SpectralTable {
     pub scale: Option<At<Amount>>,
     /// For light that a surface sends itself: its luminance in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
+}
+
+names! {
+    /// Which way light swings, against the plane of incidence.
+    pub(crate) PolarizationName {
+        /// Across it.
+        #[default]
+        S = "s",
+        /// In it.
+        P = "p",
+    }
 }
 
 /// A metal or glass by name, or an index of refraction.

@@ -9,11 +9,11 @@ use glanz_color::{
 };
 
 use super::build::Builder;
-use super::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
+use super::colors::{ColorValue, IorValue, PolarizationName, SpectralTable, SpectrumValue};
 use super::error::Problem;
 use super::values::{At, Number};
 use crate::read::{FolderFiles, Resolver};
-use crate::{Film, LightColor, Tint};
+use crate::{Film, LightColor, Polarization, Tint};
 
 /// The thickest film: fringes of a thicker one are finer than the spectral grid of 5 nm shows.
 const THICKEST_FILM_NM: f64 = 2000.0;
@@ -106,7 +106,11 @@ impl Builder {
             Function::Reradiation(matrix) if scale == 1.0 => Tint::Reradiation(matrix),
             Function::Reradiation(matrix) => Tint::Reradiation(Arc::new(matrix.scaled(scale))),
             Function::Ior(ior) => match &table.scale {
-                None => Tint::Ior(ior),
+                None => match &table.polarization {
+                    None => Tint::Ior(ior),
+                    Some(At { value: PolarizationName::S, .. }) => Tint::Polarized(ior, Polarization::S),
+                    Some(At { value: PolarizationName::P, .. }) => Tint::Polarized(ior, Polarization::P),
+                },
                 Some(scale) => {
                     return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
                         .help("the index of refraction says how much is reflected"));
@@ -161,6 +165,9 @@ impl Builder {
         ];
         if let Some(thickness) = &table.film_nm {
             return Err(Problem::at(&thickness.span, "'film_nm' is for what surfaces do with light"));
+        }
+        if let (Some(polarization), None) = (&table.polarization, &table.ior) {
+            return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
         }
         if let (Some(column), None) = (&table.column, &table.file) {
             return Err(Problem::at(&column.span, "'column' needs 'file'"));
@@ -382,6 +389,7 @@ fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
         (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
         (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
         (table.file.as_ref().map(|v| &v.span), "file"),
+        (table.polarization.as_ref().map(|v| &v.span), "polarization"),
     ];
     if let Some((span, key)) = others.iter().find_map(|(span, key)| Some((span.as_ref()?, key))) {
         return Err(Problem::at(

@@ -7,7 +7,7 @@
 //! numbers, 0.001 … 1, default 0.2; `alpha_y` 0, the default, means as `alpha`. `multiscatter`: the weight w, 0 … 1,
 //! default 1.
 //! **Laws** reciprocal; keeps energy: with w = 1 the albedo is between 0.995 and 1 for every α and angle
-//! (elongated surfaces: from 0.985 for widths that differ by 3 to 0.89 for 9).
+//! (elongated surfaces: 0.994 at worst for 0.05/0.16, 0.97 for 0.2/0.6, 0.89 for 0.1/0.9).
 //! **Limits** towards α → 0 a perfect mirror. Where both widths are equal tangents are not read.
 //! **Source** P. Beckmann and A. Spizzichino 1963; B. Walter and others, Microfacet Models for Refraction through Rough
 //! Surfaces, 2007, whose rational Λ stands for the exact one with erf (within 0.35 %); E. Heitz, Understanding the
@@ -15,10 +15,10 @@
 //! of our own for E.
 //! **Cost** one exponential, two square roots, two quotients; two more quotients for the second part.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::{ALPHA, ALPHA_Y, MULTISCATTER, widths};
-use crate::terms::{Distribution, Half, Missing, exp_of_minus, stretched2};
+use crate::terms::{Distribution, Half, Missing, exp_of_minus, facets, stretched2};
 use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// Reflection by Beckmann's slopes.
@@ -70,6 +70,11 @@ impl Model for Beckmann {
         vec![self.alpha, self.alpha_y, self.multiscatter]
     }
 
+    fn is_anisotropic(&self) -> bool {
+        let (x, y) = widths(self.alpha, self.alpha_y);
+        x != y
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
         let zero = pair.cos_o.zero();
@@ -78,6 +83,14 @@ impl Model for Beckmann {
             value = value + self.missing.f_cos(pair, None);
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Beckmann, half, widths(self.alpha, self.alpha_y)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing(Distribution::Beckmann, pair, widths(self.alpha, self.alpha_y)))
     }
 }
 

@@ -49,6 +49,11 @@ impl Model for BeckmannMultiple {
         vec![self.alpha, self.alpha_y]
     }
 
+    fn is_anisotropic(&self) -> bool {
+        let (x, y) = widths(self.alpha, self.alpha_y);
+        x != y
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
         let zero = pair.cos_o.zero();

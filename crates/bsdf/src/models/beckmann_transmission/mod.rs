@@ -15,11 +15,11 @@
 //! Surfaces, 2007, equations 16, 21 and 23 to 34, with the factor of radiance that the paper leaves out. F is the tint.
 //! **Cost** one exponential, two square roots, four quotients.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::ALPHA;
 use crate::models::refraction::ETA;
-use crate::terms::{Refracted, bending, exp_of_minus, refracted_cosine, stretched2};
+use crate::terms::{Distribution, Refracted, bending, exp_of_minus, facets, refracted_cosine, stretched2};
 use crate::{Law, Model, ModelInfo, Pair, Part, Side};
 
 /// Refraction by Beckmann's slopes.
@@ -79,6 +79,14 @@ impl Model for BeckmannTransmission {
         let down = -pair.cos_i;
         let value = d * half.product * self.seen(pair.cos_o) * (self.seen(down) * down);
         value.select(half.lit, zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Beckmann, half, (self.alpha, self.alpha)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing_apart(Distribution::Beckmann, pair, (self.alpha, self.alpha)))
     }
 }
 

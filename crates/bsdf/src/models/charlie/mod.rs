@@ -18,11 +18,11 @@
 
 mod albedo;
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 pub use albedo::Albedo;
 
-use crate::terms::above;
+use crate::terms::{above, d_charlie, smith_g2};
 use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// a, b, c, d, e of l for α = 1 and for α = 0.
@@ -86,6 +86,15 @@ impl Model for Charlie {
         let shadow = one + self.lambda(cos_o) + self.lambda(cos_i);
         let height = zero.lit((2.0 + 1.0 / self.alpha) / (8.0 * PI));
         above(pair, power * height / (shadow * cos_o.max(zero.lit(1e-20))))
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        let across = (half.x * half.x + half.y * half.y).sqrt();
+        Some(if half.z > 0.0 { d_charlie(across.min(1.0), self.alpha) } else { 0.0 })
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(smith_g2(self.lambda(pair.cos_o), self.lambda(pair.cos_i)))
     }
 }
 

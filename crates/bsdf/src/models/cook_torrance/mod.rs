@@ -14,9 +14,9 @@
 //! cover the surface, ∫ D cosθh dω = 1. Fresnel's F is the tint, as is all that depends on wavelength.
 //! **Cost** one exponential (two with a second slope), three quotients.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Half, exp_of_minus};
+use crate::terms::{Distribution, Half, exp_of_minus, facets, g_v_cavity};
 use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// The root mean square slope.
@@ -84,13 +84,27 @@ impl Model for CookTorrance {
         let inverse = half.up2.one() / half.up2;
         let ratio = half.length2 * inverse;
         let tan2 = ratio - ratio.one();
-        let term = |(scale, steep): (f64, f64)| exp_of_minus(tan2 * tan2.lit(steep)) * tan2.lit(scale);
-        let mut d = term(self.terms[0]);
+        let mut d = term(tan2, self.terms[0]);
         if self.weight2 > 0.0 {
-            d = d + term(self.terms[1]);
+            d = d + term(tan2, self.terms[1]);
         }
         d * ratio.sqr() * groove(pair, half.length2)
     }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        let term = |m: f64| facets::distribution(Distribution::Beckmann, half, (m, m));
+        Some((1.0 - self.weight2) * term(self.m) + self.weight2 * term(self.m2))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(g_v_cavity(pair.cos_half(), pair.cos_o, pair.cos_i, pair.cos_view_half()))
+    }
+}
+
+/// The part of D of one slope, without 1/cos⁴θh.
+#[inline(always)]
+fn term<R: Real>(tan2: R, (scale, steep): (f64, f64)) -> R {
+    exp_of_minus(tan2 * tan2.lit(steep)) * tan2.lit(scale)
 }
 
 /// G / (4 cosθo) of the V-grooves, 0 where light or viewer is below: (n·h)/(wo·h) is 2 n·H / |H|².

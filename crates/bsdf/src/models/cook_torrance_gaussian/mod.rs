@@ -10,10 +10,10 @@
 //! 1/(π m²), so that the lobe keeps its energy.
 //! **Cost** one arc, one exponential, one square root, three quotients.
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::models::cook_torrance::{M, groove};
-use crate::terms::{Half, d_gaussian, gaussian_scale};
+use crate::terms::{Half, d_gaussian, g_v_cavity, gaussian_scale};
 use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// Cook and Torrance's reflection with the Gaussian distribution.
@@ -54,6 +54,15 @@ impl Model for CookTorranceGaussian {
         let theta = (half.length2 - half.up2).sqrt().atan2(half.up2.sqrt());
         let d = d_gaussian(theta, theta.lit(self.m), theta.lit(self.scale));
         d * groove(pair, half.length2)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        let across = (half.x * half.x + half.y * half.y).sqrt();
+        Some(if half.z > 0.0 { d_gaussian(across.atan2(half.z), self.m, self.scale) } else { 0.0 })
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(g_v_cavity(pair.cos_half(), pair.cos_o, pair.cos_i, pair.cos_view_half()))
     }
 }
 

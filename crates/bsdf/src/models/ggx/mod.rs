@@ -7,7 +7,8 @@
 //! along the bitangent, the same; 0, the default, means as `alpha`. `multiscatter`: the weight w, 0 … 1, default 1.
 //! A roughness texture multiplies both widths.
 //! **Laws** reciprocal; keeps energy: with w = 0 the albedo falls to 0.31 at α = 1 and 0°, with w = 1 it is between
-//! 0.995 and 1 for every α and angle (elongated surfaces: from 0.99 for widths that differ by 3 to 0.94 for 9).
+//! 0.995 and 1 for every α and angle (elongated surfaces: 0.994 at worst for 0.05/0.16, 0.97 for 0.2/0.6, 0.94 for
+//! 0.1/0.9).
 //! **Limits** towards α → 0 a perfect mirror. Where both widths are equal tangents are not read.
 //! **Source** T. S. Trowbridge and K. P. Reitz 1975; B. Walter and others, Microfacet Models for Refraction through
 //! Rough Surfaces, 2007; E. Heitz, Understanding the Masking-Shadowing Function, 2014, equations 86 and 99; C. Kulla and
@@ -15,9 +16,9 @@
 //! [`ggx_multiple`](crate::models::ggx_multiple) for that part alone, which may have a tint of its own).
 //! **Cost** two square roots, two quotients; two more quotients and twelve products for the second part.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Distribution, Half, Missing, stretched2};
+use crate::terms::{Distribution, Half, Missing, facets, stretched2};
 use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
 
 /// The least width: its square must stay well above 6e-8, to which `f32` rounds cosines.
@@ -110,6 +111,11 @@ impl Model for Ggx {
         vec![self.alpha, self.alpha_y, self.multiscatter]
     }
 
+    fn is_anisotropic(&self) -> bool {
+        let (x, y) = widths(self.alpha, self.alpha_y);
+        x != y
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
         let zero = pair.cos_o.zero();
@@ -118,6 +124,14 @@ impl Model for Ggx {
             value = value + self.missing.f_cos(pair, Some(pair.widening));
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Ggx, half, widths(self.alpha, self.alpha_y)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing(Distribution::Ggx, pair, widths(self.alpha, self.alpha_y)))
     }
 }
 
@@ -131,8 +145,8 @@ impl Ggx {
         let half = Half::new(pair);
         let w2 = pair.widening.max(half.up2.lit(self.least_widening)).sqr();
         let q = half.length2 / (half.across2(pair, self.inverse2) + half.up2 * w2);
-        let root = |cosine: R, tangent| (cosine.sqr() + w2 * stretched2(cosine, tangent, self.squares)).sqrt();
-        let (lo, li) = (root(pair.cos_o, pair.tangent_o), root(pair.cos_i, pair.tangent_i));
+        let lo = (pair.cos_o.sqr() + w2 * stretched2(pair.cos_o, pair.tangent_o, self.squares)).sqrt();
+        let li = (pair.cos_i.sqr() + w2 * stretched2(pair.cos_i, pair.tangent_i, self.squares)).sqrt();
         let shared = (pair.cos_i * lo + pair.cos_o * li).max(w2.lit(1e-30));
         q.sqr() * w2 * w2.lit(self.scale) * pair.cos_i / shared
     }

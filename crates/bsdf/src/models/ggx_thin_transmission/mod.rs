@@ -8,7 +8,7 @@
 //! **Source** Khronos Group, glTF extension KHR_materials_transmission, 2021, section "Implementation notes".
 //! **Cost** that of GGX and two products.
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::models::ggx::{ALPHA, Ggx};
 use crate::{Model, ModelInfo, Pair, Part, Side};
@@ -51,6 +51,14 @@ impl Model for GgxThinTransmission {
     #[inline(always)]
     fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
         mirrored(pair).cos_view_half()
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        self.reflection.distribution(half)
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        self.reflection.shadowing(pair)
     }
 }
 

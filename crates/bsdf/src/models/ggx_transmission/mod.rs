@@ -14,11 +14,11 @@
 //! Surfaces, 2007, equations 16, 21 and 23 to 34, with the factor of radiance that the paper leaves out. F is the tint.
 //! **Cost** two square roots, three quotients.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::{ALPHA, LEAST_ALPHA};
 use crate::models::refraction::ETA;
-use crate::terms::{Refracted, bending, refracted_cosine, stretched2};
+use crate::terms::{Distribution, Refracted, bending, facets, refracted_cosine};
 use crate::{Model, ModelInfo, Pair, Part, Side};
 
 /// Refraction by GGX slopes.
@@ -77,12 +77,26 @@ impl Model for GgxTransmission {
         let width2 = w.sqr() * zero.lit(self.square);
         let q = zero.one() / ((half.length2 - half.up2) + width2 * half.up2).max(zero.lit(1e-15));
         // 2 cosθ / (cosθ + √(cos²θ + α² sin²θ)) is G1.
-        let root = |c: R| (c.sqr() + w.sqr() * stretched2(c, (zero, zero), (self.square, self.square))).sqrt();
         let down = -pair.cos_i;
-        let masked = (pair.cos_o + root(pair.cos_o)) * (down + root(down));
+        let masked = above(pair.cos_o, width2) * above(down, width2);
         let value = q.sqr() * width2 * half.product * down * zero.lit(self.scale) / masked;
         value.select(half.lit, zero)
     }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(facets::distribution(Distribution::Ggx, half, (self.alpha, self.alpha)))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(facets::shadowing_apart(Distribution::Ggx, pair, (self.alpha, self.alpha)))
+    }
+}
+
+/// cosθ + √(cos²θ + α² sin²θ).
+#[inline(always)]
+fn above<R: Real>(cosine: R, width2: R) -> R {
+    let sin2 = (cosine.one() - cosine.sqr()).max(cosine.zero());
+    cosine + (cosine.sqr() + width2 * sin2).sqrt()
 }
 
 #[cfg(test)]

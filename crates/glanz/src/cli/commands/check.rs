@@ -20,9 +20,9 @@ Examples:
   glanz check phong blinn-phong --set shininess=8,32
   glanz check --all --format json
 
-Looked at are reciprocity, energy (the greatest albedo and where), positivity, finiteness up to 89.999°, the
-normalisation of the distribution of facets, limits, and single against double precision. The exit code is 1 where
-a law fails, even if the model is known to break it.";
+Looked at are reciprocity, energy (the greatest albedo and where), positivity, finiteness up to
+89.999°, the normalisation of the distribution of facets, limits, and single against double
+precision. The exit code is 1 where a law fails, even if the model is known to break it.";
 
 /// Options of `glanz check`.
 #[derive(Args, Debug)]

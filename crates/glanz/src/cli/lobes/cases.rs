@@ -87,7 +87,7 @@ impl SetArgs {
                 let near = did_you_mean(param, &known);
                 let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
                 return Err(Failure::Usage(format!(
-                    "--set {}: there is no parameter '{param}'{near}; there are: {known}",
+                    "--set {}: there is no parameter '{param}' (there are: {known}){near}",
                     vary.path
                 )));
             }

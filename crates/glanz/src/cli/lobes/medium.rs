@@ -1,7 +1,7 @@
 //! What a lobe is multiplied with: Fresnel reflectance of a medium, or a share of one wavelength.
 
 use clap::Args;
-use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric};
+use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_polarized};
 use glanz_bsdf::{Pair, Shape};
 use glanz_color::{FIRST_NM, IorKind, LAST_NM, ior, iors};
 
@@ -38,19 +38,7 @@ impl Medium {
 impl Medium {
     /// The same of light that is polarised across (s) and in (p) the plane of incidence.
     pub fn polarised(&self, cosine: f64) -> (f64, f64) {
-        // √(η² − sin²θ) of the complex index, as a + i b (Born and Wolf, §14.2).
-        let sin2 = 1.0 - cosine * cosine;
-        let (re, im) = (self.eta * self.eta - self.k * self.k - sin2, 2.0 * self.eta * self.k);
-        let length = (re * re + im * im).sqrt();
-        let (a, b) = ((0.5 * (length + re)).max(0.0).sqrt(), (0.5 * (length - re)).max(0.0).sqrt());
-        let share = |c: f64, (a, b): (f64, f64)| {
-            ((c - a) * (c - a) + b * b) / ((c + a) * (c + a) + b * b).max(f64::MIN_POSITIVE)
-        };
-        let s = share(cosine, (a, b));
-        // The ratio of p to s: |(a − sinθ tanθ) + i b|² over the same with +.
-        let grazing = sin2 / cosine.max(1e-300);
-        let p = if cosine > 1e-12 { s * share(a, (grazing, b)) } else { 1.0 };
-        (s, p)
+        fresnel_polarized(cosine, self.eta, self.k)
     }
 }
 
@@ -76,7 +64,7 @@ pub fn medium(word: &str, nm: f64) -> Result<Medium, Failure> {
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Tint")]
 pub struct FactorArgs {
-    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list iors`, or a refractive
+    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list metals`, or a refractive
     /// index such as 1.5
     #[arg(long, value_name = "NAME")]
     pub ior: Option<String>,

@@ -20,8 +20,9 @@ Examples:
   glanz bsdf eval blinn-phong --ior Cu --lambda-nm 600 --wo 30,0 --wi 45,180
   glanz bsdf eval phong --directions dirs.csv -o values.csv
 
-The columns of --directions are found by their names in the first line: theta_o_deg, phi_o_deg, theta_i_deg and
-phi_i_deg, or wo_x, wo_y, wo_z, wi_x, wi_y and wi_z. All columns come back, with f_cos and f behind them.";
+The columns of --directions are found by their names in the first line: theta_o_deg, phi_o_deg,
+theta_i_deg and phi_i_deg, or wo_x, wo_y, wo_z, wi_x, wi_y and wi_z. All columns come back, with
+f_cos and f behind them.";
 
 /// The least cosine by which a value is divided.
 const LEAST_COSINE: f64 = 1e-12;

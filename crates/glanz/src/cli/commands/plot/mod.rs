@@ -21,13 +21,15 @@ use crate::cli::print;
 pub const EXAMPLES: &str = "\
 Examples:
   glanz plot phong --set shininess=8,32 --theta 0,30,60 -o polar.svg
-  glanz plot phong blinn-phong --set shininess=32 --set blinn-phong.shininess=128 --kind cartesian --log -o lobes.png
+  glanz plot phong blinn-phong --set shininess=32 --set blinn-phong.shininess=128 \\
+      --kind cartesian --log -o lobes.png
   glanz plot phong-normalized --set shininess=4:64:4 --kind albedo -o albedo.svg
   glanz plot blinn-phong --kind lobe3d --theta 45 -o lobe.png
   glanz plot --kind fresnel --ior 1.5,Au,Cu -o fresnel.svg
 
-All combinations of models, parameters and angles are curves of one plot. The light is in the plane of the viewer
-and the normal, at positive angles on the other side of the normal: the mirror direction of a viewer at 30° is 30°.";
+All combinations of models, parameters and angles are curves of one plot. The light is in the
+plane of the viewer and the normal, at positive angles on the other side of the normal: the
+mirror direction of a viewer at 30° is 30°.";
 
 /// The most curves of a plot.
 const MAX_CURVES: usize = 64;
@@ -93,7 +95,7 @@ pub struct PlotArgs {
     #[arg(long)]
     log: bool,
 
-    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list iors`, or a refractive
+    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list metals`, or a refractive
     /// index); for --kind fresnel the media, between commas [default there: 1.5]
     #[arg(long, value_name = "NAME", help_heading = "Tint")]
     ior: Option<String>,
@@ -279,6 +281,11 @@ impl Request<'_> {
             true => first.to_owned(),
             false => several.to_owned(),
         }
+    }
+
+    /// Whether any of the lobes has a mirror direction.
+    fn reflects(&self) -> bool {
+        self.cases.iter().any(|case| case.shape.info().side == Side::Reflection)
     }
 
     fn transmits(&self) -> bool {

@@ -32,7 +32,7 @@ impl Request<'_> {
             let label = if *theta == named { "mirror" } else { "" };
             let mirror = Ray { degrees: *theta, label: label.to_owned(), color, dashed: true };
             // Seen from above, both are the normal.
-            if *theta == 0.0 { vec![viewer] } else { vec![viewer, mirror] }
+            if *theta == 0.0 || !self.reflects() { vec![viewer] } else { vec![viewer, mirror] }
         });
         Polar {
             title: self.title("Lobes in the plane of incidence"),
@@ -65,7 +65,7 @@ impl Request<'_> {
             subtitle: self.subtitle("negative angles are on the viewer's side of the normal"),
             x: Axis { ticks: ticks.collect(), decimals: 0, ..x },
             y,
-            marks: if self.theta.len() <= 4 {
+            marks: if self.theta.len() <= 4 && self.reflects() {
                 self.theta.iter().enumerate().map(mark).collect()
             } else {
                 Vec::new()

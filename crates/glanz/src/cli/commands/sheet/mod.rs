@@ -30,8 +30,9 @@ Examples:
   glanz sheet blinn-phong-normalized --vary shininess=8:512:5 --vary ior=Au,Cu,Al,1.5 -o sheet.png
   glanz sheet lambert --vary tint=gold,copper,0.5 --light A --mesh torus
 
-The last --vary runs along the columns, all others along the rows, the first one slowest. Beside the parameters of
-the model, ior (a metal, a glass or a refractive index: Fresnel's law) and tint (a spectrum or a share) are keys.";
+The last --vary runs along the columns, all others along the rows, the first one slowest.
+Beside the parameters of the model, ior (a metal, a glass or a refractive index: Fresnel's law)
+and tint (a spectrum or a share) are keys. Without --mode, sheets are drawn in spectral mode.";
 
 /// The most columns where one value alone varies.
 const DEFAULT_COLUMNS: u32 = 8;
@@ -132,7 +133,7 @@ impl SheetArgs {
                 let known = known.join(", ");
                 let model = &self.model;
                 return Err(Failure::Usage(format!(
-                    "{option} {key}: '{model}' has no parameter '{key}'{near}; keys are: {known}"
+                    "{option} {key}: '{model}' has no parameter '{key}' (keys are: {known}){near}"
                 )));
             }
             if keys[..index].iter().any(|(_, other)| other == key) {

@@ -1,0 +1,152 @@
+//! Surfaces that shine.
+
+use glanz_scene::AreaShape;
+
+use super::*;
+
+const VIEWS: [f64; 4] = [0.0, 30.0, 60.0, 75.0];
+
+/// Where the lights are: above, in the mirror direction of flat views, and half below the horizon.
+const PLACES: [[f64; 3]; 3] = [[0.0, 0.0, 1.5], [-1.2, 0.3, 0.8], [-0.8, -0.6, 0.1]];
+
+fn area(form: AreaShape, position: DVec3) -> LightKind {
+    LightKind::Area { shape: form, position, direction: -position, up: DVec3::Y, two_sided: false }
+}
+
+/// ∫ f_cos dω over the light, by a grid of points.
+fn by_sum(form: AreaShape, position: DVec3, shape: &Shape, degrees: f64) -> f64 {
+    const N: usize = 240;
+    let facing = -position.normalize();
+    let across = DVec3::Y.cross(facing).normalize();
+    let up = facing.cross(across);
+    let at = |i: usize| (i as f64 + 0.5) / N as f64 * 2.0 - 1.0;
+    let mut sum = 0.0;
+    for i in 0..N {
+        for j in 0..N {
+            let (u, v) = (at(i), at(j));
+            let (half_u, half_v) = match form {
+                AreaShape::Rectangle { width, height } => (0.5 * width, 0.5 * height),
+                AreaShape::Disk { radius } | AreaShape::Sphere { radius } => (radius, radius),
+            };
+            let round = !matches!(form, AreaShape::Rectangle { .. });
+            if round && u * u + v * v > 1.0 {
+                continue;
+            }
+            let bulge = match form {
+                AreaShape::Sphere { radius } => {
+                    // The side towards the point, over its projection; its true visible cap ends a little earlier.
+                    facing * radius * (1.0 - u * u - v * v).sqrt()
+                }
+                _ => DVec3::ZERO,
+            };
+            let to = position + across * (u * half_u) + up * (v * half_v) + bulge;
+            let cell = 4.0 * half_u * half_v / (N * N) as f64;
+            let normal = if bulge == DVec3::ZERO { facing } else { (to - position).normalize() };
+            let direction = to.normalize();
+            let cosine = (-direction.dot(normal)).max(0.0);
+            // Of a sphere, a cell of the projection is so much more surface.
+            let surface = if bulge == DVec3::ZERO { cell } else { cell / normal.dot(facing) };
+            sum += lobe_value(shape, degrees, direction) * cosine * surface / to.length_squared();
+        }
+    }
+    sum
+}
+
+/// The error of a transformed cosine in parts of the lobe's albedo, by the kind of lobe.
+fn allowed(name: &str) -> f64 {
+    match name {
+        "lambert" | "lambert-transmission" => 1e-3,
+        "oren-nayar 30°" => 0.02,
+        "ggx .1" | "ggx .3" | "ggx .6" => 0.04,
+        _ => 0.12,
+    }
+}
+
+fn compare(form: AreaShape, slack: f64) {
+    let mut table = String::new();
+    for (name, shape) in lobes() {
+        let mut worst = Worst::default();
+        for degrees in VIEWS {
+            let albedo = glanz_bsdf::albedo(&shape, degrees.to_radians().cos());
+            for place in PLACES {
+                let below = name == "lambert-transmission";
+                let position =
+                    DVec3::from_array(place) * DVec3::new(1.0, 1.0, if below { -1.0 } else { 1.0 });
+                let mut scene = surface(&shape, degrees);
+                scene.lights.push(white(area(form, position)));
+                let (got, expected) = (value(&scene), by_sum(form, position, &shape, degrees));
+                let error = (got - expected) / albedo;
+                worst.note(error, || format!("{degrees}°, {place:?}: {got:.5} for {expected:.5}"));
+            }
+        }
+        table += &format!("{name}: {:.4} at {}\n", worst.0, worst.1);
+        assert!(worst.0 < allowed(name) + slack, "{form:?}, {name}: {} at {}", worst.0, worst.1);
+    }
+    println!("{form:?}\n{table}");
+}
+
+#[test]
+fn a_rectangle_gives_its_integral() {
+    compare(AreaShape::Rectangle { width: 1.0, height: 0.6 }, 0.0);
+}
+
+#[test]
+fn a_disk_gives_its_integral() {
+    compare(AreaShape::Disk { radius: 0.4 }, 1e-3);
+}
+
+#[test]
+fn a_sphere_gives_its_integral() {
+    compare(AreaShape::Sphere { radius: 0.35 }, 4e-3);
+}
+
+#[test]
+fn lobes_with_a_grain_are_summed_over_the_light() {
+    let grain = shape("ward", &[("alpha", 0.2), ("alpha_y", 0.4)]);
+    let form = AreaShape::Rectangle { width: 0.8, height: 0.8 };
+    for (degrees, place) in [(0.0, PLACES[0]), (40.0, PLACES[1])] {
+        let position = DVec3::from_array(place);
+        let mut scene = surface(&grain, degrees);
+        scene.lights.push(white(area(form, position)));
+        let (got, expected) = (value(&scene), by_sum(form, position, &grain, degrees));
+        assert!((got / expected - 1.0).abs() < 0.02, "{degrees}°: {got} for {expected}");
+    }
+}
+
+#[test]
+fn a_light_shines_on_its_front_alone_unless_it_has_two() {
+    let lambert = shape("lambert", &[]);
+    let away = |two_sided| LightKind::Area {
+        shape: AreaShape::Disk { radius: 0.3 },
+        position: DVec3::Z,
+        direction: DVec3::Z,
+        up: DVec3::Y,
+        two_sided,
+    };
+    let with = |two_sided| {
+        let mut scene = surface(&lambert, 0.0);
+        scene.lights.push(white(away(two_sided)));
+        value(&scene)
+    };
+    assert_eq!(with(false), 0.0);
+    assert!((with(true) - 0.09 / 1.09).abs() < 1e-4);
+}
+
+#[test]
+fn a_mirror_shows_the_light_where_it_is() {
+    let mirror = shape("mirror", &[]);
+    for (form, size) in [
+        (AreaShape::Rectangle { width: 0.4, height: 0.4 }, 0.2),
+        (AreaShape::Disk { radius: 0.2 }, 0.2),
+        (AreaShape::Sphere { radius: 0.2 }, 0.2),
+    ] {
+        for (shift, lit) in [(0.0, 1.0), (0.9 * size, 1.0), (1.2 * size, 0.0)] {
+            let mut scene = surface(&mirror, 0.0);
+            let mut kind = area(form, DVec3::new(0.0, 0.0, 2.0));
+            let LightKind::Area { position, .. } = &mut kind else { unreachable!() };
+            position.x += shift;
+            scene.lights.push(white(kind));
+            assert_eq!(value(&scene), lit, "{form:?}, {shift}");
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Surroundings.
+
+use std::sync::Arc;
+
+use glam::DMat3;
+use glanz_scene::{Background, EnvironmentMap};
+
+use super::*;
+
+const VIEWS: [f64; 4] = [0.0, 30.0, 60.0, 75.0];
+
+fn map(value: impl Fn(DVec3) -> f64) -> Arc<EnvironmentMap> {
+    let (width, height) = (256, 128);
+    let pixel = |i: usize| {
+        let (u, v) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
+        let value = value(EnvironmentMap::direction(u / width as f64, v / height as f64));
+        [value as f32, value as f32 * 0.5, 0.25]
+    };
+    Arc::new(EnvironmentMap { width, height, pixels: (0..width * height).map(pixel).collect() })
+}
+
+fn surroundings(map: Option<Arc<EnvironmentMap>>) -> Light {
+    white(LightKind::Environment { map, rotation: DMat3::IDENTITY })
+}
+
+/// A bright sky with a window sixteen times as bright, and a dim ground.
+fn room(d: DVec3) -> f64 {
+    let window = (d.x + 0.5).abs() < 0.25 && (d.y - 0.3).abs() < 0.2 && d.z > 0.0;
+    (0.3 + 0.4 * (d.y + 0.3 * d.x)).max(0.1) + if window { 8.0 } else { 0.0 }
+}
+
+/// ∫ L f_cos dω over the pixels of the map.
+fn by_sum(map: &EnvironmentMap, shape: &Shape, degrees: f64) -> f64 {
+    let mut sum = 0.0;
+    for row in 0..map.height {
+        let weight = map.solid_angle(row);
+        for column in 0..map.width {
+            let (u, v) = ((column as f64 + 0.5) / map.width as f64, (row as f64 + 0.5) / map.height as f64);
+            let light = f64::from(map.pixels[row * map.width + column][0]);
+            sum += weight * light * lobe_value(shape, degrees, EnvironmentMap::direction(u, v));
+        }
+    }
+    sum
+}
+
+/// Errors in parts of what the map gives on average, for views from 0° to 60° and at 75°. The harmonics err little;
+/// lobes are blurred as for a viewer above, so they err more the flatter the view.
+fn allowed(name: &str) -> [f64; 2] {
+    match name {
+        "lambert" | "lambert-transmission" => [0.02, 0.02],
+        "oren-nayar 30°" => [0.15, 0.3],
+        _ => [0.75, 2.0],
+    }
+}
+
+#[test]
+fn errors_of_a_room_with_a_window_are_as_stated() {
+    let map = map(room);
+    let mut table = String::new();
+    for (name, shape) in lobes() {
+        let mut worst = [Worst::default(), Worst::default()];
+        for degrees in VIEWS {
+            let mut scene = surface(&shape, degrees);
+            scene.lights.push(surroundings(Some(Arc::clone(&map))));
+            let (got, expected) = (value(&scene), by_sum(&map, &shape, degrees));
+            let error = (got - expected) / map.mean()[0];
+            let flat = usize::from(degrees > 60.0);
+            worst[flat].note(error, || format!("{degrees}°: {got:.4} for {expected:.4}"));
+        }
+        table +=
+            &format!("{name}: {:.4} at {}; {:.4} at {}\n", worst[0].0, worst[0].1, worst[1].0, worst[1].1);
+        for (worst, allowed) in worst.iter().zip(allowed(name)) {
+            assert!(worst.0 < allowed, "{name}: {} at {}", worst.0, worst.1);
+        }
+    }
+    println!("{table}");
+}
+
+#[test]
+fn uniform_surroundings_are_the_white_furnace() {
+    for (name, shape) in lobes() {
+        for degrees in VIEWS {
+            let expected = glanz_bsdf::albedo(&shape, degrees.to_radians().cos());
+            for map in [None, Some(map(|_| 1.0))] {
+                let mut scene = surface(&shape, degrees);
+                scene.lights.push(surroundings(map));
+                let got = value(&scene);
+                assert!((got - expected).abs() < 2e-3, "{name}, {degrees}°: {got} for {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mirror_shows_what_is_there() {
+    let ramp = |d: DVec3| 0.5 + 0.4 * d.x + 0.05 * d.y;
+    for degrees in VIEWS {
+        let mut scene = surface(&shape("mirror", &[]), degrees);
+        scene.lights.push(surroundings(Some(map(ramp))));
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (got, expected) = (value(&scene), ramp(DVec3::new(-sin, 0.0, cos)));
+        assert!((got - expected).abs() < 1e-3, "{degrees}°: {got} for {expected}");
+    }
+}
+
+#[test]
+fn refraction_bends_the_line_of_sight() {
+    let ramp = |d: DVec3| 0.5 + 0.4 * d.x;
+    for (degrees, eta) in [(0.0_f64, 1.5), (40.0, 1.5), (70.0, 1.33)] {
+        let mut scene = surface(&shape("refraction", &[("eta", eta)]), degrees);
+        scene.lights.push(surroundings(Some(map(ramp))));
+        let sin = degrees.to_radians().sin() / eta;
+        let (got, expected) = (value(&scene), ramp(DVec3::new(-sin, 0.0, -(1.0 - sin * sin).sqrt())));
+        assert!((got - expected).abs() < 1e-3, "{degrees}°, {eta}: {got} for {expected}");
+    }
+}
+
+#[test]
+fn the_background_shows_the_surroundings_in_their_direction() {
+    let ramp = |d: DVec3| 0.5 + 0.3 * d.x + 0.1 * d.y - 0.05 * d.z;
+    let mut scene = empty(common::camera(5.0, 60.0));
+    scene.lights.push(surroundings(Some(map(ramp))));
+    scene.image.background = Background::Environment;
+    let mut options = transparent();
+    options.background = Background::Environment;
+    let frame = picture(&scene, 64, 48, &options);
+    let scale = 30.0_f64.to_radians().tan() / 24.0;
+    for (x, y) in [(3, 5), (32, 24), (60, 40)] {
+        let ray = DVec3::new((f64::from(x) + 0.5 - 32.0) * scale, (24.0 - f64::from(y) - 0.5) * scale, -1.0);
+        let got = f64::from(frame.rgb[0][(y * 64 + x) as usize]);
+        assert!((got - ramp(ray.normalize())).abs() < 1e-3, "{x}, {y}: {got}");
+        assert_eq!(frame.alpha[(y * 64 + x) as usize], 1.0);
+    }
+}
+
+#[test]
+fn turning_the_surroundings_turns_what_is_seen() {
+    let ramp = |d: DVec3| 0.5 + 0.4 * d.x;
+    let mut scene = surface(&shape("mirror", &[]), 40.0);
+    let mut light = surroundings(Some(map(ramp)));
+    let LightKind::Environment { rotation, .. } = &mut light.kind else { unreachable!() };
+    *rotation = DMat3::from_rotation_z(90.0_f64.to_radians());
+    scene.lights.push(light);
+    // What was at +X is now at +Y, where the mirrored ray has no part.
+    assert!((value(&scene) - 0.5).abs() < 1e-3);
+}
