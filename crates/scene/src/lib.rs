@@ -10,6 +10,7 @@ mod color_mode;
 mod default_lights;
 mod environment;
 pub mod file;
+pub mod library;
 mod light;
 mod luminaire;
 mod material;

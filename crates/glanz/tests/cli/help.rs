@@ -3,7 +3,7 @@
 use crate::house::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 32] = [
+const COMMANDS: [&[&str]; 36] = [
     &[],
     &["render"],
     &["sweep"],
@@ -20,6 +20,10 @@ const COMMANDS: [&[&str]; 32] = [
     &["sheet"],
     &["plot"],
     &["check"],
+    &["material"],
+    &["material", "list"],
+    &["material", "show"],
+    &["material", "sheet"],
     &["color"],
     &["color", "convert"],
     &["color", "spectrum"],

@@ -8,6 +8,7 @@ mod errors;
 mod help;
 mod house;
 mod lobes;
+mod materials;
 mod models;
 mod pictures;
 mod spectra;

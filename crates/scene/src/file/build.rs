@@ -27,6 +27,8 @@ pub(super) struct Builder {
     pub(super) notes: Vec<String>,
     pub(super) hash: Hash,
     pub(super) material_names: BTreeMap<String, usize>,
+    /// The materials that objects took from the library.
+    pub(super) library_names: BTreeMap<String, usize>,
     /// The index of the material of objects that name none.
     pub(super) default_material: Option<usize>,
     /// The models of the files read so far.
@@ -60,6 +62,7 @@ impl Builder {
             notes: Vec::new(),
             hash,
             material_names: BTreeMap::new(),
+            library_names: BTreeMap::new(),
             default_material: None,
             files: HashMap::new(),
             parts: HashMap::new(),
@@ -169,6 +172,14 @@ impl Builder {
 
     fn material(&mut self, name: &str, table: &MaterialTable) -> Result<Material, Problem> {
         let mut material = table.build(name, self)?;
+        if let (Some(library), Some(_)) = (&table.library, &table.base_color_texture)
+            && !material.lobes.iter().any(|lobe| lobe.textured)
+        {
+            let library = &library.value;
+            self.notes.push(format!(
+                "material '{name}': no term of '{library}' takes a texture; only the texture's alpha counts"
+            ));
+        }
         material.base_color = self.texture_use(table.base_color_texture.as_ref(), true)?;
         material.normal_map = self.texture_use(table.normal_texture.as_ref(), false)?;
         material.emission_map = self.texture_use(table.emission_texture.as_ref(), true)?;

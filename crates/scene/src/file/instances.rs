@@ -9,7 +9,6 @@ use glam::{DMat4, Vec4};
 
 use super::build::Builder;
 use super::error::Problem;
-use super::near::{did_you_mean, list};
 use super::objects::{ColorsName, ColorsValue, MeshValue, ObjectTable};
 use super::values::At;
 use crate::builtin::{Builtin, MAX_TRIANGLES};
@@ -128,16 +127,17 @@ impl Builder {
     }
 
     /// The material that the object names.
-    fn material_index(&self, object: &ObjectTable) -> Result<Option<usize>, Problem> {
+    fn material_index(&mut self, object: &ObjectTable) -> Result<Option<usize>, Problem> {
         let Some(name) = &object.material else { return Ok(None) };
-        match self.material_names.get(name.as_str()) {
-            Some(index) => Ok(Some(*index)),
-            None => {
-                let known = || self.material_names.keys().map(String::as_str);
-                let message = format!("unknown material '{}'{}", name.value, did_you_mean(name, known()));
-                Err(Problem::at(&name.span, message).help(format!("the materials are: {}", list(known()))))
-            }
+        let known = self.material_names.get(name.as_str()).or_else(|| self.library_names.get(name.as_str()));
+        if let Some(index) = known {
+            return Ok(Some(*index));
         }
+        let material = self.found_in_library(name)?;
+        let index = self.scene.materials.len();
+        self.scene.materials.push(material);
+        self.library_names.insert(name.value.clone(), index);
+        Ok(Some(index))
     }
 
     fn default_material(&mut self) -> usize {

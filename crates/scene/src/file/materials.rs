@@ -21,11 +21,14 @@ use super::types::names;
 use super::values::{Amount, At, Exponent, Number, Share};
 use crate::{AlphaMode, ClassicMaterial, Material, Tint};
 
-/// A material: either the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`,
-/// `emission`; colours that are missing are black) or a list of `lobes`.
+/// A material: the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`, `emission`; colours
+/// that are missing are black), a list of `lobes`, or one of the `library`.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MaterialTable {
+    /// The name of a material of the library, as `glanz material list` tells them. Its terms are taken as they are; a
+    /// `coat` lies over them, and textures multiply those that textures multiply.
+    pub library: Option<At<String>>,
     /// Model of the highlight; `phong` by default.
     #[schemars(with = "Option<HighlightName>")]
     pub model: Option<At<String>>,
@@ -193,16 +196,24 @@ fn highlight_names() -> impl Iterator<Item = &'static str> {
     MODELS.iter().filter(move |info| highlight(info.part)).map(|info| info.name)
 }
 
+fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
+    value.as_ref().map(|v| &v.span)
+}
+
 impl MaterialTable {
     /// The material without its textures; `span` is where the table stands.
     pub fn build(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
-        let mut material = match &self.lobes {
-            Some(lobes) => {
+        let mut material = match (&self.library, &self.lobes) {
+            (Some(library), _) => {
+                self.refuse_terms(library)?;
+                Material { name: name.to_owned(), ..builder.library_material(library)? }
+            }
+            (None, Some(lobes)) => {
                 self.refuse_classic_keys()?;
                 let lobes = lobes.iter().map(|lobe| lobe.build(builder)).collect::<Result<_, _>>()?;
                 Material::of_lobes(name, lobes)
             }
-            None => self.classic(name, builder)?,
+            (None, None) => self.classic(name, builder)?,
         };
         if let Some(pane) = &self.pane {
             pane.build(&mut material, builder, &pane.span)?;
@@ -280,19 +291,38 @@ impl MaterialTable {
         })
     }
 
-    fn refuse_classic_keys(&self) -> Result<(), Problem> {
-        fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
-            value.as_ref().map(|v| &v.span)
-        }
-        let given = [
+    fn classic_keys(&self) -> [(&'static str, Option<&Range<usize>>); 6] {
+        [
             ("model", place(&self.model)),
             ("ambient", place(&self.ambient)),
             ("diffuse", place(&self.diffuse)),
             ("specular", place(&self.specular)),
             ("emission", place(&self.emission)),
             ("shininess", place(&self.shininess)),
+        ]
+    }
+
+    /// That nothing stands beside `library` that would say again what the material is made of.
+    fn refuse_terms(&self, library: &At<String>) -> Result<(), Problem> {
+        let others = [
+            ("lobes", place(&self.lobes)),
+            ("pane", place(&self.pane)),
+            ("see_through", place(&self.see_through)),
         ];
-        match given.into_iter().find_map(|(key, span)| Some((key, span?))) {
+        match self.classic_keys().into_iter().chain(others).find_map(|(key, span)| Some((key, span?))) {
+            Some((key, span)) => {
+                let name = &library.value;
+                let help = format!(
+                    "`glanz material show {name}` prints the keys of '{name}', to be changed in its place"
+                );
+                Err(Problem::at(span, format!("'{key}' beside 'library'")).help(help))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn refuse_classic_keys(&self) -> Result<(), Problem> {
+        match self.classic_keys().into_iter().find_map(|(key, span)| Some((key, span?))) {
             Some((key, span)) => {
                 let help = "give the classic block or the lobes; a term such as 'ambient' is a lobe too";
                 Err(Problem::at(span, format!("'{key}' beside 'lobes'")).help(help))

@@ -13,6 +13,7 @@ mod colors;
 mod environment;
 mod error;
 mod explain;
+mod from_library;
 mod hash;
 mod instances;
 mod layers;
@@ -21,7 +22,7 @@ mod lights;
 mod lobes;
 mod luminaires;
 mod materials;
-mod near;
+pub(crate) mod near;
 mod objects;
 mod place;
 mod schema;
@@ -35,6 +36,8 @@ mod values;
 
 #[cfg(test)]
 mod error_tests;
+#[cfg(test)]
+mod library_tests;
 #[cfg(test)]
 mod light_tests;
 #[cfg(test)]
@@ -55,11 +58,12 @@ use toml::Spanned;
 use toml::de::DeTable;
 pub use types::{ShowName, ToneMapName};
 
-use crate::Scene;
+use crate::{Material, Scene};
 use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain};
 use hash::Hash;
+use materials::MaterialTable;
 use types::SceneTable;
 
 /// The most bytes that a scene file may have.
@@ -102,6 +106,19 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
 /// Reads a scene from a text. Files that it names are relative to `base`.
 pub fn parse_str(text: &str, base: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
     parse(Path::new("scene"), text, base, options)
+}
+
+/// The material that the keys of a table `[materials.NAME]` mean: everything but its textures, which need a scene.
+pub fn parse_material(name: &str, text: &str) -> Result<Material, FileError> {
+    let source = Source::new(Path::new(name), text);
+    let understand = || {
+        let root = read_document(text, &[])?;
+        let table = MaterialTable::deserialize(toml::de::Deserializer::from(root)).map_err(|error| {
+            explain(&error, read_document(text, &[]).ok().as_ref().map(Paths::of).as_ref())
+        })?;
+        table.build(name, &mut Builder::new(Path::new(""), false, Hash::new()))
+    };
+    understand().map_err(|problem| source.error(problem))
 }
 
 fn read_text(path: &Path) -> Result<String, String> {

@@ -8,6 +8,7 @@ mod compare_pictures;
 mod completions;
 mod film;
 mod info;
+mod material;
 mod modes;
 mod plot;
 mod relight;
@@ -53,6 +54,12 @@ pub enum Command {
     /// Draw a sheet of balls of one model in which its parameters and its metal vary
     #[command(after_help = sheet::EXAMPLES)]
     Sheet(Box<sheet::SheetArgs>),
+    /// The library of materials
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  glanz material list\n  glanz material show gold\n  glanz material sheet -o all.png"
+    )]
+    Material(material::MaterialCommand),
     /// Plot lobes of models, albedos and Fresnel reflectance
     #[command(after_help = plot::EXAMPLES)]
     Plot(Box<plot::PlotArgs>),
@@ -88,6 +95,7 @@ impl Command {
             Self::Info(_) => vec!["info"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
             Self::Sheet(_) => vec!["sheet"],
+            Self::Material(command) => vec!["material", command.name()],
             Self::Plot(_) => vec!["plot"],
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
@@ -108,6 +116,7 @@ impl Command {
             Self::Info(args) => args.run(),
             Self::Bsdf(command) => command.run(),
             Self::Sheet(args) => args.run(),
+            Self::Material(command) => command.run(),
             Self::Plot(args) => args.run(),
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
