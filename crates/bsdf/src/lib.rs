@@ -25,7 +25,7 @@ pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
 pub use models::{MODELS, Shape};
 pub use pair::Pair;
 pub use series::Series;
-pub use veil::{Angle, Veil, diffuse_fresnel, matte_under_coat, veiled_albedo};
+pub use veil::{Angle, CoatSurface, Veil, veiled_albedo};
 
 use glanz_math::{Real, Vec3};
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{ParamError, Part, Shape, Side, Veil, matte_under_coat};
+use glanz_bsdf::{CoatSurface, ParamError, Part, Shape, Side, Veil};
 use glanz_color::{Ior, Rgb, Spectrum};
 
 use crate::{Absorption, Lobe, Material, Tint};
@@ -46,24 +46,23 @@ impl Coat {
     }
 
     /// What becomes of a lobe below it.
-    fn over(&self, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
-        let eta = self.eta();
+    fn over(surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
         let is_matte = lobe.shape.info().part == Part::Diffuse && lobe.shape.info().side == Side::Reflection;
         // What comes back to the base from below the coat depends on the base's colour, which a texture changes.
         let veil = match is_matte && !lobe.textured {
-            true => Veil::over_matte(eta),
-            false => Veil::over_glossy(eta),
+            true => Veil::over_matte(surface),
+            false => Veil::over_glossy(surface),
         };
-        let tint = if is_matte && !lobe.textured { darker(&lobe.tint, eta) } else { lobe.tint.clone() };
+        let tint = if is_matte && !lobe.textured { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
         Lobe { tint, absorption: absorption.clone(), ..lobe }.under(veil)
     }
 }
 
 /// A matte tint as it looks under a coat; re-radiation, which moves light about, is left as it is.
-fn darker(tint: &Tint, eta: f64) -> Tint {
+fn darker(tint: &Tint, coat: &CoatSurface) -> Tint {
     match tint {
-        Tint::Rgb(rgb) => Rgb(rgb.0.map(|c| matte_under_coat(f64::from(c), eta) as f32)).into(),
-        Tint::Spectrum(spectrum) => Tint::Spectrum(Arc::new(spectrum.map(|c| matte_under_coat(c, eta)))),
+        Tint::Rgb(rgb) => Rgb(rgb.0.map(|c| coat.matte_share(f64::from(c)) as f32)).into(),
+        Tint::Spectrum(spectrum) => Tint::Spectrum(Arc::new(spectrum.map(|c| coat.matte_share(c)))),
         other => other.clone(),
     }
 }
@@ -77,7 +76,9 @@ impl Material {
         if coat.weight <= 0.0 || coat.thickness_mm <= 0.0 {
             return Ok(self);
         }
-        let shape = Shape::named("ggx", &[("alpha", coat.alpha)])?;
+        // What facets send to other facets is part of what the coat lets through.
+        let shape = Shape::named("ggx", &[("alpha", coat.alpha), ("multiscatter", 0.0)])?;
+        let surface = CoatSurface::new(coat.eta(), coat.alpha);
         let absorption = coat.absorption();
         let mut lobes = Vec::new();
         for lobe in self.lobes {
@@ -88,7 +89,7 @@ impl Material {
             if coat.weight < 1.0 {
                 lobes.push(lobe.clone().under(Veil::Share(1.0 - coat.weight)));
             }
-            let covered = coat.over(lobe, &absorption);
+            let covered = Coat::over(&surface, lobe, &absorption);
             lobes.push(if coat.weight < 1.0 { covered.under(Veil::Share(coat.weight)) } else { covered });
         }
         let gloss = Lobe::new(shape, Tint::Ior(Arc::new(coat.ior.clone())));
@@ -119,7 +120,7 @@ mod tests {
         let half = base().under_coat(&Coat { weight: 0.5, ..Coat::default() }).expect("the coat is fine");
         assert_eq!(half.lobes.len(), 3);
         assert_eq!(half.lobes[0].veils, [Veil::Share(0.5)]);
-        assert_eq!(half.lobes[1].veils, [Veil::over_matte(1.5), Veil::Share(0.5)]);
+        assert_eq!(half.lobes[1].veils, [Veil::over_matte(&CoatSurface::new(1.5, 0.03)), Veil::Share(0.5)]);
     }
 
     #[test]
