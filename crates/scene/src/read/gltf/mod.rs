@@ -24,8 +24,11 @@
 
 mod accessor;
 mod container;
+mod extensions;
 mod json;
+mod layers;
 mod material;
+mod matter;
 mod nodes;
 mod primitive;
 
@@ -34,10 +37,18 @@ use container::Buffers;
 use json::Root;
 
 /// Extensions that are read.
-const SUPPORTED: [&str; 5] = [
+const SUPPORTED: [&str; 13] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
+    "KHR_materials_anisotropy",
+    "KHR_materials_iridescence",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
 ];
