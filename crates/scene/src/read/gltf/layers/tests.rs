@@ -64,14 +64,9 @@ fn value(material: &Material, v: Direction, l: Direction) -> Color {
 /// Compares a material with a BSDF, for light from above and from below.
 fn compare(material: &Material, expected: impl Fn(Direction, Direction) -> Color) {
     let mut lit = 0;
-    for (theta_v, theta_l, phi) in [
-        (0.0, 0.3, 1.0),
-        (0.5, 0.5, 3.14),
-        (0.9, 0.2, 2.5),
-        (1.3, 1.1, 2.9),
-        (0.4, 1.4, 0.3),
-        (1.2, 1.2, 0.1),
-    ] {
+    for (theta_v, theta_l, phi) in
+        [(0.0, 0.3, 1.0), (0.5, 0.5, 3.1), (0.9, 0.2, 2.5), (1.3, 1.1, 2.9), (0.4, 1.4, 0.3), (1.2, 1.2, 0.1)]
+    {
         for below in [false, true] {
             let v = Vec3::from_angles(theta_v, 0.4);
             let l = Vec3::from_angles(if below { PI - theta_l } else { theta_l }, 0.4 + phi);
@@ -156,7 +151,7 @@ fn dielectrics_metals_and_what_is_half_each_are_those_of_appendix_b() {
 #[test]
 fn the_index_of_refraction_sets_the_reflectance() {
     // Diamond's index 2.42: (1.42 / 3.42)².
-    for (ior, f0) in [(1.5, 0.04), (1.0, 0.0), (2.42, 0.172_395_609_58), (0.0, 1.0)] {
+    for (ior, f0) in [(1.5, 0.04), (1.0, 0.0), (2.42, 0.172_394_924_934_167_75), (0.0, 1.0)] {
         let extensions = json!({ "KHR_materials_ior": { "ior": ior } });
         compare(&matter(0.0, 0.5, extensions), |v, l| dielectric(isotropic(0.5), [f0; 3], 1.0, v, l));
     }
