@@ -6,6 +6,7 @@
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 
 use crate::albedo::directional;
+use crate::models::charlie;
 use crate::terms::{fresnel_dielectric, lambda_ggx};
 use crate::{Pair, Series, Shape};
 
@@ -14,8 +15,25 @@ use crate::{Pair, Series, Shape};
 pub enum Angle {
     /// Between viewer and half vector.
     Half,
+    /// Between viewer and the half vector to the light mirrored at the surface: for light that passes a thin sheet.
+    HalfThrough,
     /// Between viewer and normal.
     View,
+}
+
+impl Angle {
+    /// Its cosine, 0 … 1.
+    #[inline(always)]
+    fn cosine<R: Real>(self, pair: &Pair<R>) -> R {
+        match self {
+            Self::Half => pair.cos_view_half(),
+            Self::HalfThrough => {
+                let height = pair.cos_o * pair.cos_i;
+                Pair { cos_io: pair.cos_io - height - height, ..*pair }.cos_view_half()
+            }
+            Self::View => pair.cos_o.abs(),
+        }
+    }
 }
 
 /// A factor of a lobe.
@@ -33,6 +51,13 @@ pub enum Veil {
         /// The factor where the cosine is 0.
         at_grazing: f64,
     },
+    /// Any function of one cosine.
+    Curve {
+        /// Which cosine.
+        angle: Angle,
+        /// The factor over it.
+        factor: Series,
+    },
     /// A clear layer that light crosses on its way in and out: (1 − E(θo))(1 − E(θi)) · `gain`, E being what the
     /// layer reflects.
     Coat {
@@ -46,8 +71,8 @@ pub enum Veil {
     Sheen {
         /// The greatest channel of the sheen's colour.
         strength: f64,
-        /// The albedo of the sheen lobe over the cosine.
-        albedo: Series,
+        /// The albedo of the sheen lobe.
+        albedo: charlie::Albedo,
     },
 }
 
@@ -73,13 +98,10 @@ impl Veil {
         match self {
             Self::Share(share) => one.lit(*share),
             Self::Schlick { angle, at_zero, at_grazing } => {
-                let cosine = match angle {
-                    Angle::Half => pair.cos_view_half(),
-                    Angle::View => pair.cos_o.abs(),
-                };
-                let rest = (one - cosine).clamp(0.0, 1.0);
+                let rest = (one - angle.cosine(pair)).clamp(0.0, 1.0);
                 one.lit(*at_zero) + one.lit(at_grazing - at_zero) * (rest.sqr().sqr() * rest)
             }
+            Self::Curve { angle, factor } => factor.at(angle.cosine(pair).min(one)),
             Self::Coat { through, gain } => {
                 let left = |cosine: R| through.at(cosine.abs().min(one)).clamp(0.0, 1.0);
                 left(pair.cos_o) * left(pair.cos_i) * one.lit(*gain)
@@ -239,5 +261,31 @@ mod tests {
         assert_eq!(veil.factor(&Pair::isotropic(1.0, 0.5, 0.5)), 0.04_f64);
         assert_eq!(veil.factor(&Pair::isotropic(0.0, 0.5, 0.5)), 1.0_f64);
         assert!((veil.factor(&Pair::isotropic(0.5, 0.5, 0.5)) - 0.07_f64).abs() < 1e-12);
+    }
+
+    #[test]
+    fn light_through_a_thin_sheet_has_the_angle_of_its_mirror_image() {
+        let (above, below) =
+            (Pair::isotropic(0.7, 0.4, 0.5), Pair::isotropic(0.7, -0.4, 0.5 - 2.0 * 0.7 * 0.4));
+        let veil = |angle| Veil::Schlick { angle, at_zero: 0.9, at_grazing: 0.0 };
+        let (expected, got): (f64, f64) =
+            (veil(Angle::Half).factor(&above), veil(Angle::HalfThrough).factor(&below));
+        assert!((got - expected).abs() < 1e-12, "{got} for {expected}");
+    }
+
+    #[test]
+    fn a_curve_is_taken_at_its_cosine() {
+        let veil = Veil::Curve { angle: Angle::View, factor: Series::through(4, |c| 1.0 - 0.5 * c) };
+        assert!((veil.factor(&Pair::isotropic(0.6, 0.5, 0.5)) - 0.7_f64).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_sheen_leaves_what_the_flatter_of_both_directions_does() {
+        let albedo = charlie::Albedo::new(0.25);
+        let veil = Veil::Sheen { strength: 0.5, albedo };
+        for (cos_o, cos_i) in [(0.9, 0.1), (0.1, 0.9)] {
+            let got: f64 = veil.factor(&Pair::isotropic(cos_o, cos_i, 0.5));
+            assert!((got - (1.0 - 0.5 * albedo.at(0.1_f64))).abs() < 1e-12, "{got}");
+        }
     }
 }

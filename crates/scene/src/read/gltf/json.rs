@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use super::extensions::MaterialExtensions;
+
 #[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Root {
@@ -132,21 +134,6 @@ pub(super) struct Material {
     pub alpha_cutoff: Option<f64>,
     pub double_sided: bool,
     pub extensions: MaterialExtensions,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-pub(super) struct MaterialExtensions {
-    #[serde(rename = "KHR_materials_unlit")]
-    pub unlit: Option<IgnoredAny>,
-    #[serde(rename = "KHR_materials_emissive_strength")]
-    pub emissive: Option<EmissiveStrength>,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub(super) struct EmissiveStrength {
-    pub emissive_strength: Option<f64>,
 }
 
 #[derive(Deserialize)]

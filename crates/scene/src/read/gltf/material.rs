@@ -9,12 +9,9 @@ use super::super::{Context, Model, Place, ReadError, texture};
 use super::Source;
 use super::container::load_uri;
 use super::json::{self, TextureInfo};
+use super::layers;
+use super::matter::{self, Matter};
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
-
-/// Reflectance of dielectrics at normal incidence, for an index of refraction of 1.5.
-const DIELECTRIC: f64 = 0.04;
-/// The greatest exponent that the shapes take.
-const MAX_SHININESS: f64 = 1e5;
 
 /// The most characters of a texture's name, which every use of its picture carries.
 const MAX_NAME: usize = 256;
@@ -30,8 +27,9 @@ impl Source<'_> {
 
 /// The textures of a material that are applied, the most important first.
 fn maps(material: &json::Material) -> impl Iterator<Item = &TextureInfo> {
-    let base = &material.pbr_metallic_roughness.base_color_texture;
-    [base, &material.normal_texture, &material.emissive_texture].into_iter().flatten()
+    let pbr = &material.pbr_metallic_roughness;
+    let more = [&pbr.metallic_roughness_texture, &material.emissive_texture];
+    [&pbr.base_color_texture, &material.normal_texture].into_iter().chain(more).flatten()
 }
 
 fn uv_set(info: &TextureInfo) -> u32 {
@@ -78,31 +76,16 @@ impl Reader<'_> {
         path: &str,
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
-        let pbr = &json.pbr_metallic_roughness;
-        let finite = |name: &str, values: &[f64]| match values.iter().all(|v| (0.0..=1e30).contains(v)) {
-            true => Ok(()),
-            false => {
-                let place = Place::Path(format!("{path}.{name}"));
-                Err(self.source.malformed(place, "numbers from 0 on", format!("{values:?}")))
-            }
-        };
-        finite("pbrMetallicRoughness.baseColorFactor", &pbr.base_color_factor)?;
-        finite("pbrMetallicRoughness.metallicFactor", &[pbr.metallic_factor])?;
-        finite("pbrMetallicRoughness.roughnessFactor", &[pbr.roughness_factor])?;
-        finite("emissiveFactor", &json.emissive_factor)?;
-        let strength = json.extensions.emissive.as_ref().and_then(|e| e.emissive_strength).unwrap_or(1.0);
-        finite("extensions.KHR_materials_emissive_strength", &[strength])?;
-        finite("alphaCutoff", &[json.alpha_cutoff.unwrap_or(0.5)])?;
+        self.check(json, path)?;
         let unlit = json.extensions.unlit.is_some();
-        let lobes = if unlit {
-            let [r, g, b, _] = pbr.base_color_factor;
-            vec![lobe("emission", &[], [r, g, b], true)]
+        let pbr = &json.pbr_metallic_roughness;
+        let mut material = if unlit {
+            let [r, g, b, _] = pbr.base_color_factor.map(|channel| channel as f32);
+            let shape = Shape::named("emission", &[]).expect("the shape exists");
+            Material::of_lobes(json.name.clone(), vec![Lobe::new(shape, Rgb([r, g, b])).textured()])
         } else {
-            context.notes.add("glTF: metallic-roughness is mapped to the nearest classic material");
-            let [metallic, roughness] = self.metallic_roughness(json, path, context)?;
-            lobes(json, metallic, roughness, strength)
+            self.lit(json, path, context)?
         };
-        let mut material = Material::of_lobes(json.name.clone(), lobes);
         self.textures_of(json, unlit, &mut material, path, context)?;
         material.two_sided = json.double_sided;
         material.cull_back = !json.double_sided;
@@ -120,6 +103,36 @@ impl Reader<'_> {
         Ok(material)
     }
 
+    /// Checks what lit and unlit materials have.
+    fn check(&self, json: &json::Material, path: &str) -> Result<(), ReadError> {
+        let color =
+            ("pbrMetallicRoughness.baseColorFactor", &json.pbr_metallic_roughness.base_color_factor[..]);
+        let cutoff = json.alpha_cutoff.unwrap_or(0.5);
+        for (name, values) in [color, ("alphaCutoff", &[cutoff])] {
+            if !values.iter().all(|value| (0.0..=1e30).contains(value)) {
+                let place = Place::Path(format!("{path}.{name}"));
+                return Err(self.source.malformed(place, "numbers from 0 on", format!("{values:?}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// A lit material, without its textures.
+    fn lit(
+        &mut self,
+        json: &json::Material,
+        path: &str,
+        context: &mut Context<'_>,
+    ) -> Result<Material, ReadError> {
+        let metal = self.mean_metal(json, path, context)?;
+        let matter = matter::check(self.source, json, metal, path, context)?;
+        let mut material = Material::of_lobes(json.name.clone(), layers::lobes(&matter));
+        material.aniso = json.extensions.anisotropy.anisotropy_rotation;
+        material.through = layers::through(&matter);
+        tell(json, &matter, context);
+        Ok(material)
+    }
+
     fn textures_of(
         &mut self,
         json: &json::Material,
@@ -128,12 +141,14 @@ impl Reader<'_> {
         path: &str,
         context: &mut Context<'_>,
     ) -> Result<(), ReadError> {
-        let base = &json.pbr_metallic_roughness.base_color_texture;
-        material.base_color = self.map(base.as_ref(), true, path, context)?;
+        let pbr = &json.pbr_metallic_roughness;
+        material.base_color = self.map(pbr.base_color_texture.as_ref(), true, path, context)?;
         if unlit {
             return Ok(());
         }
         material.normal_map = self.map(json.normal_texture.as_ref(), false, path, context)?;
+        let metal_rough = pbr.metallic_roughness_texture.as_ref();
+        material.metal_rough_map = self.map(metal_rough, false, path, context)?;
         material.emission_map = self.map(json.emissive_texture.as_ref(), true, path, context)?;
         context
             .notes
@@ -146,25 +161,18 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Metallic and roughness: the factors times the mean of the texture.
-    fn metallic_roughness(
+    /// The mean of the texture that says where metal is.
+    fn mean_metal(
         &mut self,
         json: &json::Material,
         path: &str,
-        context: &mut Context<'_>,
-    ) -> Result<[f64; 2], ReadError> {
-        let pbr = &json.pbr_metallic_roughness;
-        let mut mean = [1.0; 2];
-        if let Some(info) = &pbr.metallic_roughness_texture {
-            context.notes.add("glTF: metallic-roughness textures count by their mean");
-            let texture = self.texture(info.index, false, path, context)?;
-            let rgba = &self.textures[texture].rgba;
-            let sum = rgba
-                .chunks_exact(4)
-                .fold([0u64; 2], |sum, texel| [sum[0] + u64::from(texel[2]), sum[1] + u64::from(texel[1])]);
-            mean = sum.map(|sum| sum as f64 * 4.0 / (255.0 * rgba.len() as f64));
-        }
-        Ok([(pbr.metallic_factor * mean[0]).min(1.0), (pbr.roughness_factor * mean[1]).min(1.0)])
+        context: &Context<'_>,
+    ) -> Result<Option<f64>, ReadError> {
+        let Some(info) = &json.pbr_metallic_roughness.metallic_roughness_texture else { return Ok(None) };
+        let texture = self.texture(info.index, false, path, context)?;
+        let rgba = &self.textures[texture].rgba;
+        let sum: u64 = rgba.chunks_exact(4).map(|texel| u64::from(texel[2])).sum();
+        Ok(Some(sum as f64 * 4.0 / (255.0 * rgba.len() as f64)))
     }
 
     /// A texture and how it is applied.
@@ -258,28 +266,38 @@ impl Reader<'_> {
     }
 }
 
-fn lobe(shape: &str, params: &[(&str, f64)], tint: [f64; 3], textured: bool) -> Lobe {
-    let shape = Shape::named(shape, params).expect("the shape exists and its exponent is within range");
-    Lobe { textured, ..Lobe::new(shape, Rgb(tint.map(|channel| channel as f32))) }
-}
-
-/// The lobes of a lit material; those whose tint is black are left out.
-fn lobes(json: &json::Material, metallic: f64, roughness: f64, strength: f64) -> Vec<Lobe> {
-    let [r, g, b, _] = json.pbr_metallic_roughness.base_color_factor;
-    let base = [r, g, b];
-    let diffuse = base.map(|channel| channel * (1.0 - metallic));
-    let specular = base.map(|channel| DIELECTRIC * (1.0 - metallic) + channel * metallic);
-    let alpha = roughness * roughness;
-    let shininess = (2.0 / (alpha * alpha) - 2.0).clamp(0.0, MAX_SHININESS);
-    let emission = json.emissive_factor.map(|channel| channel * strength);
-    let lobes = [
-        lobe("ambient", &[], diffuse, true),
-        lobe("lambert", &[], diffuse, true),
-        // The colour of metals is in their highlight.
-        lobe("blinn-phong-normalized", &[("shininess", shininess)], specular, metallic > 0.5),
-        lobe("emission", &[], emission, false),
+/// Notes what of a lit material is left out or cannot be had together.
+fn tell(json: &json::Material, matter: &Matter, context: &mut Context<'_>) {
+    let notes = &mut context.notes;
+    for name in json.extensions.textures() {
+        notes.add(&format!("glTF: {name} textures are ignored, the factors hold everywhere"));
+    }
+    let has_colors = json.pbr_metallic_roughness.base_color_texture.is_some();
+    let (open, iridescent) = (matter.open() > 0.0, matter.iridescence > 0.0);
+    let varies = matter.metal_varies;
+    let glows = matter.emission != [0.0; 3];
+    let all = [
+        (
+            iridescent,
+            "glTF: thin films are calculated after Airy, over a base of the real index that its reflectance has",
+        ),
+        (
+            iridescent && has_colors && matter.metallic > 0.0,
+            "glTF: base colour textures do not change metals under thin films",
+        ),
+        (open && json.extensions.volume.thickness_factor > 0.0, "glTF: volumes do not bend light"),
+        (
+            open && (has_colors || (varies && matter.metallic > 0.0)),
+            "glTF: textures do not change what is seen through a surface",
+        ),
+        (varies && matter.coat > 0.0, "glTF: roughness textures change the clear coat too"),
+        (
+            varies && matter.anisotropy > 0.0,
+            "glTF: roughness textures multiply both widths of anisotropic highlights",
+        ),
+        (glows && matter.coat > 0.0, "glTF: clear coats do not dim light of the surface itself"),
     ];
-    lobes.into_iter().filter(|lobe| !lobe.tint.is_black()).collect()
+    all.into_iter().filter(|(holds, _)| *holds).for_each(|(_, note)| notes.add(note));
 }
 
 fn wrap(code: Option<u32>) -> Wrap {

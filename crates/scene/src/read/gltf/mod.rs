@@ -2,17 +2,43 @@
 //!
 //! Read: the default scene with all its nodes, triangles of every mode, sparse and normalised
 //! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
-//! `KHR_materials_unlit`, `KHR_materials_emissive_strength`, `KHR_texture_transform` and
-//! `KHR_mesh_quantization`. Other extensions are ignored with a note, or refused where the file
+//! `KHR_texture_transform`, `KHR_mesh_quantization` and of `KHR_materials_…`: `unlit`,
+//! `emissive_strength`, `ior`, `specular`, `clearcoat`, `sheen`, `transmission`, `volume`,
+//! `anisotropy` and `iridescence`. Other extensions are ignored with a note, or refused where the file
 //! requires them. Skins, animations and morph targets are ignored: meshes are drawn as they are
 //! bound.
 //!
 //! # Materials
-//! Metallic-roughness is mapped to the nearest classic material until microfacet models come:
-//! diffuse = ambient = base·(1 − metallic); specular = the mix of 0.04 and base by metallic, with the
-//! energy-normalised Blinn-Phong lobe of exponent 2/α² − 2, α = roughness²: near normal incidence the
-//! lobe has the width of a GGX lobe of that α. A metallic-roughness texture counts by its mean.
-//! An unlit material is emission alone.
+//! As Appendix B of the specification (Khronos Group, glTF 2.0, 2021) and the extensions have them.
+//! With α = roughness², p = (1 − v·h)⁵ and f0 = min(((ior − 1)/(ior + 1))² · specularColor, 1):
+//!
+//! - dielectric: `lambert` · base · (1 − F) + `ggx` · specular · (f0 + (1 − f0) p), where F is specular · the
+//!   greatest channel of the same;
+//! - metal: `ggx` · (base + (1 − base) p); both weighed by metallicFactor times the texture's blue;
+//! - sheen: `charlie` of α = sheenRoughness², the rest times 1 − its greatest channel · the greater albedo;
+//! - clear coat: the rest times 1 − c, `ggx` times c = clearcoat · (0.04 + 0.96 (1 − n·v)⁵);
+//! - transmission t: the dielectric's Lambert part times 1 − t, and `ggx-thin-transmission` · base · t (1 − F);
+//! - anisotropy: the width along the tangent, turned by the rotation, is α + (1 − α) strength²;
+//! - iridescence: that share of each F is a film's.
+//!
+//! Where it differs:
+//! - Masking is Smith's with correlated heights, as in KHR_materials_anisotropy; the sample code of Appendix B,
+//!   which binds nobody, has the product of both directions.
+//! - Films are Airy's sum at each wavelength with both polarisations, in air, over a base of the real index that
+//!   f0 or the metal's base colour has. The extension takes two orders of it, Schlick's form for the
+//!   boundaries, and three Gaussians for the eye (Belcour and Barla 2017). Textures of the base colour do not
+//!   change a metal below a film. A thickness that a texture says is taken in the middle of its range.
+//! - What is seen through a surface is not blurred and not changed by textures. At normal incidence it is
+//!   base · t (1 − F); towards grazing light a pane with that reflectance goes by Fresnel's law and its colour
+//!   deepens. Volumes absorb by their `thicknessFactor`, half at each face where both sides are drawn, and do
+//!   not bend light.
+//! - A roughness texture multiplies the widths of the clear coat too, and both widths where they differ.
+//! - A clear coat does not dim light of the surface itself.
+//! - Textures of the extensions and occlusion textures are ignored.
+//!
+//! All of these but the first are noted where they matter. Ambient light, which glTF does not have, finds the
+//! base colour, of metals too, less what passes through. An unlit material is emission alone. Factors above 1
+//! count as 1; negative ones are refused.
 //!
 //! # Lights
 //! A light of intensity I (candela, or lux where directional) on a white Lambert surface facing it
@@ -24,8 +50,11 @@
 
 mod accessor;
 mod container;
+mod extensions;
 mod json;
+mod layers;
 mod material;
+mod matter;
 mod nodes;
 mod primitive;
 
@@ -34,10 +63,18 @@ use container::Buffers;
 use json::Root;
 
 /// Extensions that are read.
-const SUPPORTED: [&str; 5] = [
+const SUPPORTED: [&str; 13] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
+    "KHR_materials_anisotropy",
+    "KHR_materials_iridescence",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
 ];

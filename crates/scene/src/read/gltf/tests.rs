@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::read::tests::{check, error_of, read_bytes};
 use crate::read::{Format, Model, texture};
-use crate::{AlphaMode, LightKind, Projection, TextureFilter, Wrap};
+use crate::{AlphaMode, LightKind, Metalness, Projection, TextureFilter, Wrap};
 
 /// A binary container of these two chunks.
 fn glb(json: &Value, binary: &[u8]) -> Vec<u8> {
@@ -76,7 +76,7 @@ fn change(document: &mut Value, changes: &[(&str, Value)]) {
     }
 }
 
-fn read(changes: &[(&str, Value)]) -> Model {
+pub fn read(changes: &[(&str, Value)]) -> Model {
     let model = read_bytes(&with(changes), Format::Gltf).unwrap();
     check(&model);
     model
@@ -355,33 +355,77 @@ fn lobes(model: &Model) -> Vec<(&'static str, [f32; 3], Option<f64>)> {
     model.materials[0].lobes.iter().map(lobe).collect()
 }
 
-fn material(material: Value) -> [(&'static str, Value); 2] {
+pub fn material(material: Value) -> [(&'static str, Value); 2] {
     [("/materials", json!([material])), ("/meshes/0/primitives/0/material", json!(0))]
 }
 
 #[test]
-fn metallic_roughness_is_mapped_as_described() {
-    let pbr = |base: [f64; 4], metallic: f64, roughness: f64| {
-        json!({ "pbrMetallicRoughness": { "baseColorFactor": base, "metallicFactor": metallic,
-            "roughnessFactor": roughness }, "emissiveFactor": [0, 0, 0.5],
-            "extensions": { "KHR_materials_emissive_strength": { "emissiveStrength": 4 } } })
-    };
-    // Roughness 0.5: alpha 0.25, exponent 2/0.0625 − 2 = 30.
-    let plastic = read(&material(pbr([1.0, 0.5, 0.0, 1.0], 0.0, 0.5)));
+fn lobes_of_metal_and_dielectric_are_weighed_by_the_texture() {
+    let (mut document, binary) = rich();
+    let path = "/materials/0/pbrMetallicRoughness";
+    let pbr =
+        json!({ "metallicRoughnessTexture": { "index": 0 }, "metallicFactor": 0.75, "roughnessFactor": 0.5 });
+    change(&mut document, &[(path, pbr)]);
+    let model = read_bytes(&glb(&document, &binary), Format::Gltf).unwrap();
+    let material = &model.materials[0];
+    let shares: Vec<_> = material.lobes.iter().map(|lobe| (lobe.shape.info().name, lobe.share)).collect();
+    let (metal, rest) = (Metalness::Metal { factor: 0.75 }, Metalness::Dielectric { factor: 0.75 });
     assert_eq!(
-        lobes(&plastic),
-        [
-            ("ambient", [1.0, 0.5, 0.0], None),
-            ("lambert", [1.0, 0.5, 0.0], None),
-            ("blinn-phong-normalized", [0.04; 3], Some(30.0)),
-            ("emission", [0.0, 0.0, 2.0], None),
-        ]
+        shares,
+        [("ambient", Metalness::Any), ("lambert", rest), ("ggx", rest), ("ggx", metal), ("ggx", metal)]
     );
-    assert!(plastic.materials[0].cull_back && !plastic.materials[0].two_sided);
-    let metal = read(&material(pbr([1.0, 0.5, 0.0, 1.0], 1.0, 0.0)));
-    assert_eq!(lobes(&metal)[0], ("blinn-phong-normalized", [1.0, 0.5, 0.0], Some(1e5)));
-    assert!(metal.materials[0].lobes[0].textured);
-    assert!(metal.notes.iter().any(|note| note.contains("nearest classic material")));
+    let map = material.metal_rough_map.unwrap();
+    assert!(!model.textures[map.texture].srgb);
+    assert_eq!(material.lobes[2].shape.params()[0], 0.25);
+    assert!(material.lobes[3].textured && !material.lobes[4].textured);
+}
+
+#[test]
+fn light_of_its_own_is_multiplied_by_its_strength() {
+    let model = read(&material(json!({ "emissiveFactor": [0, 0, 0.5], "extensions": {
+        "KHR_materials_emissive_strength": { "emissiveStrength": 4 } } })));
+    let lobe = model.materials[0].lobes.last().unwrap();
+    assert_eq!((lobe.shape.info().name, lobe.tint.rgb()), ("emission", Some(Rgb([0.0, 0.0, 2.0]))));
+    assert!(model.materials[0].cull_back && !model.materials[0].two_sided);
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_or_cut_with_a_note() {
+    let with = |name: &str, value: Value| material(json!({ "extensions": { name: value } }));
+    for (name, value, expected) in [
+        ("KHR_materials_ior", json!({ "ior": 0.5 }), "0 or an index from 1 on"),
+        ("KHR_materials_specular", json!({ "specularColorFactor": [-1, 0, 0] }), "numbers from 0 on"),
+        ("KHR_materials_clearcoat", json!({ "clearcoatFactor": -0.1 }), "numbers from 0 on"),
+        ("KHR_materials_sheen", json!({ "sheenRoughnessFactor": -1 }), "numbers from 0 on"),
+        ("KHR_materials_volume", json!({ "attenuationDistance": 0 }), "an attenuationDistance above 0"),
+        ("KHR_materials_iridescence", json!({ "iridescenceIor": 0.9 }), "numbers from 1 on"),
+    ] {
+        let error = error(&with(name, value));
+        assert!(error.contains(&format!("materials[0].extensions.{name}: expected {expected}")), "{error}");
+    }
+    let model = read(&with("KHR_materials_clearcoat", json!({ "clearcoatFactor": 7 })));
+    assert_eq!(model.notes, ["glTF: factors above 1 count as 1"]);
+    let full = read(&with("KHR_materials_clearcoat", json!({ "clearcoatFactor": 1 })));
+    assert_eq!(model.materials, full.materials);
+}
+
+#[test]
+fn textures_of_extensions_are_noted_once_per_material() {
+    let coat = json!({ "clearcoatTexture": { "index": 9 }, "clearcoatNormalTexture": { "index": 9 } });
+    let one = json!({ "extensions": { "KHR_materials_clearcoat": coat } });
+    let mut document = quad().0;
+    let primitive = |number: usize| json!({ "attributes": { "POSITION": 0 }, "material": number });
+    change(
+        &mut document,
+        &[
+            ("/materials", json!([one, one])),
+            ("/meshes/0/primitives", json!([primitive(0), primitive(1)])),
+            ("/accessors/0/count", json!(3)),
+        ],
+    );
+    let model = read_bytes(&glb(&document, &quad().1), Format::Gltf).unwrap();
+    let noted = |what| format!("glTF: {what} textures are ignored, the factors hold everywhere (2 times)");
+    assert_eq!(model.notes, [noted("clear coat"), noted("clear coat normal")]);
 }
 
 #[test]

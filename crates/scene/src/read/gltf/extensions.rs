@@ -1,0 +1,175 @@
+//! The extensions of materials that are read, as the file has them. One that a material does not have is as if it
+//! had it with the values that the extension gives for nothing: without effect.
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct MaterialExtensions {
+    #[serde(rename = "KHR_materials_unlit")]
+    pub unlit: Option<IgnoredAny>,
+    #[serde(rename = "KHR_materials_emissive_strength")]
+    pub emissive: EmissiveStrength,
+    #[serde(rename = "KHR_materials_ior")]
+    pub ior: IndexOfRefraction,
+    #[serde(rename = "KHR_materials_specular")]
+    pub specular: Specular,
+    #[serde(rename = "KHR_materials_clearcoat")]
+    pub clearcoat: Clearcoat,
+    #[serde(rename = "KHR_materials_sheen")]
+    pub sheen: Sheen,
+    #[serde(rename = "KHR_materials_transmission")]
+    pub transmission: Transmission,
+    #[serde(rename = "KHR_materials_volume")]
+    pub volume: Volume,
+    #[serde(rename = "KHR_materials_anisotropy")]
+    pub anisotropy: Anisotropy,
+    #[serde(rename = "KHR_materials_iridescence")]
+    pub iridescence: Iridescence,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct EmissiveStrength {
+    pub emissive_strength: f64,
+}
+
+impl Default for EmissiveStrength {
+    fn default() -> Self {
+        Self { emissive_strength: 1.0 }
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(default)]
+pub(super) struct IndexOfRefraction {
+    pub ior: f64,
+}
+
+impl Default for IndexOfRefraction {
+    fn default() -> Self {
+        Self { ior: 1.5 }
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Specular {
+    pub specular_factor: f64,
+    pub specular_texture: Option<IgnoredAny>,
+    pub specular_color_factor: [f64; 3],
+    pub specular_color_texture: Option<IgnoredAny>,
+}
+
+impl Default for Specular {
+    fn default() -> Self {
+        let (specular_factor, specular_color_factor) = (1.0, [1.0; 3]);
+        Self { specular_factor, specular_texture: None, specular_color_factor, specular_color_texture: None }
+    }
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Clearcoat {
+    pub clearcoat_factor: f64,
+    pub clearcoat_texture: Option<IgnoredAny>,
+    pub clearcoat_roughness_factor: f64,
+    pub clearcoat_roughness_texture: Option<IgnoredAny>,
+    pub clearcoat_normal_texture: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Sheen {
+    pub sheen_color_factor: [f64; 3],
+    pub sheen_color_texture: Option<IgnoredAny>,
+    pub sheen_roughness_factor: f64,
+    pub sheen_roughness_texture: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Transmission {
+    pub transmission_factor: f64,
+    pub transmission_texture: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Volume {
+    /// In metres.
+    pub thickness_factor: f64,
+    pub thickness_texture: Option<IgnoredAny>,
+    /// In metres; without it nothing is absorbed.
+    pub attenuation_distance: Option<f64>,
+    pub attenuation_color: [f64; 3],
+}
+
+impl Default for Volume {
+    fn default() -> Self {
+        Self {
+            thickness_factor: 0.0,
+            thickness_texture: None,
+            attenuation_distance: None,
+            attenuation_color: [1.0; 3],
+        }
+    }
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Anisotropy {
+    pub anisotropy_strength: f64,
+    /// In radians.
+    pub anisotropy_rotation: f64,
+    pub anisotropy_texture: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Iridescence {
+    pub iridescence_factor: f64,
+    pub iridescence_texture: Option<IgnoredAny>,
+    pub iridescence_ior: f64,
+    /// In nm, where the texture is 0.
+    pub iridescence_thickness_minimum: f64,
+    /// In nm, where the texture is 1, and without one.
+    pub iridescence_thickness_maximum: f64,
+    pub iridescence_thickness_texture: Option<IgnoredAny>,
+}
+
+impl Default for Iridescence {
+    fn default() -> Self {
+        Self {
+            iridescence_factor: 0.0,
+            iridescence_texture: None,
+            iridescence_ior: 1.3,
+            iridescence_thickness_minimum: 100.0,
+            iridescence_thickness_maximum: 400.0,
+            iridescence_thickness_texture: None,
+        }
+    }
+}
+
+impl MaterialExtensions {
+    /// The textures of extensions, none of which is applied, with the names of what they would change.
+    pub fn textures(&self) -> impl Iterator<Item = &'static str> {
+        let (coat, sheen, film) = (&self.clearcoat, &self.sheen, &self.iridescence);
+        let all = [
+            ("specular", &self.specular.specular_texture),
+            ("specular colour", &self.specular.specular_color_texture),
+            ("clear coat", &coat.clearcoat_texture),
+            ("clear coat roughness", &coat.clearcoat_roughness_texture),
+            ("clear coat normal", &coat.clearcoat_normal_texture),
+            ("sheen colour", &sheen.sheen_color_texture),
+            ("sheen roughness", &sheen.sheen_roughness_texture),
+            ("transmission", &self.transmission.transmission_texture),
+            ("thickness", &self.volume.thickness_texture),
+            ("anisotropy", &self.anisotropy.anisotropy_texture),
+            ("iridescence", &film.iridescence_texture),
+            ("iridescence thickness", &film.iridescence_thickness_texture),
+        ];
+        all.into_iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| name)
+    }
+}
