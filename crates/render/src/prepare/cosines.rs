@@ -5,7 +5,7 @@
 //! D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", SIGGRAPH 2016. The maps
 //! are fitted here, for the lobes of the scene, when it is prepared; `tests/surroundings` states the error.
 
-use glanz_bsdf::{Pair, Shape, Side};
+use glanz_bsdf::{Pair, Shape, Side, Veil};
 use glanz_math::{PI, Real, Vec3};
 
 use super::simplex;
@@ -13,9 +13,18 @@ use super::simplex;
 /// View angles that are fitted: cosθ = 1 − (i / (ANGLES − 1))².
 const ANGLES: usize = 32;
 
-/// Rings around the middle of the lobe, ever wider, and points on half of each.
-const RINGS: usize = 96;
-const SPOKES: usize = 16;
+/// A grid around the middle of the lobe: rings, ever wider, and points on half of each.
+#[derive(Clone, Copy)]
+struct Grid {
+    rings: usize,
+    spokes: usize,
+}
+
+/// For fitting, which looks at each point a hundred times.
+const COARSE: Grid = Grid { rings: 96, spokes: 16 };
+
+/// For integrals of the lobe itself: within 1e-3 for the narrowest.
+const FINE: Grid = Grid { rings: 240, spokes: 24 };
 
 /// The least cosine of a view that is fitted; below, the last map is kept.
 const GRAZING: f64 = 0.02;
@@ -34,6 +43,7 @@ struct Point {
     /// Its share of the integral.
     weight: f64,
     value: f64,
+    pair: Pair<f64>,
 }
 
 impl Cosines {
@@ -71,7 +81,7 @@ fn cosine(i: usize) -> f64 {
 /// The inverse map for a view angle.
 fn fit(shape: &Shape, cos_o: f64) -> [f32; 5] {
     let theta = libm::acos(cos_o.max(GRAZING));
-    let points = points(shape, theta);
+    let points = points(shape, theta, COARSE);
     let total: f64 = points.iter().map(|p| p.weight * p.value).sum();
     if total <= 0.0 {
         return [1.0, 0.0, 1.0, 0.0, 1.0];
@@ -94,7 +104,7 @@ fn fit(shape: &Shape, cos_o: f64) -> [f32; 5] {
 }
 
 /// The lobe at points around its middle, in the half space of positive y.
-fn points(shape: &Shape, theta_o: f64) -> Vec<Point> {
+fn points(shape: &Shape, theta_o: f64, grid: Grid) -> Vec<Point> {
     let wo = Vec3::from_angles(theta_o, 0.0);
     let below = shape.info().side == Side::Transmission;
     let theta_i = match below {
@@ -104,23 +114,32 @@ fn points(shape: &Shape, theta_o: f64) -> Vec<Point> {
     let (sin, cos) = libm::sincos(theta_i);
     // An orthonormal frame around the mirrored, or straight, direction.
     let (middle, side) = (Vec3::new(-sin, 0.0, cos), Vec3::new(cos, 0.0, sin));
-    let edge = |ring: usize| PI * libm::pow(ring as f64 / RINGS as f64, 3.0);
+    let edge = |ring: usize| PI * libm::pow(ring as f64 / grid.rings as f64, 3.0);
     let mut points = Vec::new();
-    for ring in 0..RINGS {
+    for ring in 0..grid.rings {
         let (low, high) = (edge(ring), edge(ring + 1));
-        let weight = 2.0 * (libm::cos(low) - libm::cos(high)) * PI / SPOKES as f64;
-        for spoke in 0..SPOKES {
+        let weight = 2.0 * (libm::cos(low) - libm::cos(high)) * PI / grid.spokes as f64;
+        for spoke in 0..grid.spokes {
             let (sin_a, cos_a) = libm::sincos(0.5 * (low + high));
-            let (sin_p, cos_p) = libm::sincos(PI * (spoke as f64 + 0.5) / SPOKES as f64);
+            let (sin_p, cos_p) = libm::sincos(PI * (spoke as f64 + 0.5) / grid.spokes as f64);
             let wi = middle * cos_a + side * (sin_a * cos_p) + Vec3::new(0.0, sin_a * sin_p, 0.0);
             if wi.z > 0.0 {
                 let light = if below { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
-                let value = shape.f_cos(&Pair::new(wo, light));
-                points.push(Point { direction: wi, weight, value });
+                let pair = Pair::new(wo, light);
+                let value = shape.f_cos(&pair);
+                points.push(Point { direction: wi, weight, value, pair });
             }
         }
     }
     points
+}
+
+/// The albedo of a lobe under veils for a viewer at an angle of this cosine. [`glanz_bsdf::veiled_albedo`] is more
+/// exact and takes a hundred times as long.
+pub(super) fn albedo(shape: &Shape, veils: &[Veil], cos_o: f64) -> f64 {
+    let theta = libm::acos(cos_o.clamp(1e-3, 1.0));
+    let veil = |pair: &Pair<f64>| veils.iter().map(|veil| veil.factor(pair)).product::<f64>();
+    points(shape, theta, FINE).iter().map(|p| p.weight * p.value * veil(&p.pair)).sum()
 }
 
 /// The mean direction of a lobe for a viewer at an angle of this cosine, on the side of the lobe's light and away
@@ -128,7 +147,7 @@ fn points(shape: &Shape, theta_o: f64) -> Vec<Point> {
 /// mirrored direction.
 pub(super) fn mean_direction(shape: &Shape, cos_o: f64) -> [f64; 2] {
     let theta = libm::acos(cos_o.clamp(GRAZING, 0.9999));
-    let [sin, cos] = middle(&points(shape, theta));
+    let [sin, cos] = middle(&points(shape, theta, COARSE));
     [-sin / libm::sin(theta), cos]
 }
 
@@ -146,7 +165,7 @@ fn middle(points: &[Point]) -> [f64; 2] {
 /// A first guess: the logarithms of the widths in and across the plane, from the mean squares of the slopes.
 fn spread(points: &[Point], [sin, cos]: [f64; 2], total: f64) -> [f64; 3] {
     let (mut across, mut along) = (0.0, 0.0);
-    for Point { direction: d, weight, value } in points {
+    for Point { direction: d, weight, value, .. } in points {
         let (x, z) = (d.x * cos - d.z * sin, d.x * sin + d.z * cos);
         let share = weight * value / total;
         // The cosine lobe itself has mean squares of a quarter.
@@ -208,7 +227,7 @@ mod tests {
         let shape = Shape::named("phong-normalized", &[("shininess", 200.0)]).expect("the model exists");
         for cos_o in [1.0, 0.7, 0.4] {
             let theta = libm::acos(cos_o);
-            let points = points(&shape, theta);
+            let points = points(&shape, theta, COARSE);
             let total: f64 = points.iter().map(|p| p.weight * p.value).sum();
             let map = Cosines::fit(&shape).at(cos_o);
             let [x, _, y, ..] = map;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{Part, Series, Shape, Side, Veil, veiled_albedo};
+use glanz_bsdf::{Part, Series, Shape, Side, Veil};
 
 use super::cosines::{self, Cosines};
 use super::glossy;
@@ -109,7 +109,7 @@ impl Maker {
 fn albedo(shape: &Shape, veils: &[Veil]) -> Series {
     match shape.info().delta {
         true => Series::through(1, |_| 1.0),
-        false => Series::through(TERMS, |cosine| veiled_albedo(shape, veils, cosine)),
+        false => Series::through(TERMS, |cosine| cosines::albedo(shape, veils, cosine)),
     }
 }
 
