@@ -8,18 +8,22 @@
 
 use glam::DVec3;
 use glanz_bsdf::{Pair, Shape, Side};
-use glanz_math::{PI, Vec3};
+use glanz_math::{GaussLegendre, PI, Vec3};
 
 use super::sky::Sky;
 
 /// Share of a lobe that is left out where it is faintest.
 const LEFT_OUT: f64 = 0.003;
 
-/// Pixels of the surroundings from the middle of a lobe to where half of it is: finer ones are averaged before.
-const ACROSS: f64 = 4.0;
+/// Pixels of the surroundings from the inner to the outer edge of each ring around the middle, at least: the further
+/// out, the coarser the level that is looked at.
+const ACROSS: f64 = 6.0;
 
-/// Pixels of the result over the same length.
+/// Pixels of the result from the middle of a lobe to where half of it is.
 const ACROSS_RESULT: f64 = 4.0;
+
+/// The most rows of the result.
+const ROWS: f64 = 160.0;
 
 /// Azimuths over which lobes that know a tangent are averaged.
 const AZIMUTHS: usize = 8;
@@ -60,6 +64,12 @@ impl Profile {
         Self { table: (0..=ENTRIES).map(entry).collect(), core, end }
     }
 
+    /// How much of the lobe is between two angles.
+    fn share(&self, from: f64, to: f64) -> f64 {
+        let rule = GaussLegendre::new(16);
+        rule.integrate(from, to, |angle| self.at(libm::cos(angle)) * libm::sin(angle))
+    }
+
     /// The weight at an angle of this cosine.
     fn at(&self, cosine: f64) -> f64 {
         let longest = libm::sin(0.5 * self.end);
@@ -83,38 +93,85 @@ fn around(shape: &Shape, angle: f64) -> f64 {
     (0..count).map(value).sum::<f64>() / count as f64
 }
 
+/// A ring around the middle of a lobe, and the level of the surroundings that it looks at.
+struct Ring<'a> {
+    from: f64,
+    to: f64,
+    /// How much of the lobe is in it.
+    share: f64,
+    level: &'a Level,
+}
+
+/// The surroundings, more or less coarse.
+struct Level {
+    sky: Sky,
+    directions: Vec<Vec<DVec3>>,
+}
+
+impl Level {
+    fn of(sky: Sky) -> Self {
+        let [width, height] = sky.size();
+        let row = |row| (0..width).map(|column| sky.direction(row, column)).collect();
+        let directions = (0..height).map(row).collect();
+        Self { sky, directions }
+    }
+}
+
 /// The surroundings blurred by a lobe. Lobes narrower than a pixel leave them as they are.
 pub(super) fn blurred(sky: &Sky, shape: &Shape) -> Sky {
     let profile = Profile::of(shape);
-    let pixels = |sky: &Sky| profile.core * sky.size()[1] as f64 / PI;
-    let mut source = sky.clone();
-    while source.size()[1] > 16 && pixels(&source) > 2.0 * ACROSS {
-        source = source.halved();
+    if profile.core * sky.size()[1] as f64 / PI < 0.5 {
+        return sky.clone();
     }
-    let [width, height] = source.size();
-    if pixels(&source) < 0.5 {
-        return source;
+    let mut levels = vec![Level::of(sky.clone())];
+    while let Some(next) = levels.last().filter(|l| l.sky.size()[1] > 16).map(|l| Level::of(l.sky.halved())) {
+        levels.push(next);
     }
-    let rows = (ACROSS_RESULT * PI / profile.core).ceil().clamp(16.0, height.max(16) as f64) as usize;
-    let directions: Vec<Vec<DVec3>> =
-        (0..height).map(|row| (0..width).map(|column| source.direction(row, column)).collect()).collect();
-    Sky::from_fn(2 * rows, rows, |middle| mean(&source, &directions, &profile, middle))
+    let rings = rings(&profile, &levels);
+    let rows = (ACROSS_RESULT * PI / profile.core).ceil().clamp(16.0, ROWS) as usize;
+    Sky::from_fn(2 * rows, rows, |middle| {
+        let mut sum = [0.0; 3];
+        for ring in &rings {
+            let mean = mean(ring, &profile, middle);
+            sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += ring.share * mean);
+        }
+        sum.map(|sum| sum as f32)
+    })
 }
 
-/// The mean around a direction.
-fn mean(sky: &Sky, directions: &[Vec<DVec3>], profile: &Profile, middle: DVec3) -> [f32; 3] {
+/// The rings of a lobe, each twice as wide as the one before.
+fn rings<'a>(profile: &Profile, levels: &'a [Level]) -> Vec<Ring<'a>> {
+    let mut rings = Vec::new();
+    let (mut from, mut to) = (0.0, profile.core.min(profile.end));
+    while from < profile.end {
+        let fine = |level: &&Level| PI / (level.sky.size()[1] as f64) <= (to - from) / ACROSS;
+        let level = levels.iter().rev().find(fine).unwrap_or(&levels[0]);
+        rings.push(Ring { from, to, share: profile.share(from, to), level });
+        (from, to) = (to, (2.0 * to).min(profile.end));
+    }
+    let total: f64 = rings.iter().map(|ring| ring.share).sum();
+    rings.iter_mut().for_each(|ring| ring.share /= total);
+    rings
+}
+
+/// The mean over a ring around a direction.
+fn mean(ring: &Ring, profile: &Profile, middle: DVec3) -> [f64; 3] {
+    let Level { sky, directions } = ring.level;
     let [width, height] = sky.size();
-    let end = profile.end;
     let theta = libm::acos(middle.y.clamp(-1.0, 1.0));
     let row_of = |theta: f64| theta / PI * height as f64 - 0.5;
-    let first = row_of(theta - end).floor().max(0.0) as usize;
-    let last = (row_of(theta + end).ceil().max(0.0) as usize).min(height - 1);
+    let first = row_of(theta - ring.to).floor().max(0.0) as usize;
+    let last = (row_of(theta + ring.to).ceil().max(0.0) as usize).min(height - 1);
     let center = EnvironmentColumn::of(middle, width);
+    let (inner, outer) = (libm::cos(ring.from), libm::cos(ring.to));
     let (mut sum, mut weight) = ([0.0; 3], 0.0);
     for row in first..=last {
         let solid = sky.solid_angle(row);
-        for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, end) {
+        for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, ring.to) {
             let cosine = directions[row][column].dot(middle);
+            if cosine > inner || cosine <= outer {
+                continue;
+            }
             let own = profile.at(cosine) * solid;
             weight += own;
             for (sum, value) in sum.iter_mut().zip(sky.pixel(row, column)) {
@@ -122,7 +179,12 @@ fn mean(sky: &Sky, directions: &[Vec<DVec3>], profile: &Profile, middle: DVec3) 
             }
         }
     }
-    if weight > 0.0 { sum.map(|sum| (sum / weight) as f32) } else { [0.0; 3] }
+    if weight > 0.0 {
+        return sum.map(|sum| sum / weight);
+    }
+    // No pixel has its centre in so small a ring.
+    let d = Vec3::new(middle.x, middle.y, middle.z);
+    sky.at(d)
 }
 
 /// Columns around a direction.

@@ -127,6 +127,11 @@ impl LobeTable {
         if shape.info().part == Part::Specular && textured && tint.depends_on_angle() {
             return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
         }
+        let is_lit = matches!(shape.info().part, Part::Diffuse | Part::Specular);
+        if let (Some(weight), false) = (&self.weight, is_lit) {
+            return Err(Problem::at(&weight.span, "'weight' is for terms that lights shine on")
+                .help("make the tint of this term darker instead"));
+        }
         let lobe = Lobe { textured, ..Lobe::new(shape, tint) };
         Ok(match &self.weight {
             Some(weight) if weight.0 < 1.0 => lobe.under(Veil::Share(weight.0)),

@@ -41,7 +41,6 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea,
     }
     let frame = view_frame(sum.point.wo, normal, sum.cos_o);
     let material = sum.material;
-    let pair = sum.mirror_pair();
     for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
         let value = match &field.cosines {
             _ if lobe.shape.info().delta => apart(
@@ -62,7 +61,7 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea,
                 seen_through(&outline, map.as_deref(), sum.cos_o, local) * field.albedo.at(sum.cos_o)
             }
         };
-        sum.add(row, k, value * reach, &pair);
+        sum.add(row, k, value * reach, &sum.typical_pair(lobe));
     }
 }
 

@@ -138,6 +138,27 @@ impl<'a, R: Real> Sum<'a, R> {
         pair
     }
 
+    /// The pair of the viewer and light that goes on straight to it, or refracted by a boundary of this index.
+    #[inline(always)]
+    fn straight_pair(&self, eta: f64) -> Pair<R> {
+        let inverse = self.cos_o.lit(1.0 / eta);
+        let sin2 = (self.cos_o.one() - self.cos_o.sqr()) * inverse.sqr();
+        let cos_t = (self.cos_o.one() - sin2).max(self.cos_o.zero()).sqrt();
+        let cos_io = self.cos_o * (self.cos_o * inverse - cos_t) - inverse;
+        let mut pair = Pair::isotropic(self.cos_o, -cos_t, cos_io);
+        pair.widening = self.point.widening;
+        pair
+    }
+
+    /// The pair that stands for all light that a lobe takes from areas and surroundings.
+    #[inline(always)]
+    fn typical_pair(&self, lobe: &DirectLobe) -> Pair<R> {
+        match is_transmitting(lobe) {
+            true => self.straight_pair(lobe.shape.eta()),
+            false => self.mirror_pair(),
+        }
+    }
+
     /// How much of a lobe there is at the point.
     #[inline(always)]
     fn share(&self, lobe: &DirectLobe) -> Option<R> {

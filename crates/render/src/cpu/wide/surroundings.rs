@@ -16,12 +16,12 @@ pub(super) fn add<R: Real>(
     to_map: &[[f32; 3]; 3],
     row: usize,
 ) {
-    let pair = sum.mirror_pair();
-    let zero = pair.cos_o.zero();
+    let zero = sum.cos_o.zero();
     // Without a normal there is no surface to light.
     let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
     let material = sum.material;
     for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
+        let pair = sum.typical_pair(lobe);
         let seen = seen(sum, surroundings, number, to_map, lobe, field);
         let mut share = field.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
         if lobe.shape.info().delta {
