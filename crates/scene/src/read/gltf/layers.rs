@@ -9,7 +9,7 @@ use glanz_bsdf::terms::fresnel_film;
 use glanz_bsdf::{Angle, Series, Shape, Veil};
 use glanz_color::{Ior, Rgb, Spectrum, lambda_nm, rgb_spectra};
 
-use super::matter::Matter;
+use super::matter::{Matter, greatest};
 use crate::{Film, Lobe, Metalness, Pane, Through, Tint};
 
 /// Reflectance of the clear coat at normal incidence: its index is 1.5.
@@ -155,7 +155,8 @@ fn push(lobes: &mut Vec<Lobe>, share: f64, lobe: Lobe) {
 fn film(matter: &Matter, base: [f64; 3]) -> Option<Arc<Film>> {
     let base = || {
         let eta = rgb_spectra::spectrum_of_reflectance(rgb(base)).map(index);
-        Ior { eta, k: Spectrum::ZERO, ..Ior::constant(1.0) }
+        let (name, source) = (format!("{:.3}", index(greatest(base))), "from a reflectance".to_owned());
+        Ior { name, eta, k: Spectrum::ZERO, source }
     };
     let film = |base| Film { thickness_nm: matter.film_nm, film: Ior::constant(matter.film_ior), base };
     (matter.iridescence > 0.0).then(|| Arc::new(film(base())))

@@ -57,7 +57,8 @@ impl Matter {
     }
 }
 
-fn greatest(rgb: [f64; 3]) -> f64 {
+/// The greatest channel.
+pub(super) fn greatest(rgb: [f64; 3]) -> f64 {
     rgb.into_iter().fold(0.0, f64::max)
 }
 

@@ -115,6 +115,17 @@ fn rich() -> (Value, Vec<u8>) {
                     "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 }, "metallicFactor": 0.0 },
                     "normalTexture": { "index": 0, "scale": 0.5 },
                     "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
+                    "extensions": {
+                        "KHR_materials_clearcoat": { "clearcoatFactor": 0.5, "clearcoatRoughnessFactor": 0.25 },
+                        "KHR_materials_sheen": { "sheenColorFactor": [0.5, 0.25, 0], "sheenRoughnessFactor": 0.5 },
+                        "KHR_materials_transmission": { "transmissionFactor": 0.5 },
+                        "KHR_materials_volume": { "thicknessFactor": 1, "attenuationDistance": 2,
+                            "attenuationColor": [1, 0.5, 0] },
+                        "KHR_materials_anisotropy": { "anisotropyStrength": 0.5, "anisotropyRotation": 1 },
+                        "KHR_materials_iridescence": { "iridescenceFactor": 0.5, "iridescenceIor": 1.4 },
+                        "KHR_materials_specular": { "specularFactor": 0.5, "specularColorFactor": [2, 1, 0] },
+                        "KHR_materials_ior": { "ior": 1.4 },
+                    },
                 }]),
             ),
             ("/extensions", lights),
@@ -365,7 +376,7 @@ fn lobes_of_metal_and_dielectric_are_weighed_by_the_texture() {
     let path = "/materials/0/pbrMetallicRoughness";
     let pbr =
         json!({ "metallicRoughnessTexture": { "index": 0 }, "metallicFactor": 0.75, "roughnessFactor": 0.5 });
-    change(&mut document, &[(path, pbr)]);
+    change(&mut document, &[(path, pbr), ("/materials/0/extensions", json!({}))]);
     let model = read_bytes(&glb(&document, &binary), Format::Gltf).unwrap();
     let material = &model.materials[0];
     let shares: Vec<_> = material.lobes.iter().map(|lobe| (lobe.shape.info().name, lobe.share)).collect();
