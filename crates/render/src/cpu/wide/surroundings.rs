@@ -21,6 +21,10 @@ pub(super) fn add<R: Real>(
     let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
     let material = sum.material;
     for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
+        if is_transmitting(lobe) && material.through.is_some() {
+            // They are seen through the surface already.
+            continue;
+        }
         let pair = sum.typical_pair(lobe);
         let seen = seen(sum, surroundings, number, to_map, lobe, field);
         let mut share = field.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
