@@ -7,9 +7,10 @@
 //! colour is in F0: at normal incidence that is the fit, at grazing angles the reflection is grey where the fit's is
 //! not.
 //!
-//! The factor of the lobe is taken to be that of Cook and Torrance's paper, which is ours. The figures are taken to be in
-//! the units of the MERL files, whose reader multiplies red, green and blue by 1, 1.15 and 1.66 (over 1500): as
-//! printed both materials would be olive, times these factors the matte parts are grey.
+//! The factor of the lobe is taken to be that of Cook and Torrance's paper, which is ours; a fit that left out the 4 of
+//! that paper's D would be four times as strong. The figures are taken to be in the units of the MERL files, whose
+//! reader multiplies red, green and blue by 1, 1.15 and 1.66 (over 1500): as printed both materials would be olive,
+//! times these factors the matte part of chrome is grey.
 
 use super::entry::{self, Entry};
 use super::{Category, MaterialInfo};

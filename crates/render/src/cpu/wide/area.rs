@@ -1,5 +1,7 @@
 //! Light from surfaces that shine.
 
+use std::sync::LazyLock;
+
 use glanz_math::{Frame, PI, Real, Vec3};
 use glanz_scene::AreaShape;
 
@@ -13,6 +15,26 @@ const ROUND: usize = 16;
 
 /// Points of the light along each of its directions, for lobes that know a tangent.
 const POINTS: usize = 8;
+
+/// The corners of a polygon with the area of the unit circle.
+static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
+    let turn = 2.0 * PI / ROUND as f64;
+    let stretch = libm::sqrt(turn / libm::sin(turn));
+    core::array::from_fn(|i| {
+        let (sin, cos) = libm::sincos(turn * i as f64);
+        (cos * stretch, sin * stretch)
+    })
+});
+
+/// Points of the unit disk that stand for equal areas of it.
+static DISK: LazyLock<[(f64, f64); POINTS * POINTS]> = LazyLock::new(|| {
+    core::array::from_fn(|i| {
+        let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+        let (sin, cos) = libm::sincos(2.0 * PI * step(i / POINTS));
+        let radius = libm::sqrt(step(i % POINTS));
+        (radius * cos, radius * sin)
+    })
+});
 
 /// A light as seen from a point: the corners of its outline relative to it.
 struct Outline<R> {
@@ -160,15 +182,10 @@ fn by_points<R: Real>(sum: &Sum<R>, area: &EyeArea, lobe: &DirectLobe) -> R {
 
 /// A point of a grid over −1 … 1 squared, or over the unit disk with equal areas.
 fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
-    let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
-    let (s, t) = (step(number % POINTS), step(number / POINTS));
+    let step = |i: usize| 2.0 * (i as f64 + 0.5) / POINTS as f64 - 1.0;
     match form {
-        AreaShape::Rectangle { .. } => (2.0 * s - 1.0, 2.0 * t - 1.0),
-        _ => {
-            let (sin, cos) = libm::sincos(2.0 * PI * t);
-            let radius = libm::sqrt(s);
-            (radius * cos, radius * sin)
-        }
+        AreaShape::Rectangle { .. } => (step(number % POINTS), step(number / POINTS)),
+        _ => DISK[number],
     }
 }
 
@@ -216,14 +233,8 @@ impl<R: Real> Outline<R> {
                 4
             }
             _ => {
-                let turn = 2.0 * PI / ROUND as f64;
-                // The polygon has the area of the circle.
-                let stretch = libm::sqrt(turn / libm::sin(turn));
-                for (i, corner) in corners.iter_mut().enumerate() {
-                    let (sin, cos) = libm::sincos(turn * i as f64);
-                    *corner = center
-                        + axes[0] * size[0] * zero.lit(cos * stretch)
-                        + axes[1] * size[1] * zero.lit(sin * stretch);
+                for (corner, (u, v)) in corners.iter_mut().zip(RIM.iter()) {
+                    *corner = center + axes[0] * size[0] * zero.lit(*u) + axes[1] * size[1] * zero.lit(*v);
                 }
                 ROUND
             }

@@ -28,6 +28,8 @@ const FILLED: f64 = 0.92;
 const LAMPS: [([f64; 3], f64); 2] = [([1.0, -1.1, -1.2], 0.35), ([-0.9, -0.5, 1.0], 0.35)];
 /// Light for ambient terms, which do not see the room.
 const AMBIENT: f64 = 0.35;
+/// Exposure in stops: polished metal and white paper shall both keep their colours.
+const EV: f32 = -0.5;
 /// Squares along the side of the board behind clear things.
 const SQUARES: u32 = 10;
 /// The side of that board over the radius of the ball.
@@ -69,7 +71,7 @@ impl Room {
             scene,
             show: Show::Shaded,
             tone_map: ToneMap::KhronosNeutral,
-            ev: 0.0,
+            ev: EV,
             cameras: Vec::new(),
             notes: Vec::new(),
             hash: 0,
