@@ -48,12 +48,10 @@ impl Coat {
     /// What becomes of a lobe below it.
     fn over(surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
         let is_matte = lobe.shape.info().part == Part::Diffuse && lobe.shape.info().side == Side::Reflection;
-        // What comes back to the base from below the coat depends on the base's colour, which a texture changes.
-        let veil = match is_matte && !lobe.textured {
-            true => Veil::over_matte(surface),
-            false => Veil::over_glossy(surface),
-        };
-        let tint = if is_matte && !lobe.textured { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
+        // What comes back to the base from below the coat depends on its colour: where a texture darkens it further,
+        // this is a little too bright.
+        let veil = if is_matte { Veil::over_matte(surface) } else { Veil::over_glossy(surface) };
+        let tint = if is_matte { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
         Lobe { tint, absorption: absorption.clone(), ..lobe }.under(veil)
     }
 }

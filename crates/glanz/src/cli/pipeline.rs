@@ -227,7 +227,11 @@ impl Plan {
                 format!("--spectral-exr needs spectra of light: add --mode spectral (the mode is {mode})");
             return Err(Failure::Usage(message));
         }
-        let options = DrawOptions { background: Background::Transparent, ..self.options };
+        let background = match self.options.background {
+            Background::Environment => Background::Environment,
+            _ => Background::Transparent,
+        };
+        let options = DrawOptions { background, ..self.options };
         let own = PrepareOptions { observation: Observation::spectrum(), ..self.prepare.clone() };
         let mut progress = Progress::new(100, "per cent");
         let mut step = |done: f64| progress.set((100.0 * done) as usize);

@@ -49,10 +49,15 @@ pub(crate) struct Glass {
     sorted: Vec<Hit>,
     /// The last piece of each pixel.
     latest: Vec<u32>,
-    /// What is let through at each sample, sample after sample, per channel.
-    through: [Vec<f32>; 3],
+    /// What is let through at each sample, sample after sample, per channel, and the greatest of the channels.
+    through: [Vec<f32>; 4],
     /// Premultiplied colour and coverage of the blended surfaces of each pixel.
     light: [Vec<f32>; 4],
+}
+
+/// The greatest of the channels.
+fn most(channels: [f32; 3]) -> f32 {
+    channels.into_iter().fold(0.0, f32::max)
 }
 
 impl Glass {
@@ -152,12 +157,17 @@ impl Glass {
                 for (c, color) in [r, g, b].into_iter().enumerate() {
                     self.light[c][place] += color * (through[c] * alpha) * share;
                 }
-                let most = |channels: [f32; 3]| channels.into_iter().fold(0.0, f32::max);
-                self.light[3][place] += most(through) * (alpha * (1.0 - most(passed))) * share;
+                let before = most(through);
                 for (through, passed) in through.iter_mut().zip(passed) {
                     *through *= 1.0 - alpha + alpha * passed;
                 }
+                self.light[3][place] += match passed {
+                    [0.0, 0.0, 0.0] => before * alpha * share,
+                    _ => (before - most(through)) * share,
+                };
             }
+            let [r, g, b] = through;
+            let through = [r, g, b, most(through)];
             for (plane, through) in self.through.iter_mut().zip(through) {
                 plane[hits[0].sample as usize * TILE_PIXELS + place] = through;
             }
@@ -217,7 +227,7 @@ impl Glass {
         }
     }
 
-    /// How much of what is behind is seen in a channel, at the samples of the block at a place of the planes.
+    /// How much of what is behind is seen in a channel, or of its coverage (3), at the samples of the block at a place of the planes.
     #[inline(always)]
     pub fn through(&self, channel: usize, at: usize) -> &[f32; BLOCK] {
         self.through[channel][at..].first_chunk().expect("planes are whole blocks")

@@ -367,11 +367,12 @@ impl<'a, S: Simd> Group<'a, S> {
         else {
             return [zero; 3];
         };
-        if self.object.shading != Shading::Phong {
-            return curve.at(zero.one());
+        let mut cosine = zero.one();
+        if self.object.shading == Shading::Phong {
+            let (_, wo) = self.frame.eye.unproject(self.px, self.py, place.distance);
+            cosine = normal.dot(wo).abs().min(cosine);
         }
-        let (_, wo) = self.frame.eye.unproject(self.px, self.py, place.distance);
-        curve.at(normal.dot(wo).abs().min(zero.one())).map(
+        curve.at(cosine).map(
             #[inline(always)]
             |share| share.clamp(0.0, 1.0),
         )

@@ -110,7 +110,7 @@ fn shade_layers<S: Simd, const C: usize>(
             #[inline(always)]
             |c| (sum[c] + shaded.rgb[c] * weights[c]).select(zero.lt(weights[c]), sum[c]),
         );
-        covered = covered + greatest::<S, C>(&weights);
+        covered = covered + Lanes::load(simd, &layer.weights[C - 1]).select(bits, zero);
         if tile.keeps_planes() {
             keep_planes(simd, pixels, records, &shaded, runs, at);
         }
@@ -126,7 +126,7 @@ fn shade_layers<S: Simd, const C: usize>(
         #[inline(always)]
         |c| sum[c] + open[c] * color[c],
     );
-    covered = covered + greatest::<S, C>(&open) * alpha;
+    covered = covered + Lanes::load(simd, &layers.open[C - 1]) * alpha;
     if tile.blended {
         let light = glass.light(simd, at);
         sum = three(
@@ -139,7 +139,7 @@ fn shade_layers<S: Simd, const C: usize>(
     pixels.put(at, sum, covered);
 }
 
-/// One value for each channel, from one for all or from three.
+/// One value for each channel, from one for all or from three and coverage.
 #[inline(always)]
 fn of_channels<S: Simd, const C: usize>(
     weights: &Weights<C>,
@@ -150,13 +150,4 @@ fn of_channels<S: Simd, const C: usize>(
         #[inline(always)]
         |c: usize| load(&weights[c.min(C - 1)]),
     )
-}
-
-/// The greatest of the channels.
-#[inline(always)]
-fn greatest<S: Simd, const C: usize>(weights: &[Lanes<S>; 3]) -> Lanes<S> {
-    match C {
-        1 => weights[0],
-        _ => weights[0].max(weights[1]).max(weights[2]),
-    }
 }

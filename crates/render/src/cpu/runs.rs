@@ -25,8 +25,8 @@ pub(crate) struct Layer<const C: usize> {
     pub at: [f32; 2],
 }
 
-/// How much sixteen pixels count: in all channels alike, or in each of three where they are seen through
-/// something coloured.
+/// How much sixteen pixels count: in all channels alike (1), or in each of three and for coverage where they are seen
+/// through something coloured (4).
 pub(crate) type Weights<const C: usize> = [[f32; 16]; C];
 
 /// All layers of sixteen pixels.

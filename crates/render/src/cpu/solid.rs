@@ -1,7 +1,7 @@
 //! One sample per pixel: each pixel of a block is what its triangle is, or background.
 
 use fearless_simd::Simd;
-use glanz_math::{Lanes, Real};
+use glanz_math::Lanes;
 
 use super::block;
 use super::dust;
@@ -66,7 +66,7 @@ fn keep<S: Simd>(
             #[inline(always)]
             |c| rgb[c] * through[c] + light[c],
         );
-        alpha = alpha * through[0].max(through[1]).max(through[2]) + light[3];
+        alpha = alpha * Lanes::load(simd, scratch.glass.through(3, at)) + light[3];
     }
     scratch.pixels.put(at, rgb, alpha);
 }

@@ -24,7 +24,7 @@ pub(crate) struct TileScratch {
     pub visible: Visible,
     pub records: Records,
     pub layers: Layers<1>,
-    pub tinted_layers: Layers<3>,
+    pub tinted_layers: Layers<4>,
     pub glass: Glass,
     pub dust: Dust,
     pub pixels: TilePixels,

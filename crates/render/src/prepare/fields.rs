@@ -1,11 +1,12 @@
 //! What lobes make of light that comes from more than one direction: areas and surroundings.
 
+use core::cell::OnceCell;
 use std::sync::Arc;
 
 use glanz_bsdf::{Part, Series, Shape, Side, Veil};
 
 use super::cosines::{self, Cosines};
-use super::glossy;
+use super::glossy::{self, Pyramid};
 use super::lights::{LightShape, PreparedLight};
 use super::materials::{DirectLobe, PreparedMaterial};
 use super::sky::Sky;
@@ -48,7 +49,9 @@ pub(super) fn attach(
         return;
     }
     let has_areas = lights.iter().any(|light| matches!(light.shape, LightShape::Area { .. }));
-    let mut maker = Maker { has_areas, skies: skies(lights), known: Vec::new() };
+    let skies = skies(lights);
+    let pyramids = skies.iter().map(|_| OnceCell::new()).collect();
+    let mut maker = Maker { has_areas, skies, pyramids, known: Vec::new() };
     for material in before {
         maker.known.extend(material.lobes.iter().cloned().zip(material.fields.iter().cloned()));
     }
@@ -68,6 +71,8 @@ fn skies(lights: &[PreparedLight]) -> Vec<Option<Arc<Sky>>> {
 struct Maker {
     has_areas: bool,
     skies: Vec<Option<Arc<Sky>>>,
+    /// Of each of the skies, once a lobe asks for it.
+    pyramids: Vec<OnceCell<Pyramid>>,
     known: Vec<(DirectLobe, Field)>,
 }
 
@@ -90,8 +95,9 @@ impl Maker {
         let shape = &lobe.shape;
         let fitted = self.has_areas && !shape.info().delta && !is_cosine(shape) && !shape.is_anisotropic();
         let blurs = lobe.part == Part::Specular && !shape.info().delta;
-        let sky = |sky: &Option<Arc<Sky>>| {
-            sky.as_ref().filter(|_| blurs).map(|sky| Arc::new(glossy::blurred(sky, shape)))
+        let blurred = |(sky, pyramid): (&Option<Arc<Sky>>, &OnceCell<Pyramid>)| {
+            let sky = sky.as_ref().filter(|_| blurs)?;
+            Some(glossy::blurred(pyramid.get_or_init(|| Pyramid::of(sky)), shape))
         };
         Field {
             albedo: albedo(shape, &lobe.veils),
@@ -100,7 +106,7 @@ impl Maker {
                 false => Series::default(),
             }),
             cosines: fitted.then(|| Arc::new(Cosines::fit(shape))),
-            skies: self.skies.iter().map(sky).collect(),
+            skies: self.skies.iter().zip(&self.pyramids).map(blurred).collect(),
         }
     }
 }

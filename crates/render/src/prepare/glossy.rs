@@ -6,6 +6,8 @@
 //! the lobe's stretching towards grazing views is left out, as in B. Karis, "Real Shading in Unreal Engine 4",
 //! SIGGRAPH course, 2013, from which the separation comes. `tests/surroundings` states the error.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use glanz_bsdf::{Pair, Shape, Side};
 use glanz_math::{GaussLegendre, PI, Vec3};
@@ -102,41 +104,51 @@ struct Ring<'a> {
     level: &'a Level,
 }
 
+/// The surroundings at all levels, each half as fine as the one before.
+pub(super) struct Pyramid(Vec<Level>);
+
+impl Pyramid {
+    pub fn of(sky: &Arc<Sky>) -> Self {
+        let mut levels = vec![Level::of(Arc::clone(sky))];
+        while let Some(last) = levels.last().filter(|level| level.sky.size()[1] > 16) {
+            let next = Level::of(Arc::new(last.sky.halved()));
+            levels.push(next);
+        }
+        Self(levels)
+    }
+}
+
 /// The surroundings, more or less coarse.
 struct Level {
-    sky: Sky,
-    directions: Vec<Vec<DVec3>>,
+    sky: Arc<Sky>,
+    directions: Vec<Vec<glam::Vec3>>,
 }
 
 impl Level {
-    fn of(sky: Sky) -> Self {
+    fn of(sky: Arc<Sky>) -> Self {
         let [width, height] = sky.size();
-        let row = |row| (0..width).map(|column| sky.direction(row, column)).collect();
-        let directions = (0..height).map(row).collect();
+        let row = |row| (0..width).map(|column| sky.direction(row, column).as_vec3()).collect();
+        let directions = crate::parallel::collect(height, row);
         Self { sky, directions }
     }
 }
 
 /// The surroundings blurred by a lobe. Lobes narrower than a pixel leave them as they are.
-pub(super) fn blurred(sky: &Sky, shape: &Shape) -> Sky {
+pub(super) fn blurred(Pyramid(levels): &Pyramid, shape: &Shape) -> Arc<Sky> {
     let profile = Profile::of(shape);
-    if profile.core * sky.size()[1] as f64 / PI < 0.5 {
-        return sky.clone();
+    if profile.core * levels[0].sky.size()[1] as f64 / PI < 0.5 {
+        return Arc::clone(&levels[0].sky);
     }
-    let mut levels = vec![Level::of(sky.clone())];
-    while let Some(next) = levels.last().filter(|l| l.sky.size()[1] > 16).map(|l| Level::of(l.sky.halved())) {
-        levels.push(next);
-    }
-    let rings = rings(&profile, &levels);
+    let rings = rings(&profile, levels);
     let rows = (ACROSS_RESULT * PI / profile.core).ceil().clamp(16.0, ROWS) as usize;
-    Sky::from_fn(2 * rows, rows, |middle| {
+    Arc::new(Sky::from_fn(2 * rows, rows, |middle| {
         let mut sum = [0.0; 3];
         for ring in &rings {
             let mean = mean(ring, &profile, middle);
             sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += ring.share * mean);
         }
         sum.map(|sum| sum as f32)
-    })
+    }))
 }
 
 /// The rings of a lobe, each twice as wide as the one before.
@@ -168,7 +180,7 @@ fn mean(ring: &Ring, profile: &Profile, middle: DVec3) -> [f64; 3] {
     for row in first..=last {
         let solid = sky.solid_angle(row);
         for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, ring.to) {
-            let cosine = directions[row][column].dot(middle);
+            let cosine = directions[row][column].as_dvec3().dot(middle);
             if cosine > inner || cosine <= outer {
                 continue;
             }
@@ -224,9 +236,9 @@ mod tests {
 
     #[test]
     fn uniform_surroundings_stay_uniform() {
-        let sky = Sky::from_fn(64, 32, |_| [0.7, 0.7, 0.7]);
+        let sky = Arc::new(Sky::from_fn(64, 32, |_| [0.7, 0.7, 0.7]));
         for exponent in [1.0, 50.0, 1e5] {
-            let blurred = blurred(&sky, &shape("phong", "shininess", exponent));
+            let blurred = blurred(&Pyramid::of(&sky), &shape("phong", "shininess", exponent));
             let got = blurred.at(Vec3::new(0.36f32, 0.48, -0.8));
             assert!((got[0] - 0.7).abs() < 1e-6, "{exponent}: {got:?}");
         }
@@ -235,8 +247,8 @@ mod tests {
     #[test]
     fn a_cosine_lobe_makes_a_bright_half_its_share() {
         // Phong with exponent 1 is the clamped cosine: (1 + cosine) / 2 of a bright half.
-        let sky = Sky::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]);
-        let blurred = blurred(&sky, &shape("phong", "shininess", 1.0));
+        let sky = Arc::new(Sky::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]));
+        let blurred = blurred(&Pyramid::of(&sky), &shape("phong", "shininess", 1.0));
         for degrees in [5.0_f64, 40.0, 90.0, 140.0] {
             let (sin, cos) = libm::sincos(degrees.to_radians());
             let got = f64::from(blurred.at(Vec3::new(sin as f32, cos as f32, 0.0))[0]);

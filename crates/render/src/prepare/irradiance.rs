@@ -11,6 +11,9 @@ use super::sky::Sky;
 /// Harmonics of degree 0, 1, 2 and 4.
 const TERMS: usize = 1 + 3 + 5 + 9;
 
+/// The fewest rows whose pixels are summed as they are.
+const COARSEST: usize = 32;
+
 /// What the clamped cosine over π leaves of the degrees 0, 1, 2 and 4.
 const KEPT: [f64; 4] = [1.0, 2.0 / 3.0, 0.25, -1.0 / 24.0];
 
@@ -30,6 +33,13 @@ impl Irradiance {
 
     /// That of a picture.
     pub fn of(sky: &Sky) -> Self {
+        if sky.size()[1] < COARSEST {
+            // So few pixels would be lights from single directions.
+            let finer = Sky::from_fn(2 * COARSEST, COARSEST, |d| {
+                sky.at(Vec3::new(d.x as f32, d.y as f32, d.z as f32))
+            });
+            return Self::of(&finer);
+        }
         let mut sums = [[0.0f64; 3]; TERMS];
         let [width, height] = sky.size();
         for row in 0..height {

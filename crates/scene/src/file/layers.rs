@@ -99,9 +99,16 @@ impl PaneTable {
 /// What is seen through a surface: the share of each colour, what a boundary (`ior`) or a film in air
 /// (`film_nm`) does not reflect.
 pub(super) fn through(value: &At<ColorValue>, builder: &mut Builder) -> Result<Through, Problem> {
+    let opaque =
+        |name: &str| Problem::at(&value.span, format!("light does not pass '{name}', which is a metal"));
     Ok(match builder.tint(value)? {
+        Tint::Ior(ior) if ior.k.max() > 0.0 => return Err(opaque(&ior.name)),
+        Tint::Film(film) if film.base.k.max() > 0.0 => return Err(opaque(&film.base.name)),
         Tint::Ior(ior) => Through::Boundary(ior),
         Tint::Film(film) => Through::Film(film),
+        Tint::Polarized(..) => {
+            return Err(Problem::at(&value.span, "'polarization' is for what a surface reflects"));
+        }
         Tint::Reradiation(_) => {
             return Err(Problem::at(&value.span, "what is seen through a surface cannot glow")
                 .help("give a colour, a reflectance, an 'ior' or a 'film_nm'"));

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use glanz_bsdf::{MODELS, ParamError, Part, Shape, Veil};
+use glanz_bsdf::{MODELS, ParamError, Part, Shape, Side, Veil};
 use glanz_color::Rgb;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, MapAccess, Visitor};
@@ -126,6 +126,12 @@ impl LobeTable {
         let tint = self.with_fresnel(tint)?;
         if shape.info().part == Part::Specular && textured && tint.depends_on_angle() {
             return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
+        }
+        if let (Tint::Ior(ior), Side::Transmission) = (&tint, shape.info().side)
+            && ior.k.max() > 0.0
+        {
+            let message = format!("light does not pass '{}', which is a metal", ior.name);
+            return Err(Problem::at(&self.shape.span, message));
         }
         let is_lit = matches!(shape.info().part, Part::Diffuse | Part::Specular);
         if let (Some(weight), false) = (&self.weight, is_lit) {

@@ -224,6 +224,12 @@ impl MaterialTable {
             }
             material.through = Some(through(seen, builder)?);
         }
+        if let (Some(coat), Some(_)) = (&self.coat, &material.through) {
+            return Err(Problem::at(
+                &coat.span,
+                "a 'coat' over what is seen through: give the 'pane' its colour instead",
+            ));
+        }
         if let Some(coat) = &self.coat {
             material = coat.build(material, builder, &coat.span)?;
         }

@@ -166,6 +166,9 @@ impl Builder {
         if let Some(thickness) = &table.film_nm {
             return Err(Problem::at(&thickness.span, "'film_nm' is for what surfaces do with light"));
         }
+        if let Some(medium) = &table.film_ior {
+            return Err(Problem::at(&medium.span, "'film_ior' is for what surfaces do with light"));
+        }
         if let (Some(polarization), None) = (&table.polarization, &table.ior) {
             return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
         }
@@ -389,6 +392,12 @@ fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
         (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
         (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
         (table.file.as_ref().map(|v| &v.span), "file"),
+        (table.column.as_ref().map(|v| &v.span), "column"),
+        (table.blackbody.as_ref().map(|v| &v.span), "blackbody"),
+        (table.gaussian.as_ref().map(|v| &v.span), "gaussian"),
+        (table.line.as_ref().map(|v| &v.span), "line"),
+        (table.nm.as_ref().map(|v| &v.span), "nm"),
+        (table.value.as_ref().map(|v| &v.span), "value"),
         (table.polarization.as_ref().map(|v| &v.span), "polarization"),
     ];
     if let Some((span, key)) = others.iter().find_map(|(span, key)| Some((span.as_ref()?, key))) {

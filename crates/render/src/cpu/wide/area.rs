@@ -6,12 +6,16 @@ use glanz_math::{Frame, PI, Real, Vec3};
 use glanz_scene::AreaShape;
 
 use super::super::lights::{EyeArea, EyeLights, splat};
-use super::polygon::form_factor;
+use super::polygon::{above_horizon, form_factor};
 use super::{Sum, apart, is_transmitting, shadow, shape_value, veiled};
 use crate::prepare::{Cosines, DirectLobe, is_cosine};
 
 /// Corners of the polygon that stands for a disk, or for what is seen of a sphere.
 const ROUND: usize = 16;
+
+/// The extent of a light over its distance below which it counts as a point: the integral is then right to its
+/// square, and the rounding of the sum over its edges would be larger.
+const SMALL: f64 = 0.01;
 
 /// Points of the light along each of its directions, for lobes that know a tangent.
 const POINTS: usize = 8;
@@ -37,7 +41,7 @@ static DISK: LazyLock<[(f64, f64); POINTS * POINTS]> = LazyLock::new(|| {
 });
 
 /// A light as seen from a point: the corners of its outline relative to it.
-struct Outline<R> {
+struct Outline<R: Real> {
     corners: [Vec3<R>; ROUND],
     count: usize,
     /// Unit vector to its middle, and how far that is.
@@ -45,6 +49,10 @@ struct Outline<R> {
     distance: R,
     /// 1 where the point is on a side that shines.
     shines: R,
+    /// The solid angle of a light that is small or far.
+    solid: R,
+    /// Where it is so small that the sum over its edges would be rounding alone.
+    small: R::Mask,
 }
 
 /// Adds what an area gives.
@@ -80,7 +88,8 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea,
                     let v = frame.to_local(v);
                     if is_transmitting(lobe) { Vec3::new(v.x, v.y, -v.z) } else { v }
                 };
-                seen_through(&outline, map.as_deref(), sum.cos_o, local) * field.albedo.at(sum.cos_o)
+                seen_through(&outline, map.as_deref(), sum.cos_o, local)
+                    * field.albedo.at(sum.cos_o).max(zero)
             }
         };
         sum.add(row, k, value * reach, &sum.typical_pair(lobe));
@@ -95,20 +104,42 @@ fn seen_through<R: Real>(
     cos_o: R,
     local: impl Fn(Vec3<R>) -> Vec3<R>,
 ) -> R {
-    let mut corners = outline.corners;
     let inverse = map.map(|map| map.at(cos_o));
-    for corner in &mut corners[..outline.count] {
-        let v = local(*corner);
-        *corner = match inverse {
-            Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
-            None => v,
-        };
+    let mapped = |v: Vec3<R>| match inverse {
+        Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+        None => v,
+    };
+    let zero = cos_o.zero();
+    let mut corners = [Vec3::new(zero, zero, zero); 2 * ROUND];
+    let mut count = outline.count;
+    for (local_corner, corner) in corners.iter_mut().zip(&outline.corners[..count]) {
+        *local_corner = local(*corner);
     }
-    apart(
+    let whole = corners[..count].iter().fold(zero.one(), |low, corner| low.min(corner.z));
+    if R::any(whole.lt(zero)) {
+        // What is below the surface's own horizon must not come up by the map.
+        count = above_horizon(&mut corners, count);
+    }
+    for corner in &mut corners[..count] {
+        *corner = mapped(*corner);
+    }
+    let polygon = apart(
         cos_o,
         #[inline(always)]
-        || form_factor(&corners[..outline.count]),
-    )
+        || form_factor(&corners[..count]),
+    );
+    if !R::any(outline.small) {
+        return polygon;
+    }
+    let middle = local(outline.middle);
+    let (w, determinant) = match inverse {
+        Some([a, b, c, d, e]) => (mapped(middle), (c * (a * e - b * d)).abs()),
+        None => (middle, zero.one()),
+    };
+    let squared = w.dot(w).max(zero.lit(1e-30));
+    let density = w.z.max(zero) * determinant / squared.sqr() * zero.lit(1.0 / PI);
+    let lit = zero.lt(middle.z);
+    (density * outline.solid).select(outline.small & lit, polygon.select(!outline.small, zero))
 }
 
 /// The frame around the normal whose x axis is the viewer's tangential direction.
@@ -223,6 +254,8 @@ impl<R: Real> Outline<R> {
         let squared = center.dot(center).max(zero.lit(1e-20));
         let middle = center * squared.rsqrt();
         let mut corners = [center; ROUND];
+        // In units of the distance, so that squares of far lights stay numbers.
+        let inverse = squared.rsqrt();
         let count = match area.form {
             AreaShape::Rectangle { .. } => {
                 for (corner, (u, v)) in
@@ -242,6 +275,13 @@ impl<R: Real> Outline<R> {
         let always = area.two_sided || matches!(area.form, AreaShape::Sphere { .. });
         let faces = center.dot(splat(zero, &area.axes[2])).lt(zero);
         let shines = if always { zero.one() } else { zero.one().select(faces, zero) };
-        Self { corners, count, middle, distance: squared.sqrt(), shines }
+        for corner in &mut corners {
+            *corner = *corner * inverse;
+        }
+        let extent = size[0].max(size[1]) * inverse;
+        let facing = middle.dot(axes[2]).abs();
+        let solid = size[2] * inverse * inverse * facing;
+        let small = extent.lt(zero.lit(SMALL));
+        Self { corners, count, middle, distance: squared.sqrt(), shines, solid, small }
     }
 }

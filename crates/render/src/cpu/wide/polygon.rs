@@ -30,6 +30,38 @@ pub(super) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
     ((sum + edge(down, up)) * zero.lit(0.5 / PI)).abs().min(zero.one())
 }
 
+/// Cuts away what a convex polygon has below the plane z = 0; there must be room for twice its corners. Where nothing
+/// of it is above, its corners come together in one point. Returns how many corners it has now.
+#[inline(always)]
+pub(super) fn above_horizon<R: Real>(corners: &mut [Vec3<R>], count: usize) -> usize {
+    let zero = corners[0].z.zero();
+    // What is kept of an edge: where it begins and ends, and whether anything is.
+    let kept = |a: Vec3<R>, b: Vec3<R>| {
+        let span = a.z - b.z;
+        let t = a.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
+        let crossing = a + (b - a) * t;
+        let (above_a, above_b) = (zero.lt(a.z), zero.lt(b.z));
+        (choose(above_a, a, crossing), choose(above_b, b, crossing), above_a | above_b)
+    };
+    // Edges that are wholly below stand where the outline was left before; for the first that is the last.
+    let mut at = Vec3::new(zero, zero, zero);
+    for i in 0..count {
+        let (_, end, any) = kept(corners[i], corners[(i + 1) % count]);
+        at = choose(any, end, at);
+    }
+    let first = corners[0];
+    let mut edges = [Vec3::new(zero, zero, zero); 32];
+    for i in 0..count {
+        let next = if i + 1 == count { first } else { corners[i + 1] };
+        let (start, end, any) = kept(corners[i], next);
+        edges[2 * i] = choose(any, start, at);
+        edges[2 * i + 1] = choose(any, end, at);
+        at = edges[2 * i + 1];
+    }
+    corners[..2 * count].copy_from_slice(&edges[..2 * count]);
+    2 * count
+}
+
 /// An edge's part: its angle seen from the origin times the z component of the normal of its plane.
 #[inline(always)]
 fn edge<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
@@ -94,6 +126,21 @@ mod tests {
         assert!((form_factor(&wall(-3.0)) - whole).abs() < 1e-12);
         let below = [Vec3::new(1.0, -1.0, -2.0), Vec3::new(1.0, 1.0, -2.0), Vec3::new(1.0, 0.0, -1.0)];
         assert_eq!(form_factor::<f64>(&below), 0.0);
+    }
+
+    #[test]
+    fn cutting_at_the_horizon_changes_no_form_factor_and_leaves_nothing_below() {
+        let low = [(1.0, -1.0, -1.0), (2.0, 1.0, 0.5), (1.0, 1.5, 2.0), (0.5, -1.0, 1.0)];
+        let corners = low.map(|(x, y, z)| Vec3::new(x, y, z));
+        let mut cut = [Vec3::new(0.0, 0.0, 0.0); 8];
+        cut[..4].copy_from_slice(&corners);
+        let count = above_horizon(&mut cut, 4);
+        assert!(cut[..count].iter().all(|corner| corner.z >= -1e-12));
+        assert!((form_factor(&cut[..count]) - form_factor(&corners)).abs() < 1e-12);
+        let mut below = corners.map(|v| Vec3::new(v.x, v.y, v.z - 5.0)).to_vec();
+        below.resize(8, below[0]);
+        let count = above_horizon(&mut below, 4);
+        assert_eq!(form_factor(&below[..count]), 0.0);
     }
 
     #[test]

@@ -24,7 +24,8 @@ pub(super) fn free<R: Real>(
         // Rays start on the side of the light, for surfaces that light passes too.
         let side = if cosine < 0.0 { -1.0 } else { 1.0 };
         let from = [p[0] + eye[0], p[1] + eye[1], p[2] + eye[2]];
-        let is_free = occluders.is_free(from, n.map(|c| c * side), w, distance[lane]);
+        let from_eye = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+        let is_free = occluders.is_free((from, from_eye), n.map(|c| c * side), w, distance[lane]);
         values[lane] = if is_free { 1.0 } else { 0.0 };
     }
     wi.x.with_array(&values)

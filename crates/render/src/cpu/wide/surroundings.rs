@@ -21,7 +21,7 @@ pub(super) fn add<R: Real>(
     let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
     let material = sum.material;
     for (k, (lobe, field)) in material.lobes.iter().zip(&material.fields).enumerate() {
-        if is_transmitting(lobe) && material.through.is_some() {
+        if is_transmitting(lobe) && lobe.part == Part::Specular && material.through.is_some() {
             // They are seen through the surface already.
             continue;
         }
