@@ -224,8 +224,7 @@ fn the_table_is_within_a_hundredth_of_the_truth_on_every_example() {
         let small = ["--size", "40x30", "--samples", "1", "--format", "json"];
         let json = folder.glanz(&[&words[..], &small[..]].concat()).json();
         let max = json["delta_e_00"]["spectral"]["max"].as_f64().unwrap();
-        // Light through coloured panes is known by its channels alone, where nothing is behind it but more panes and
-        // surfaces: the product of two spectra is then that of their channels.
+        // What is seen through coloured panes is multiplied channel by channel, which products of spectra are not.
         let through = ["glass.toml", "soap.toml"].iter().any(|name| scene.ends_with(name));
         let allowed = if through { THROUGH_COLOURS } else { 0.01 };
         assert!(max <= allowed, "{scene}: ΔE00 up to {max}");
