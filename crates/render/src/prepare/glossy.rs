@@ -177,10 +177,10 @@ fn mean(ring: &Ring, profile: &Profile, middle: DVec3) -> [f64; 3] {
     let center = EnvironmentColumn::of(middle, width);
     let (inner, outer) = (libm::cos(ring.from), libm::cos(ring.to));
     let (mut sum, mut weight) = ([0.0; 3], 0.0);
-    for row in first..=last {
+    for (row, directions) in directions.iter().enumerate().take(last + 1).skip(first) {
         let solid = sky.solid_angle(row);
         for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, ring.to) {
-            let cosine = directions[row][column].as_dvec3().dot(middle);
+            let cosine = directions[column].as_dvec3().dot(middle);
             if cosine > inner || cosine <= outer {
                 continue;
             }

@@ -181,13 +181,16 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
     Ok(prepared)
 }
 
+/// Materials, and what each of the three spectra of surroundings gives in the channels.
+type Filled = (Vec<PreparedMaterial>, Option<[[f32; 3]; 3]>);
+
 /// Every material with its rows of the tint table, and the channels of surroundings that are seen directly.
 fn fill(
     scene: &Scene,
     options: &PrepareOptions,
     lights: &[PreparedLight],
     before: &[PreparedMaterial],
-) -> Result<(Vec<PreparedMaterial>, Option<[[f32; 3]; 3]>), PrepareError> {
+) -> Result<Filled, PrepareError> {
     if let Some(model) = &options.model {
         glanz_bsdf::models::info_named(model)?;
     }

@@ -82,7 +82,7 @@ fn compare(form: AreaShape, slack: f64) {
         table += &format!("{name}: {:.4} at {}\n", worst.0, worst.1);
         assert!(worst.0 < allowed(name) + slack, "{form:?}, {name}: {} at {}", worst.0, worst.1);
     }
-    println!("{form:?}\n{table}");
+    eprintln!("{form:?}\n{table}");
 }
 
 #[test]
