@@ -63,7 +63,7 @@ impl<'a> Backdrop<'a> {
     pub fn block<S: Simd>(&self, simd: S, grid: &Grid, at: usize) -> ([Lanes<S>; 3], Lanes<S>) {
         let (color, alpha) = self.fixed;
         let splat = |value: f32| Lanes::splat(simd, value);
-        let Some(seen) = &self.surroundings else { return (color.map(splat), splat(alpha)) };
+        let Some(seen) = &self.surroundings else { return (three(color, splat), splat(alpha)) };
         let [px, py] = block::coordinates(simd, grid, at, [0.5, 0.5]);
         (seen.colors(px, py), splat(alpha))
     }

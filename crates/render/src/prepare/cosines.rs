@@ -66,10 +66,15 @@ impl Cosines {
                 array[lane] = a[i] + (b[i] - a[i]) * t;
             }
         }
-        values.map(
-            #[inline(always)]
-            |array| cos_o.with_array(&array),
-        )
+        // Not `map`, which would be a call below a SIMD dispatch.
+        let [a, b, c, d, e] = &values;
+        [
+            cos_o.with_array(a),
+            cos_o.with_array(b),
+            cos_o.with_array(c),
+            cos_o.with_array(d),
+            cos_o.with_array(e),
+        ]
     }
 }
 

@@ -69,10 +69,8 @@ impl Irradiance {
             }
         }
         // A short series rings below zero where one side is very bright.
-        sum.map(
-            #[inline(always)]
-            |c| c.max(zero),
-        )
+        let [r, g, b] = sum;
+        [r.max(zero), g.max(zero), b.max(zero)]
     }
 }
 

@@ -86,10 +86,9 @@ impl Sky {
             let value = self.between(columns[lane], rows[lane]);
             values.iter_mut().zip(value).for_each(|(array, value)| array[lane] = value);
         }
-        values.map(
-            #[inline(always)]
-            |array| like.with_array(&array),
-        )
+        // Not `map`, which would be a call below a SIMD dispatch.
+        let [r, g, b] = &values;
+        [like.with_array(r), like.with_array(g), like.with_array(b)]
     }
 
     /// The value at a place in pixels, 0 being the centre of the first. Around it continues, up and down it is

@@ -2,7 +2,7 @@
 //!
 //! **Formula** f_cos = cosθi/π · max(0, L1 + ρ L2), with α the greater and β the lesser of both angles,
 //! L1 = C1 + C2 cosφ tanβ + (1 − |cosφ|) C3 tan((α+β)/2), L2 = 0.17 σ²/(σ²+0.13) (1 − cosφ (2β/π)²),
-//! C1 = 1 − 0.5 σ²/(σ²+0.33), C2 = 0.45 σ²/(σ²+0.09) (sinα − [cosφ < 0] (2β/π)³),
+//! C1 = 1 − 0.5 σ²/(σ²+0.33), C2 = 0.45 σ²/(σ²+0.09) (sinα − (where cosφ < 0) (2β/π)³),
 //! C3 = 0.125 σ²/(σ²+0.09) (4αβ/π²)².
 //! **Parameters** `sigma_deg`: σ, the standard deviation of the slope angle of the walls, degrees, 0 … 90,
 //! default 20; `rho`: ρ, the reflectance of the walls for light that meets two of them, 0 … 1, default 1. The

@@ -6,6 +6,7 @@ use glanz_math::{Frame, PI, Real, Vec3};
 use glanz_scene::AreaShape;
 
 use super::super::lights::{EyeArea, EyeLights, splat};
+use super::super::{inlined, three};
 use super::polygon::{above_horizon, form_factor};
 use super::{Sum, apart, is_transmitting, shadow, shape_value, veiled};
 use crate::prepare::{Cosines, DirectLobe, is_cosine};
@@ -84,10 +85,14 @@ pub(super) fn add<R: Real>(sum: &mut Sum<R>, lights: &EyeLights, area: &EyeArea,
                 || by_points(sum, area, lobe),
             ),
             map => {
-                let local = |v: Vec3<R>| {
-                    let v = frame.to_local(v);
-                    if is_transmitting(lobe) { Vec3::new(v.x, v.y, -v.z) } else { v }
-                };
+                let below = is_transmitting(lobe);
+                let local = inlined(
+                    #[inline(always)]
+                    |v: &Vec3<R>| {
+                        let v = frame.to_local(*v);
+                        if below { Vec3::new(v.x, v.y, -v.z) } else { v }
+                    },
+                );
                 seen_through(&outline, map.as_deref(), sum.cos_o, local)
                     * field.albedo.at(sum.cos_o).max(zero)
             }
@@ -102,26 +107,32 @@ fn seen_through<R: Real>(
     outline: &Outline<R>,
     map: Option<&Cosines>,
     cos_o: R,
-    local: impl Fn(Vec3<R>) -> Vec3<R>,
+    local: impl Fn(&Vec3<R>) -> Vec3<R>,
 ) -> R {
     let inverse = map.map(|map| map.at(cos_o));
-    let mapped = |v: Vec3<R>| match inverse {
-        Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
-        None => v,
-    };
+    let mapped = inlined(
+        #[inline(always)]
+        |v: &Vec3<R>| match inverse {
+            Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+            None => *v,
+        },
+    );
     let zero = cos_o.zero();
     let mut corners = [Vec3::new(zero, zero, zero); 2 * ROUND];
     let mut count = outline.count;
     for (local_corner, corner) in corners.iter_mut().zip(&outline.corners[..count]) {
-        *local_corner = local(*corner);
+        *local_corner = local(corner);
     }
-    let whole = corners[..count].iter().fold(zero.one(), |low, corner| low.min(corner.z));
-    if R::any(whole.lt(zero)) {
+    let mut lowest = zero.one();
+    for corner in &corners[..count] {
+        lowest = lowest.min(corner.z);
+    }
+    if R::any(lowest.lt(zero)) {
         // What is below the surface's own horizon must not come up by the map.
         count = above_horizon(&mut corners, count);
     }
     for corner in &mut corners[..count] {
-        *corner = mapped(*corner);
+        *corner = mapped(corner);
     }
     let polygon = apart(
         cos_o,
@@ -131,9 +142,9 @@ fn seen_through<R: Real>(
     if !R::any(outline.small) {
         return polygon;
     }
-    let middle = local(outline.middle);
+    let middle = local(&outline.middle);
     let (w, determinant) = match inverse {
-        Some([a, b, c, d, e]) => (mapped(middle), (c * (a * e - b * d)).abs()),
+        Some([a, b, c, d, e]) => (mapped(&middle), (c * (a * e - b * d)).abs()),
         None => (middle, zero.one()),
     };
     let squared = w.dot(w).max(zero.lit(1e-30));
@@ -224,7 +235,11 @@ fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
 #[inline(always)]
 fn disk<R: Real>(area: &EyeArea, center: Vec3<R>) -> ([Vec3<R>; 3], [R; 3]) {
     let zero = center.x.zero();
-    let own = [0, 1, 2].map(|i: usize| splat(zero, &area.axes[i]));
+    let own = three(
+        area.axes,
+        #[inline(always)]
+        |axis| splat(zero, &axis),
+    );
     match area.form {
         AreaShape::Rectangle { width, height } => {
             (own, [zero.lit(0.5 * width), zero.lit(0.5 * height), zero.lit(width * height)])

@@ -30,19 +30,22 @@ pub(super) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
     ((sum + edge(down, up)) * zero.lit(0.5 / PI)).abs().min(zero.one())
 }
 
+/// What of an edge is above the plane z = 0: where it begins and ends, and whether anything is.
+#[inline(always)]
+fn kept<R: Real>(a: Vec3<R>, b: Vec3<R>) -> (Vec3<R>, Vec3<R>, R::Mask) {
+    let zero = a.z.zero();
+    let span = a.z - b.z;
+    let t = a.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
+    let crossing = a + (b - a) * t;
+    let (above_a, above_b) = (zero.lt(a.z), zero.lt(b.z));
+    (choose(above_a, a, crossing), choose(above_b, b, crossing), above_a | above_b)
+}
+
 /// Cuts away what a convex polygon has below the plane z = 0; there must be room for twice its corners. Where nothing
 /// of it is above, its corners come together in one point. Returns how many corners it has now.
 #[inline(always)]
 pub(super) fn above_horizon<R: Real>(corners: &mut [Vec3<R>], count: usize) -> usize {
     let zero = corners[0].z.zero();
-    // What is kept of an edge: where it begins and ends, and whether anything is.
-    let kept = |a: Vec3<R>, b: Vec3<R>| {
-        let span = a.z - b.z;
-        let t = a.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
-        let crossing = a + (b - a) * t;
-        let (above_a, above_b) = (zero.lt(a.z), zero.lt(b.z));
-        (choose(above_a, a, crossing), choose(above_b, b, crossing), above_a | above_b)
-    };
     // Edges that are wholly below stand where the outline was left before; for the first that is the last.
     let mut at = Vec3::new(zero, zero, zero);
     for i in 0..count {

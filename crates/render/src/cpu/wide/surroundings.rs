@@ -64,10 +64,8 @@ fn seen<R: Real>(
         true if below => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
         true => sum.point.wo.reflected(normal),
         false => {
-            let [sine, cosine] = field.middle.each_ref().map(
-                #[inline(always)]
-                |series| series.at(sum.cos_o),
-            );
+            let [sine, cosine] = &field.middle;
+            let (sine, cosine) = (sine.at(sum.cos_o), cosine.at(sum.cos_o));
             let up = if below { -cosine } else { cosine };
             let middle = (normal * sum.cos_o - sum.point.wo) * sine + normal * up;
             middle * middle.dot(middle).max(one.lit(1e-12)).rsqrt()
