@@ -73,7 +73,7 @@ pub(crate) struct FrameView<'a> {
 impl<'a> FrameView<'a> {
     pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
         let eye = Eye::new(prepared, view);
-        let lights = EyeLights::new(prepared, &eye);
+        let lights = EyeLights::new(prepared, &eye, options);
         let materials = shown_materials(prepared, options.show);
         let objects: Vec<_> = prepared
             .objects

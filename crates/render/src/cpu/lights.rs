@@ -5,19 +5,33 @@ use glanz_math::{Real, Vec3};
 use glanz_scene::{AreaShape, Space};
 
 use super::eye::Eye;
-use crate::Prepared;
 use crate::prepare::{
     Falloff, LightShape, Occluders, PreparedLight, PreparedLuminaire, Shares, Surroundings,
 };
+use crate::{DrawOptions, Prepared};
 
 /// The lights of a frame.
 pub(crate) struct EyeLights<'a> {
     pub list: Vec<EyeLight<'a>>,
     /// Whether the pixel loop of the classic models knows them all.
     pub classic: bool,
-    /// What casts shadows, and where the eye is among it.
-    pub occluders: Option<(&'a Occluders, [f32; 3])>,
+    /// What casts shadows.
+    pub occluders: Option<EyeOccluders<'a>>,
 }
+
+/// What casts shadows, as seen from the eye.
+#[derive(Clone, Copy)]
+pub(crate) struct EyeOccluders<'a> {
+    pub occluders: &'a Occluders,
+    /// Where the eye is among it.
+    pub eye: [f32; 3],
+    /// How far a pixel may be off the surface, in m, and what a metre of distance adds to it: at an edge a pixel of
+    /// several samples is shaded at its centre, where its triangle may have ended.
+    pub pixel: [f32; 2],
+}
+
+/// From the centre of a pixel to its corner, in pixels, and a little more.
+const HALF_DIAGONAL: f32 = 0.75;
 
 /// How a light falls off, in single precision.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +91,7 @@ pub(crate) enum EyeLight<'a> {
 }
 
 impl<'a> EyeLights<'a> {
-    pub fn new(prepared: &'a Prepared, eye: &Eye) -> Self {
+    pub fn new(prepared: &'a Prepared, eye: &Eye, options: &DrawOptions) -> Self {
         let mut number = 0;
         let list: Vec<_> = prepared
             .lights
@@ -89,7 +103,14 @@ impl<'a> EyeLights<'a> {
             })
             .collect();
         let occluders = prepared.occluders.as_deref();
-        let occluders = occluders.map(|o| (o, (eye.position - o.center()).as_vec3().to_array()));
+        // Where each sample is shaded by itself, or is the centre, it is on its own triangle.
+        let beside = options.samples > 1 && !options.supersample;
+        let scale = if beside { eye.inverse_scale * HALF_DIAGONAL } else { 0.0 };
+        let occluders = occluders.map(|occluders| EyeOccluders {
+            occluders,
+            eye: (eye.position - occluders.center()).as_vec3().to_array(),
+            pixel: if eye.perspective { [0.0, scale] } else { [scale, 0.0] },
+        });
         let simple = |light: &PreparedLight| light.shape.is_classic() && light.luminaire.is_none();
         Self { list, classic: occluders.is_none() && prepared.lights.iter().all(simple), occluders }
     }

@@ -10,9 +10,8 @@ use obvhs::ray::Ray;
 use super::{Prepared, PreparedObject};
 
 /// How far from a surface a ray starts, so that it does not meet that surface: some tens of times the rounding of
-/// positions in `f32`, among the occluders in sizes of the scene, and seen from the eye in parts of the distance.
+/// positions in `f32` among the occluders, in sizes of the scene.
 const OFFSET: f32 = 3e-6;
-const OFFSET_FROM_EYE: f32 = 3e-5;
 
 /// How much larger than its triangle a box is, in sizes of the scene: more than rounding loses.
 const MARGIN: f32 = 1e-6;
@@ -76,17 +75,17 @@ impl Occluders {
         self.center
     }
 
-    /// Whether nothing is between a point of a surface, so far from the eye and with this normal (towards the light's
-    /// side), and a light in this unit direction, at this distance.
+    /// Whether nothing is between a point of a surface, off it by so much at most and with this normal (towards the
+    /// light's side), and a light in this unit direction, at this distance.
     pub fn is_free(
         &self,
-        (point, from_eye): ([f32; 3], f32),
+        (point, off): ([f32; 3], f32),
         normal: [f32; 3],
         towards: [f32; 3],
         distance: f32,
     ) -> bool {
         let Some(tree) = &self.tree else { return true };
-        let offset = self.size * OFFSET + from_eye * OFFSET_FROM_EYE;
+        let offset = self.size * OFFSET + off;
         let origin = Vec3A::from_array(point) + Vec3A::from_array(normal) * offset;
         let direction = Vec3A::from_array(towards);
         let is_number = origin.is_finite() && direction.is_finite() && direction.length_squared() > 0.5;

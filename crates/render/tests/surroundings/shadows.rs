@@ -66,6 +66,22 @@ fn a_sphere_does_not_shadow_its_own_lit_side() {
 }
 
 #[test]
+fn flat_things_do_not_shadow_themselves_along_their_seams() {
+    let mut scene = empty(common::camera(5.0, 20.0));
+    let matte = Material::of_lobes("matte", vec![Lobe::new(shape("lambert", &[]), Rgb::WHITE)]);
+    let turned = DMat4::from_axis_angle(DVec3::new(1.0, 1.0, 0.3).normalize(), 0.6);
+    add(&mut scene, rectangle([-1.0, -1.0, 1.0, 1.0], 0.0), matte, turned);
+    scene.lights.push(white(LightKind::Directional { direction: DVec3::new(0.3, -0.2, -1.0) }));
+    for samples in [1, 2, 4, 16] {
+        let plain = picture(&scene, 80, 60, &common::sampled(samples));
+        scene.render.shadows = true;
+        let shadowed = picture(&scene, 80, 60, &common::sampled(samples));
+        scene.render.shadows = false;
+        assert_eq!(plain.rgb[0], shadowed.rgb[0], "{samples} samples");
+    }
+}
+
+#[test]
 fn a_luminaire_sends_what_its_profile_says() {
     let profile = Arc::new(Profile {
         c_deg: vec![0.0],

@@ -113,7 +113,18 @@ pub(super) fn through(value: &At<ColorValue>, builder: &mut Builder) -> Result<T
             return Err(Problem::at(&value.span, "what is seen through a surface cannot glow")
                 .help("give a colour, a reflectance, an 'ior' or a 'film_nm'"));
         }
-        tint => Through::Share(tint),
+        tint => {
+            let most = match &tint {
+                Tint::Rgb(rgb) => rgb.0.iter().fold(0.0, |most: f64, c| most.max(f64::from(*c))),
+                Tint::Spectrum(spectrum) => spectrum.max(),
+                _ => 0.0,
+            };
+            if most > 1.0 {
+                let message = format!("expected a share of the light from behind, 0 to 1, found {most}");
+                return Err(Problem::at(&value.span, message));
+            }
+            Through::Share(tint)
+        }
     })
 }
 

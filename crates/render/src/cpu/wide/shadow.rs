@@ -2,13 +2,17 @@
 
 use glanz_math::{Real, Vec3};
 
+use super::super::lights::EyeOccluders;
 use super::super::reflect::Point;
-use crate::prepare::Occluders;
 
-/// 1 where nothing stands between the point and the light, else 0. `eye` is where the eye is among the occluders.
+/// How far the rounding of positions in `f32` may put a point off its surface, in parts of its distance from the eye:
+/// some tens of units of the last place.
+const ROUNDING: f32 = 3e-5;
+
+/// 1 where nothing stands between the point and the light, else 0.
 #[inline(always)]
 pub(super) fn free<R: Real>(
-    (occluders, eye): (&Occluders, [f32; 3]),
+    EyeOccluders { occluders, eye, pixel }: EyeOccluders,
     point: &Point<R>,
     wi: Vec3<R>,
     distance: Option<R>,
@@ -25,7 +29,8 @@ pub(super) fn free<R: Real>(
         let side = if cosine < 0.0 { -1.0 } else { 1.0 };
         let from = [p[0] + eye[0], p[1] + eye[1], p[2] + eye[2]];
         let from_eye = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-        let is_free = occluders.is_free((from, from_eye), n.map(|c| c * side), w, distance[lane]);
+        let off = from_eye * ROUNDING + pixel[0] + pixel[1] * from_eye;
+        let is_free = occluders.is_free((from, off), n.map(|c| c * side), w, distance[lane]);
         values[lane] = if is_free { 1.0 } else { 0.0 };
     }
     wi.x.with_array(&values)
