@@ -55,7 +55,7 @@ impl Sheet {
                 layout.width,
                 layout.height
             );
-            return Err(Report::new(message).help("draw smaller pictures with --cell, or fewer").into());
+            return Err(Report::new(message).help("draw smaller pictures, or fewer").into());
         }
         let mut canvas = Canvas::new(layout.width, layout.height, PAPER);
         let lettering = layout.lettering;
