@@ -62,10 +62,13 @@ impl<'a> Backdrop<'a> {
     #[inline(always)]
     pub fn block<S: Simd>(&self, simd: S, grid: &Grid, at: usize) -> ([Lanes<S>; 3], Lanes<S>) {
         let (color, alpha) = self.fixed;
-        let splat = |value: f32| Lanes::splat(simd, value);
-        let Some(seen) = &self.surroundings else { return (three(color, splat), splat(alpha)) };
+        let alpha = Lanes::splat(simd, alpha);
+        let Some(seen) = &self.surroundings else {
+            let [r, g, b] = color;
+            return ([Lanes::splat(simd, r), Lanes::splat(simd, g), Lanes::splat(simd, b)], alpha);
+        };
         let [px, py] = block::coordinates(simd, grid, at, [0.5, 0.5]);
-        (seen.colors(px, py), splat(alpha))
+        (seen.colors(px, py), alpha)
     }
 
     /// Colour and coverage of a block with the background where nothing covers it.
