@@ -46,7 +46,10 @@ pub(super) fn lobes(matter: &Matter) -> Vec<Lobe> {
         let gloss = shape("ggx", &[("alpha", alpha), ("multiscatter", 0.0)]);
         layers.push(Lobe::new(gloss, Rgb::WHITE).under(veil(matter.coat * COAT_F0, matter.coat)));
     }
-    let ambient = matter.base.map(|channel| channel * (1.0 - matter.open()));
+    // Metal has no matte part that ambient light could meet. The ambient term does not read the texture of metal, so it
+    // takes its mean.
+    let matte = 1.0 - matter.metallic * matter.mean_metal;
+    let ambient = matter.base.map(|channel| channel * (1.0 - matter.open()) * matte);
     let mut all = vec![Lobe::new(shape("ambient", &[]), rgb(ambient)).textured()];
     all.extend(layers);
     all.push(Lobe::new(shape("emission", &[]), rgb(matter.emission)));

@@ -37,8 +37,8 @@
 //! - Textures of the extensions and occlusion textures are ignored.
 //!
 //! All of these but the first are noted where they matter. Ambient light, which glTF does not have, finds the
-//! base colour, of metals too, less what passes through. An unlit material is emission alone. Factors above 1
-//! count as 1; negative ones are refused.
+//! base colour less what passes through, of metals nothing; a texture of metal counts by its mean. An unlit
+//! material is emission alone. Factors above 1 count as 1; negative ones are refused.
 //!
 //! # Lights
 //! A light of intensity I (candela, or lux where directional) on a white Lambert surface facing it
