@@ -150,3 +150,36 @@ fn a_mirror_shows_the_light_where_it_is() {
         }
     }
 }
+
+#[test]
+fn small_and_far_lights_give_what_their_solid_angle_says() {
+    let lambert = shape("lambert", &[]);
+    for (radius, distance) in [(1e-1, 10.0), (1e-2, 10.0), (1e-4, 10.0), (1e-6, 10.0), (7e8, 1.5e11)] {
+        for sphere in [false, true] {
+            let form = if sphere { AreaShape::Sphere { radius } } else { AreaShape::Disk { radius } };
+            let mut scene = surface(&lambert, 0.0);
+            scene.lights.push(white(area(form, DVec3::new(0.6, 0.0, 0.8) * distance)));
+            let expected = radius * radius / (distance * distance) * 0.8;
+            let got = value(&scene);
+            assert!((got / expected - 1.0).abs() < 2e-3, "{form:?} at {distance} m: {got} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn light_from_behind_does_not_come_round_in_glossy_lobes() {
+    let form = AreaShape::Rectangle { width: 1.0, height: 1.0 };
+    for (name, lobe) in lobes().into_iter().filter(|(name, _)| *name != "lambert-transmission") {
+        let mut scene = surface(&lobe, 80.0);
+        // Upright, so that its edge is well below the horizon.
+        let kind = LightKind::Area {
+            shape: form,
+            position: DVec3::new(-1.2, 0.0, -0.6),
+            direction: DVec3::X,
+            up: DVec3::Y,
+            two_sided: true,
+        };
+        scene.lights.push(white(kind));
+        assert_eq!(value(&scene), 0.0, "{name}");
+    }
+}

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use common::{glow, pixel_camera, sampled};
 use glanz_bsdf::terms::fresnel_slab;
 use glanz_color::{Ior, Spectrum, rgb_spectra};
-use glanz_render::Frame;
-use glanz_scene::{Pane, Through};
+use glanz_render::{DrawOptions, Frame};
+use glanz_scene::{Background, Pane, Through};
 
 use super::*;
 
@@ -99,5 +99,26 @@ fn behind_glass_nothing_but_the_background_is_covered_partly() {
             "as opaque as its clearest channel: {}",
             frame.alpha[5]
         );
+    }
+}
+
+#[test]
+fn over_an_opaque_background_coloured_panes_leave_no_hole() {
+    let foil = |rgb: [f32; 3]| {
+        let through = Some(Through::Share(Rgb(rgb).into()));
+        Material { through, ..Material::of_lobes("foil", Vec::new()) }
+    };
+    let mut scene = empty(pixel_camera(8, 8));
+    // The greatest channel is another behind each: coverage must not be counted channel by channel.
+    for (z, rgb) in [(0.0, [0.9, 0.5, 0.5]), (1.0, [0.5, 0.5, 0.9])] {
+        add(&mut scene, rectangle([0.3, 0.3, 7.7, 6.4], z), foil(rgb), DMat4::IDENTITY);
+    }
+    for samples in [1, 4, 16] {
+        let options = DrawOptions { samples, ..DrawOptions::new(Background::Color(Rgb([0.4, 0.6, 0.8]))) };
+        let frame = picture(&scene, 8, 8, &options);
+        assert!(frame.alpha.iter().all(|alpha| (alpha - 1.0).abs() < 1e-6), "{samples}: {:?}", frame.alpha);
+        for (got, expected) in middle(&frame).iter().zip([0.4 * 0.45, 0.6 * 0.25, 0.8 * 0.45]) {
+            assert!((got - expected).abs() < 1e-6, "{samples}: {got} for {expected}");
+        }
     }
 }
