@@ -6,16 +6,20 @@
 mod common;
 
 use common::{ALL_LAYERS, add, ambient_only, camera, empty, light, rectangle, render_as, shiny, sphere};
-use glam::{DMat4, DVec3, Vec4};
-use glanz_color::Rgb;
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DVec3, Vec4};
+use glanz_bsdf::Shape;
+use glanz_color::{Ior, Rgb, Spectrum};
 use glanz_math::simd_level;
 use glanz_render::{
     Develop, DrawOptions, Frame, PrepareOptions, Prepared, Show, ToneMap, View, develop, draw, draw_rgba8,
     prepare,
 };
 use glanz_scene::{
-    AlphaMode, Attenuation, Background, Builtin, Interpolation, LightKind, Mesh, Scene, Shading, Texture,
-    TextureFilter, TextureUse,
+    AlphaMode, AreaShape, Attenuation, Background, Builtin, Coat, EnvironmentMap, Interpolation, LightKind,
+    Lobe, Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse,
+    Through, Tint,
 };
 
 const WIDTH: u32 = 150;
@@ -51,6 +55,89 @@ fn scene(shading: Shading, interpolation: Interpolation) -> Scene {
     glass.alpha_mode = AlphaMode::Blend;
     add(&mut scene, colored(sphere(12, 9)), glass, DMat4::from_translation(DVec3::new(0.3, -0.2, 0.7)));
     scene
+}
+
+/// A scene of what the classic models do not have: grain, coats, panes and what shines through, under surroundings,
+/// surfaces that shine, a luminaire, and with shadows.
+fn matter(shading: Shading) -> Scene {
+    let mut scene = empty(camera(3.0, 50.0));
+    scene.render.shading = shading;
+    scene.render.shadows = true;
+    let shape = |name, set: &[_]| Shape::named(name, set).unwrap();
+    let gold = || Tint::Ior(Arc::new(glanz_color::ior("Au").unwrap()));
+    let lambert = || Lobe::new(shape("lambert", &[]), Rgb([0.5, 0.2, 0.1]));
+    let ward = shape("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
+    let grain =
+        Material { aniso: 0.7, ..Material::of_lobes("grain", vec![Lobe::new(ward, gold()), lambert()]) };
+    let coated =
+        Material::of_lobes("coated", vec![lambert(), Lobe::new(shape("ggx", &[("alpha", 0.3)]), gold())])
+            .under_coat(&Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() })
+            .unwrap();
+    let leaf = Material::of_lobes(
+        "leaf",
+        vec![
+            lambert(),
+            Lobe::new(shape("lambert-transmission", &[]), Rgb([0.1, 0.5, 0.2])),
+            Lobe::new(shape("ggx-transmission", &[("alpha", 0.3), ("eta", 1.4)]), Rgb::gray(0.3)),
+        ],
+    );
+    let pane = Pane {
+        ior: Ior::constant(1.5),
+        thickness: 0.003,
+        absorption: glanz_color::rgb_spectra::spectrum_of_reflectance(Rgb([0.1, 0.6, 0.9])) * 200.0,
+    };
+    let mut window = Material::of_lobes(
+        "window",
+        vec![Lobe::new(shape("mirror", &[]), Tint::Pane(Arc::new(pane.clone())))],
+    );
+    window.through = Some(Through::Pane(Arc::new(pane)));
+    let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
+    add(&mut scene, sphere(24, 12), grain, at(-0.9, 0.1, 0.0));
+    add(&mut scene, sphere(24, 12), coated, at(0.9, 0.0, -0.4));
+    add(&mut scene, rectangle([-0.5, -0.2, 0.4, 0.6], 0.8), leaf, DMat4::IDENTITY);
+    add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window, DMat4::IDENTITY);
+    let ground =
+        Material::of_lobes("ground", vec![lambert(), Lobe::new(shape("oren-nayar", &[]), Rgb::gray(0.3))]);
+    add(
+        &mut scene,
+        common::builtin(Builtin::Plane),
+        ground,
+        at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0)),
+    );
+    add_fields(&mut scene);
+    scene
+}
+
+fn add_fields(scene: &mut Scene) {
+    let (width, height) = (32, 16);
+    let pixel =
+        |i: usize| [(i % 7) as f32 * 0.1, (i % 32) as f32 * 0.02, if i % 50 == 0 { 4.0 } else { 0.2 }];
+    let pixels = (0..width * height).map(pixel).collect();
+    let map = Some(Arc::new(EnvironmentMap { width, height, pixels }));
+    let area = |form, position: DVec3| LightKind::Area {
+        shape: form,
+        position,
+        direction: -position,
+        up: DVec3::Y,
+        two_sided: false,
+    };
+    let kinds = [
+        LightKind::Environment { map, rotation: DMat3::from_rotation_y(0.4) },
+        area(AreaShape::Rectangle { width: 1.0, height: 0.4 }, DVec3::new(-1.0, 2.0, 1.5)),
+        area(AreaShape::Sphere { radius: 0.3 }, DVec3::new(2.0, 1.0, 1.0)),
+        LightKind::Directional { direction: DVec3::new(0.2, -0.6, 1.0) },
+    ];
+    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.8, 0.9, 0.7]))));
+    let position = DVec3::new(0.0, 2.0, 2.0);
+    let mut lamp = light(LightKind::Point { position, attenuation: Attenuation::PHYSICAL }, Rgb::WHITE);
+    let profile = Arc::new(Profile {
+        c_deg: vec![0.0],
+        gamma_deg: vec![0.0, 40.0, 90.0, 180.0],
+        candela: vec![1.0, 3.0, 0.5, 0.0],
+    });
+    let axis = Luminaire::AXIS;
+    lamp.luminaire = Some(Luminaire { profile, axis, c0: Luminaire::c0_for(axis) });
+    scene.lights.push(lamp);
 }
 
 fn add_lights(scene: &mut Scene) {
@@ -108,6 +195,14 @@ fn variants() -> Vec<(String, Scene, DrawOptions)> {
     }
     for interpolation in [Interpolation::ScreenLinear, Interpolation::Scanline] {
         variants.push((format!("{interpolation:?}"), scene(Shading::Gouraud, interpolation), base));
+    }
+    let surrounded = DrawOptions { background: Background::Environment, ..base };
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        variants.push((format!("matter, {shading:?}"), matter(shading), surrounded));
+    }
+    for (samples, supersample) in [(4, false), (2, true)] {
+        let options = DrawOptions { samples, supersample, ..surrounded };
+        variants.push((format!("matter, {samples} samples"), matter(Shading::Phong), options));
     }
     let scene = scene(Shading::Phong, Interpolation::Perspective);
     let transparent = Background::Transparent;
