@@ -74,6 +74,14 @@ fn the_full_example_means_what_it_says() {
 }
 
 #[test]
+fn a_background_may_be_one_number() {
+    for (text, gray) in [("0.25", 0.25), ("1", 1.0)] {
+        let scene = scene(&format!("[image]\nbackground = {text}\n[[objects]]\nmesh = \"quad\"\n"));
+        assert_eq!(scene.image.background, Background::Color(Rgb::gray(gray)));
+    }
+}
+
+#[test]
 fn the_full_example_has_its_materials_and_objects() {
     let scene = scene(&full());
     let [matte, red] = &scene.materials[..] else { panic!("{:?}", scene.materials) };

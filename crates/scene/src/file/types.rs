@@ -396,7 +396,7 @@ impl<'de> Deserialize<'de> for BackgroundValue {
             type Value = BackgroundValue;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(
-                    "a colour such as [0.0, 0.0, 0.2], \"#rrggbb\", \"transparent\" or \"environment\"",
+                    "a colour such as [0.0, 0.0, 0.2], 0.5, \"#rrggbb\", \"transparent\" or \"environment\"",
                 )
             }
             fn visit_str<E: Error>(self, text: &str) -> Result<BackgroundValue, E> {
@@ -412,6 +412,13 @@ impl<'de> Deserialize<'de> for BackgroundValue {
                         "expected a colour, \"transparent\" or \"environment\", found \"{found}\""
                     ))
                 })
+            }
+            fn visit_f64<E: Error>(self, gray: f64) -> Result<BackgroundValue, E> {
+                let de = serde::de::value::F64Deserializer::new(gray);
+                Color::deserialize(de).map(|c| BackgroundValue(crate::Background::Color(c.0)))
+            }
+            fn visit_i64<E: Error>(self, gray: i64) -> Result<BackgroundValue, E> {
+                self.visit_f64(gray as f64)
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<BackgroundValue, A::Error> {
                 let de = serde::de::value::SeqAccessDeserializer::new(seq);
