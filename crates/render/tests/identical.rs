@@ -110,8 +110,9 @@ fn matter(shading: Shading) -> Scene {
 
 fn add_fields(scene: &mut Scene) {
     let (width, height) = (32, 16);
-    let pixel =
-        |i: usize| [(i % 7) as f32 * 0.1, (i % 32) as f32 * 0.02, if i % 50 == 0 { 4.0 } else { 0.2 }];
+    let pixel = |i: usize| {
+        [(i % 7) as f32 * 0.1, (i % 32) as f32 * 0.02, if i.is_multiple_of(50) { 4.0 } else { 0.2 }]
+    };
     let pixels = (0..width * height).map(pixel).collect();
     let map = Some(Arc::new(EnvironmentMap { width, height, pixels }));
     let area = |form, position: DVec3| LightKind::Area {

@@ -4,9 +4,9 @@
 //! Source: B. Walter, "Notes on the Ward BRDF", technical report PCG-05-06, Cornell 2005: with H = wi + wo
 //! not normalised the exponent is −((Hx/αx)² + (Hy/αy)²) / Hz², so that nothing has to be normalised.
 
-use glanz_math::{PI, Real};
+use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::exp2_or_zero;
+use crate::terms::{Distribution, exp2_or_zero, facets};
 use crate::{Pair, ParamInfo};
 
 #[cfg(test)]
@@ -60,6 +60,21 @@ pub(crate) struct Highlight<R> {
 }
 
 impl Widths {
+    /// The distribution of facets whose slopes are the highlight's Gaussian, which is Beckmann's: the Gaussian over
+    /// π αx αy cos⁴θh.
+    pub(crate) fn distribution(&self, half: Vec3<f64>) -> f64 {
+        let across = if self.alpha_y > 0.0 { self.alpha_y.max(NARROWEST) } else { self.alpha };
+        facets::distribution(Distribution::Beckmann, half, (self.alpha, across))
+    }
+
+    /// What a model of this highlight has in the place of G, so that f_cos = D · G / (4 cosθo). It is none of a
+    /// theory of facets, and may be more than 1.
+    pub(crate) fn in_place_of_g(&self, f_cos: f64, pair: &Pair<f64>) -> f64 {
+        let (wo, wi) = facets::both_above(pair);
+        let d = self.distribution((wo + wi).normalized());
+        if d > 0.0 { 4.0 * pair.cos_o * f_cos / d } else { 0.0 }
+    }
+
     /// From the values of [`ALPHA`] and [`ALPHA_Y`].
     pub(crate) fn from_params(values: &[f64]) -> Self {
         let (alpha, alpha_y) = (values[0], values[1]);

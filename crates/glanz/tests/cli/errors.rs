@@ -71,7 +71,6 @@ fails! {
     a_plot_from_below: ["plot", "phong", "--theta", "30,120", "-o", "a.svg"];
     a_plot_of_too_many_lobes: ["plot", "phong", "--set", "shininess=1:99:99", "-o", "a.svg"];
     a_plot_of_factors_of_a_model_without: ["plot", "phong", "--kind", "terms", "-o", "a.svg"];
-    a_plot_of_fresnel_with_a_model: ["plot", "phong", "--kind", "fresnel", "-o", "a.svg"];
     a_plot_of_an_unknown_medium: ["plot", "--kind", "fresnel", "--ior", "1.5,Ay", "-o", "a.svg"];
     a_plot_of_an_unknown_kind: ["plot", "phong", "--kind", "polr", "-o", "a.svg"];
     a_plot_at_a_wavelength_for_nothing: ["plot", "phong", "--lambda-nm", "500", "-o", "a.svg"];

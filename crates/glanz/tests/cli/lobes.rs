@@ -89,6 +89,16 @@ fn every_kind_of_plot_is_a_picture_in_both_formats() {
 }
 
 #[test]
+fn every_kind_of_plot_is_drawn_of_ward() {
+    let folder = Folder::new();
+    for kind in ["polar", "cartesian", "lobe3d", "albedo", "slice", "fresnel", "terms"] {
+        let file = format!("{kind}.svg");
+        folder.glanz(&["plot", "ward", "--set", "alpha=0.05,0.16", "--kind", kind, "-o", &file]).text();
+        assert!(folder.names().contains(&file), "{kind}");
+    }
+}
+
+#[test]
 fn a_plot_of_fresnel_reflectance_marks_brewsters_angle_of_dielectrics_alone() {
     let folder = Folder::new();
     folder.glanz(&["plot", "--kind", "fresnel", "--ior", "1.5,Au", "--polarised", "-o", "f.svg"]).text();

@@ -14,7 +14,7 @@
 //! than 1e-30 that is used for them.
 //! **Cost** a division, a square root and an exponential.
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::terms::{ALPHA, ALPHA_Y, Widths, above, height_squared};
 use crate::{Law, Model, ModelInfo, Pair, Part, Side};
@@ -59,6 +59,14 @@ impl Model for Ward {
         let lobe = self.widths.highlight_with(pair, both * root);
         let value = pair.cos_i * (both * height) * lobe.gauss * both.lit(0.25 * self.widths.height);
         above(pair, value)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(self.widths.distribution(half))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(self.widths.in_place_of_g(self.f_cos(pair), pair))
     }
 }
 

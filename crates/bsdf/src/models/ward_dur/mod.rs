@@ -11,7 +11,7 @@
 //! than 1e-30 that is used for them.
 //! **Cost** two divisions and an exponential.
 
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::terms::{ALPHA, ALPHA_Y, Widths, above};
 use crate::{Law, Model, ModelInfo, Pair, Part, Side};
@@ -50,6 +50,14 @@ impl Model for WardDur {
         let lobe = self.widths.highlight(pair);
         let value = pair.cos_i / product * lobe.gauss * product.lit(0.25 * self.widths.height);
         above(pair, value)
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(self.widths.distribution(half))
+    }
+
+    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+        Some(self.widths.in_place_of_g(self.f_cos(pair), pair))
     }
 }
 

@@ -197,9 +197,9 @@ impl PlotArgs {
 
     fn fresnel(&self) -> Result<Picture, Failure> {
         if let Some(name) = self.models.first() {
-            let message =
-                format!("--kind fresnel is about media, not about models such as '{name}': use --ior");
-            return Err(Failure::Usage(message));
+            print::note(format!(
+                "--kind fresnel is about media (--ior), whatever the model: '{name}' is not used"
+            ));
         }
         let nm = FactorArgs { lambda_nm: self.lambda_nm, ..FactorArgs::default() }.nm();
         fresnel::fresnel(self.ior.as_deref().unwrap_or("1.5"), nm, self.log, self.polarised)
