@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::house::{House, run, run_quietly};
+use crate::workspace::{Workspace, run, run_quietly};
 use crate::{Failure, Result};
 
 /// What the script needs: packages and their versions.
@@ -14,21 +14,21 @@ const SCRIPT: &str = "xtask/data/tables.py";
 const TABLES: &str = "crates/color/data";
 
 /// Writes all tables anew.
-pub fn renew(house: &House) -> Result<()> {
-    let folder = house.path(TABLES);
-    write(house, &folder)?;
+pub fn renew(workspace: &Workspace) -> Result<()> {
+    let folder = workspace.path(TABLES);
+    write(workspace, &folder)?;
     println!("{} tables are in {TABLES}", tables(&folder)?.len());
     Ok(())
 }
 
 /// Writes all tables into the target folder and compares them with those that are kept.
-pub fn check(house: &House) -> Result<()> {
-    let folder = house.target_folder("data-check")?;
+pub fn check(workspace: &Workspace) -> Result<()> {
+    let folder = workspace.target_folder("data-check")?;
     for name in tables(&folder)?.keys() {
         std::fs::remove_file(folder.join(name)).map_err(Failure::during(name))?;
     }
-    write(house, &folder)?;
-    let (kept, written) = (tables(&house.path(TABLES))?, tables(&folder)?);
+    write(workspace, &folder)?;
+    let (kept, written) = (tables(&workspace.path(TABLES))?, tables(&folder)?);
     let complaints = complaints(&kept, &written);
     match complaints.is_empty() {
         true => {
@@ -39,30 +39,30 @@ pub fn check(house: &House) -> Result<()> {
     }
 }
 
-fn write(house: &House, folder: &Path) -> Result<()> {
-    run_quietly(house.command(python(house)?).arg(SCRIPT).arg(folder)).map(drop)
+fn write(workspace: &Workspace, folder: &Path) -> Result<()> {
+    run_quietly(workspace.command(python(workspace)?).arg(SCRIPT).arg(folder)).map(drop)
 }
 
 /// A Python with all that the script needs.
-fn python(house: &House) -> Result<PathBuf> {
-    python_with(house, "data-python", REQUIREMENTS)
+fn python(workspace: &Workspace) -> Result<PathBuf> {
+    python_with(workspace, "data-python", REQUIREMENTS)
 }
 
 /// A Python in a folder of the target folder, with the packages of a file; made where it is missing or out of
 /// date.
-pub fn python_with(house: &House, folder: &str, requirements: &str) -> Result<PathBuf> {
-    let home = house.target().join(folder);
+pub fn python_with(workspace: &Workspace, folder: &str, requirements: &str) -> Result<PathBuf> {
+    let home = workspace.target().join(folder);
     let (folder, name) = if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
     let python = home.join(folder).join(name);
-    let wanted = house.path(requirements);
+    let wanted = workspace.path(requirements);
     let wanted = std::fs::read(&wanted).map_err(Failure::during(wanted.display()))?;
     let done = home.join("installed.txt");
     if std::fs::read(&done).is_ok_and(|installed| installed == wanted) {
         return Ok(python);
     }
     let system = if cfg!(windows) { "python" } else { "python3" };
-    run(house.command(system).args(["-m", "venv"]).arg(&home))?;
-    run(house.command(&python).args(["-m", "pip", "install", "--quiet", "-r", requirements]))?;
+    run(workspace.command(system).args(["-m", "venv"]).arg(&home))?;
+    run(workspace.command(&python).args(["-m", "pip", "install", "--quiet", "-r", requirements]))?;
     std::fs::write(&done, wanted).map_err(Failure::during(done.display()))?;
     Ok(python)
 }
@@ -126,8 +126,8 @@ mod tests {
 
     #[test]
     fn the_script_and_its_tables_are_where_they_are_looked_for() {
-        let house = House::find();
-        assert!(house.path(SCRIPT).is_file() && house.path(REQUIREMENTS).is_file());
-        assert!(tables(&house.path(TABLES)).is_ok_and(|tables| tables.contains_key("observers.csv")));
+        let workspace = Workspace::find();
+        assert!(workspace.path(SCRIPT).is_file() && workspace.path(REQUIREMENTS).is_file());
+        assert!(tables(&workspace.path(TABLES)).is_ok_and(|tables| tables.contains_key("observers.csv")));
     }
 }

@@ -1,12 +1,12 @@
-//! What a chore says when it cannot be done.
+//! What a task says when it cannot be done.
 
 use std::fmt;
 
-/// One sentence for the person who ran the chore.
+/// One sentence for the person who ran the task.
 #[derive(Debug)]
 pub struct Failure(String);
 
-/// The result of a chore or a part of one.
+/// The result of a task or a part of one.
 pub type Result<T> = std::result::Result<T, Failure>;
 
 impl Failure {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::house::{House, Profile, run_quietly};
+use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
 use crate::{Failure, Result};
 
@@ -11,12 +11,12 @@ const README_PICTURE: (&str, &str, &[&str]) =
     ("docs/picture.png", "examples/teapot.toml", &["--size", "960x540", "--samples", "16"]);
 
 /// Draws every example small and checks that each shows something.
-pub fn try_examples(house: &House) -> Result<()> {
-    let glanz = house.glanz(Profile::Dev)?;
-    let folder = house.target_folder("examples-drawn")?;
-    let scenes = house.examples()?;
+pub fn try_examples(workspace: &Workspace) -> Result<()> {
+    let glanz = workspace.glanz(Profile::Dev)?;
+    let folder = workspace.target_folder("examples-drawn")?;
+    let scenes = workspace.examples()?;
     for scene in &scenes {
-        let path = draw(house, &glanz, scene, &folder, &["--size", "160x120"])?;
+        let path = draw(workspace, &glanz, scene, &folder, &["--size", "160x120"])?;
         if Picture::read(&path)?.is_uniform() {
             return Err(Failure::new(format!("{} shows nothing: all pixels are the same", scene.display())));
         }
@@ -26,16 +26,16 @@ pub fn try_examples(house: &House) -> Result<()> {
 }
 
 /// Draws all examples at their own size into `target/gallery/`, then the README's picture.
-pub fn run(house: &House, only_readme: bool) -> Result<()> {
-    let glanz = house.glanz(Profile::Release)?;
+pub fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
+    let glanz = workspace.glanz(Profile::Release)?;
     if !only_readme {
-        let folder = house.target_folder("gallery")?;
-        for scene in house.examples()? {
-            println!("{}", draw(house, &glanz, &scene, &folder, &[])?.display());
+        let folder = workspace.target_folder("gallery")?;
+        for scene in workspace.examples()? {
+            println!("{}", draw(workspace, &glanz, &scene, &folder, &[])?.display());
         }
     }
     let (picture, scene, options) = README_PICTURE;
-    let mut command = house.command(&glanz);
+    let mut command = workspace.command(&glanz);
     command.args(["render", scene, "--force", "-o", picture]).args(options);
     run_quietly(&mut command)?;
     println!("{picture}");
@@ -43,10 +43,10 @@ pub fn run(house: &House, only_readme: bool) -> Result<()> {
 }
 
 /// Draws a scene into a folder and tells the picture's path.
-fn draw(house: &House, glanz: &Path, scene: &Path, folder: &Path, options: &[&str]) -> Result<PathBuf> {
+fn draw(workspace: &Workspace, glanz: &Path, scene: &Path, folder: &Path, options: &[&str]) -> Result<PathBuf> {
     let name = scene.file_stem().expect("a scene file has a name");
     let path = folder.join(name).with_extension("png");
-    let mut command = house.command(glanz);
+    let mut command = workspace.command(glanz);
     command.arg("render").arg(scene).args(["--force", "-o"]).arg(&path).args(options);
     run_quietly(&mut command)?;
     Ok(path)

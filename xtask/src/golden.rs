@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::house::{House, Profile, run_quietly};
+use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
 use crate::{Failure, Result};
 
@@ -38,20 +38,20 @@ struct Gold {
 
 /// What is needed to draw gold pictures.
 struct Studio<'a> {
-    house: &'a House,
+    workspace: &'a Workspace,
     glanz: PathBuf,
     folder: PathBuf,
     golds: Vec<Gold>,
 }
 
-/// The chore `golden`.
-pub fn run(house: &House) -> Result<()> {
-    compare(house, Paths::All)
+/// The task `golden`.
+pub fn run(workspace: &Workspace) -> Result<()> {
+    compare(workspace, Paths::All)
 }
 
 /// Draws all gold pictures and compares them with the kept ones.
-pub fn compare(house: &House, paths: Paths) -> Result<()> {
-    let studio = Studio::open(house)?;
+pub fn compare(workspace: &Workspace, paths: Paths) -> Result<()> {
+    let studio = Studio::open(workspace)?;
     let mut complaints = studio.orphans()?;
     let mut rows = Vec::new();
     for gold in &studio.golds {
@@ -79,8 +79,8 @@ pub fn compare(house: &House, paths: Paths) -> Result<()> {
 }
 
 /// Writes all gold pictures anew and shows what changed.
-pub fn renew(house: &House) -> Result<()> {
-    let studio = Studio::open(house)?;
+pub fn renew(workspace: &Workspace) -> Result<()> {
+    let studio = Studio::open(workspace)?;
     let mut rows = Vec::new();
     for gold in &studio.golds {
         let path = studio.kept(gold);
@@ -102,20 +102,20 @@ pub fn renew(house: &House) -> Result<()> {
 }
 
 impl<'a> Studio<'a> {
-    fn open(house: &'a House) -> Result<Self> {
-        let list = house.path("tests/golden/list.txt");
+    fn open(workspace: &'a Workspace) -> Result<Self> {
+        let list = workspace.path("tests/golden/list.txt");
         let text = std::fs::read_to_string(&list).map_err(Failure::during(list.display()))?;
         let golds = parse(&text)?;
-        Ok(Self { house, glanz: house.glanz(Profile::Dev)?, folder: house.target_folder("golden")?, golds })
+        Ok(Self { workspace, glanz: workspace.glanz(Profile::Dev)?, folder: workspace.target_folder("golden")?, golds })
     }
 
     fn kept(&self, gold: &Gold) -> PathBuf {
-        self.house.path("tests/golden").join(format!("{}.png", gold.name))
+        self.workspace.path("tests/golden").join(format!("{}.png", gold.name))
     }
 
     /// Pictures in the folder that the list does not name.
     fn orphans(&self) -> Result<Vec<String>> {
-        let folder = self.house.path("tests/golden");
+        let folder = self.workspace.path("tests/golden");
         let entries = std::fs::read_dir(&folder).map_err(Failure::during(folder.display()))?;
         let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
         let listed = |name: &str| self.golds.iter().any(|gold| name == format!("{}.png", gold.name));
@@ -128,7 +128,7 @@ impl<'a> Studio<'a> {
     /// Draws one picture on one path.
     fn draw(&self, gold: &Gold, (level, threads): (&str, u32)) -> Result<Picture> {
         let path = self.folder.join(format!("{}.png", gold.name));
-        let mut command = self.house.command(&self.glanz);
+        let mut command = self.workspace.command(&self.glanz);
         command.args(["render", &gold.scene, "--force", "--threads", &threads.to_string(), "-o"]);
         command.arg(&path).args(&gold.options).env("GLANZ_SIMD", level);
         run_quietly(&mut command)?;
@@ -170,14 +170,14 @@ impl<'a> Studio<'a> {
             return Ok(());
         }
         Picture::sheet(rows).write(&path)?;
-        println!("{}: old | new | difference × {AMPLIFIED}", shown(self.house, &path));
+        println!("{}: old | new | difference × {AMPLIFIED}", shown(self.workspace, &path));
         Ok(())
     }
 }
 
 /// A path below the root, for people.
-fn shown(house: &House, path: &Path) -> String {
-    path.strip_prefix(house.path("")).unwrap_or(path).display().to_string()
+fn shown(workspace: &Workspace, path: &Path) -> String {
+    path.strip_prefix(workspace.path("")).unwrap_or(path).display().to_string()
 }
 
 /// Old, new and the difference between them.

@@ -1,4 +1,4 @@
-//! Every chore of the house: `cargo xtask test`, `golden`, `gallery`, `bench`, `data`.
+//! Every task of the workspace: `cargo xtask test`, `golden`, `gallery`, `bench`, `data`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
@@ -7,7 +7,7 @@ mod data;
 mod failure;
 mod gallery;
 mod golden;
-mod house;
+mod workspace;
 mod picture;
 mod reference;
 mod steps;
@@ -19,7 +19,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use failure::{Failure, Result};
-use house::House;
+use workspace::Workspace;
 use lexopt::prelude::*;
 
 const HELP: &str = "\
@@ -46,9 +46,9 @@ Usage: cargo xtask <CHORE> [OPTIONS]
 
 Example: cargo xtask test --keep-going";
 
-/// A chore with its options, as asked for on the command line.
+/// A task with its options, as asked for on the command line.
 #[derive(Debug, PartialEq)]
-enum Chore {
+enum Task {
     Test(test::Options),
     Golden { renew: bool },
     Gallery { only_readme: bool },
@@ -58,14 +58,14 @@ enum Chore {
 }
 
 fn main() -> ExitCode {
-    let chore = match parse(std::env::args_os().skip(1)) {
-        Ok(chore) => chore,
+    let task = match parse(std::env::args_os().skip(1)) {
+        Ok(task) => task,
         Err(error) => {
             eprintln!("error: {error}\n\n{HELP}");
             return ExitCode::from(2);
         }
     };
-    match run(&chore) {
+    match run(&task) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("error: {failure}");
@@ -74,31 +74,31 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(chore: &Chore) -> Result<()> {
-    let house = House::find();
-    match chore {
-        Chore::Test(options) => test::run_all(&house, options),
-        Chore::Golden { renew: true } => golden::renew(&house),
-        Chore::Golden { renew: false } => golden::run(&house),
-        Chore::Gallery { only_readme } => gallery::run(&house, *only_readme),
-        Chore::Bench(options) => bench::run_all(&house, options),
-        Chore::Data { check: true } => data::check(&house),
-        Chore::Data { check: false } => data::renew(&house),
-        Chore::Help => {
+fn run(task: &Task) -> Result<()> {
+    let workspace = Workspace::find();
+    match task {
+        Task::Test(options) => test::run_all(&workspace, options),
+        Task::Golden { renew: true } => golden::renew(&workspace),
+        Task::Golden { renew: false } => golden::run(&workspace),
+        Task::Gallery { only_readme } => gallery::run(&workspace, *only_readme),
+        Task::Bench(options) => bench::run_all(&workspace, options),
+        Task::Data { check: true } => data::check(&workspace),
+        Task::Data { check: false } => data::renew(&workspace),
+        Task::Help => {
             println!("{HELP}");
             Ok(())
         }
     }
 }
 
-fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore, lexopt::Error> {
+fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, lexopt::Error> {
     let mut parser = lexopt::Parser::from_args(args);
     let mut name = None;
     let mut only = None;
     let mut flags = Vec::new();
     while let Some(arg) = parser.next()? {
         match arg {
-            Short('h') | Long("help") => return Ok(Chore::Help),
+            Short('h') | Long("help") => return Ok(Task::Help),
             Long("only") => only = Some(parser.value()?.string()?),
             Long(flag) => flags.push(flag.to_owned()),
             Value(value) if name.is_none() => name = Some(value.string()?),
@@ -110,22 +110,22 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
         flags.retain(|given| given != flag);
         flags.len() < before
     };
-    let chore = match name.as_deref() {
-        Some("test") => Chore::Test(test::Options {
+    let task = match name.as_deref() {
+        Some("test") => Task::Test(test::Options {
             quick: take("quick"),
             keep_going: take("keep-going"),
             only: only.take(),
         }),
-        Some("golden") => Chore::Golden { renew: take("renew") },
-        Some("gallery") => Chore::Gallery { only_readme: take("readme") },
-        Some("bench") => Chore::Bench(bench::Options {
+        Some("golden") => Task::Golden { renew: take("renew") },
+        Some("gallery") => Task::Gallery { only_readme: take("readme") },
+        Some("bench") => Task::Bench(bench::Options {
             quick: take("quick"),
             only_peers: take("only-peers"),
             peers: take("peers"),
             write: take("write"),
         }),
-        Some("data") => Chore::Data { check: take("check") },
-        None | Some("help") => Chore::Help,
+        Some("data") => Task::Data { check: take("check") },
+        None | Some("help") => Task::Help,
         Some(other) => return Err(format!("there is no chore '{other}'").into()),
     };
     if only.is_some() {
@@ -133,7 +133,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
     }
     match flags.first() {
         Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
-        None => Ok(chore),
+        None => Ok(task),
     }
 }
 
@@ -141,7 +141,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Chore,
 mod tests {
     use super::*;
 
-    fn parsed(line: &str) -> std::result::Result<Chore, String> {
+    fn parsed(line: &str) -> std::result::Result<Task, String> {
         parse(line.split_whitespace().map(OsString::from)).map_err(|error| error.to_string())
     }
 
@@ -149,13 +149,13 @@ mod tests {
     fn options_belong_to_their_chore() {
         assert_eq!(
             parsed("test --quick"),
-            Ok(Chore::Test(test::Options { quick: true, ..Default::default() }))
+            Ok(Task::Test(test::Options { quick: true, ..Default::default() }))
         );
         let only = Some("gold".to_owned());
-        assert_eq!(parsed("test --only gold"), Ok(Chore::Test(test::Options { only, ..Default::default() })));
+        assert_eq!(parsed("test --only gold"), Ok(Task::Test(test::Options { only, ..Default::default() })));
         assert!(parsed("golden --only gold").is_err());
-        assert_eq!(parsed("data --check"), Ok(Chore::Data { check: true }));
-        assert_eq!(parsed("golden --renew"), Ok(Chore::Golden { renew: true }));
+        assert_eq!(parsed("data --check"), Ok(Task::Data { check: true }));
+        assert_eq!(parsed("golden --renew"), Ok(Task::Golden { renew: true }));
         assert_eq!(parsed("test --renew"), Err("this chore has no option '--renew'".to_owned()));
     }
 
@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn nothing_asks_for_help() {
-        assert_eq!(parsed(""), Ok(Chore::Help));
-        assert_eq!(parsed("bench --help"), Ok(Chore::Help));
+        assert_eq!(parsed(""), Ok(Task::Help));
+        assert_eq!(parsed("bench --help"), Ok(Task::Help));
     }
 }

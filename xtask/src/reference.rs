@@ -4,15 +4,15 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use crate::house::{House, Profile, run_quietly};
+use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::{Failure, Result};
 
 /// Compares the page with the schema that `glanz schema` prints.
-pub fn check(house: &House) -> Result<()> {
-    let glanz = house.glanz(Profile::Dev)?;
-    let schema = run_quietly(house.command(glanz).arg("schema"))?;
+pub fn check(workspace: &Workspace) -> Result<()> {
+    let glanz = workspace.glanz(Profile::Dev)?;
+    let schema = run_quietly(workspace.command(glanz).arg("schema"))?;
     let schema: Value = serde_json::from_slice(&schema).map_err(Failure::during("glanz schema"))?;
-    let page = house.path("docs/SCENE.md");
+    let page = workspace.path("docs/SCENE.md");
     let text = std::fs::read_to_string(&page).map_err(Failure::during(page.display()))?;
     let words = words(&schema);
     let missing = missing(&words, &text);

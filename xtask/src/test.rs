@@ -1,8 +1,8 @@
-//! Every check of the house, one after the other.
+//! Every check of the workspace, one after the other.
 
 use std::path::Path;
 
-use crate::house::{House, Profile, run, works};
+use crate::workspace::{Workspace, Profile, run, works};
 use crate::steps::{Outcome, Steps};
 use crate::{Result, data, gallery, golden, reference, tour, wasm};
 
@@ -18,83 +18,83 @@ pub struct Options {
 }
 
 /// Runs the checks, prints a summary and fails if any did.
-pub fn run_all(house: &House, options: &Options) -> Result<()> {
-    checks(house, options).finish()
+pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
+    checks(workspace, options).finish()
 }
 
-fn checks(house: &House, options: &Options) -> Steps {
+fn checks(workspace: &Workspace, options: &Options) -> Steps {
     let mut steps = Steps::new(options.keep_going, options.only.clone());
-    steps.run("format", || format(house));
-    steps.run("lint", || run(&mut house.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
-    steps.run("unit and integration tests", || tests(house));
+    steps.run("format", || format(workspace));
+    steps.run("lint", || run(&mut workspace.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
+    steps.run("unit and integration tests", || tests(workspace));
     if options.quick {
-        steps.run("gold pictures, narrowest path", || golden::compare(house, golden::Paths::Narrowest));
+        steps.run("gold pictures, narrowest path", || golden::compare(workspace, golden::Paths::Narrowest));
         return steps;
     }
-    steps.run("gold pictures, every path", || golden::compare(house, golden::Paths::All));
+    steps.run("gold pictures, every path", || golden::compare(workspace, golden::Paths::All));
     steps.run("colours against colour-science", || {
-        oracle(house, |house| {
-            let glanz = house.glanz(Profile::Dev)?;
-            compare(house, "colors", "requirements.txt", ("GLANZ", &glanz))
+        oracle(workspace, |workspace| {
+            let glanz = workspace.glanz(Profile::Dev)?;
+            compare(workspace, "colors", "requirements.txt", ("GLANZ", &glanz))
         })
     });
     steps.run("models against Mitsuba", || {
-        oracle(house, |house| {
-            run(&mut house.cargo("build --quiet --package glanz-bsdf --example eval"))?;
+        oracle(workspace, |workspace| {
+            run(&mut workspace.cargo("build --quiet --package glanz-bsdf --example eval"))?;
             let eval = format!("debug/examples/eval{}", std::env::consts::EXE_SUFFIX);
-            compare(house, "models", "requirements-models.txt", ("GLANZ_EVAL", &house.target().join(eval)))
+            compare(workspace, "models", "requirements-models.txt", ("GLANZ_EVAL", &workspace.target().join(eval)))
         })
     });
-    steps.run("examples", || gallery::try_examples(house));
-    steps.run("what the README shows", || tour::run(house));
-    steps.run("reference of the scene file", || reference::check(house));
-    steps.run("documentation tests", || run(&mut house.cargo("test --workspace --doc --quiet")));
+    steps.run("examples", || gallery::try_examples(workspace));
+    steps.run("what the README shows", || tour::run(workspace));
+    steps.run("reference of the scene file", || reference::check(workspace));
+    steps.run("documentation tests", || run(&mut workspace.cargo("test --workspace --doc --quiet")));
     steps.run("documentation", || {
-        run(house.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))
+        run(workspace.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))
     });
-    steps.run("libraries without threads", || wasm::serial(house));
-    steps.run("libraries for wasm32", || wasm::check(house));
+    steps.run("libraries without threads", || wasm::serial(workspace));
+    steps.run("libraries for wasm32", || wasm::check(workspace));
     steps
 }
 
 /// The format of all Rust code, also of the packages that stand beside the workspace.
-fn format(house: &House) -> Result<()> {
-    run(&mut house.cargo("fmt --all -- --check"))?;
+fn format(workspace: &Workspace) -> Result<()> {
+    run(&mut workspace.cargo("fmt --all -- --check"))?;
     for package in ["fuzz", "xtask/peers/euc"] {
-        run(&mut house.cargo(&format!("fmt --manifest-path {package}/Cargo.toml -- --check")))?;
+        run(&mut workspace.cargo(&format!("fmt --manifest-path {package}/Cargo.toml -- --check")))?;
     }
     Ok(())
 }
 
 /// A comparison with an independent implementation, where there is a Python.
-fn oracle(house: &House, comparison: impl FnOnce(&House) -> Result<()>) -> Outcome {
-    if !works(house.command("python3").args(["-c", "import ensurepip, venv"])) {
+fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<()>) -> Outcome {
+    if !works(workspace.command("python3").args(["-c", "import ensurepip, venv"])) {
         return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
     }
-    comparison(house).into()
+    comparison(workspace).into()
 }
 
 /// Runs `tests/python/test_….py` with the packages of a file beside it and the path of a program of ours.
-fn compare(house: &House, what: &str, requirements: &str, (variable, ours): (&str, &Path)) -> Result<()> {
+fn compare(workspace: &Workspace, what: &str, requirements: &str, (variable, ours): (&str, &Path)) -> Result<()> {
     let python =
-        data::python_with(house, &format!("oracle-python-{what}"), &format!("tests/python/{requirements}"))?;
+        data::python_with(workspace, &format!("oracle-python-{what}"), &format!("tests/python/{requirements}"))?;
     let test = format!("tests/python/test_{what}.py");
-    run(house.command(python).args(["-W", "ignore", "-m", "unittest", &test]).env(variable, ours))
+    run(workspace.command(python).args(["-W", "ignore", "-m", "unittest", &test]).env(variable, ours))
 }
 
 /// The tests, with nextest; it is installed where it is missing.
-fn tests(house: &House) -> Outcome {
-    if !has_nextest(house) {
+fn tests(workspace: &Workspace) -> Outcome {
+    if !has_nextest(workspace) {
         println!("cargo-nextest is missing: installing it, once, which takes some minutes");
-        if let Err(failure) = run(&mut house.cargo("install cargo-nextest --locked")) {
+        if let Err(failure) = run(&mut workspace.cargo("install cargo-nextest --locked")) {
             println!("!!! {failure}");
             println!("!!! cargo-nextest could not be installed: running the slower `cargo test` instead");
-            return run(&mut house.cargo("test --workspace --all-targets")).into();
+            return run(&mut workspace.cargo("test --workspace --all-targets")).into();
         }
     }
-    run(&mut house.cargo("nextest run --workspace --no-fail-fast --status-level slow")).into()
+    run(&mut workspace.cargo("nextest run --workspace --no-fail-fast --status-level slow")).into()
 }
 
-fn has_nextest(house: &House) -> bool {
-    works(&mut house.cargo("nextest --version"))
+fn has_nextest(workspace: &Workspace) -> bool {
+    works(&mut workspace.cargo("nextest --version"))
 }

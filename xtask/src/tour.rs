@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::house::{House, Profile, run_quietly};
+use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
 use crate::{Failure, Result};
 
@@ -10,21 +10,21 @@ use crate::{Failure, Result};
 const SMALLER: &[(&str, &str)] = &[("--size", "160x120"), ("--frames", "0..3"), ("--repeat", "2")];
 
 /// Runs every line of the README that begins with `glanz`, then draws its scene.
-pub fn run(house: &House) -> Result<()> {
-    let path = house.path("README.md");
+pub fn run(workspace: &Workspace) -> Result<()> {
+    let path = workspace.path("README.md");
     let readme = std::fs::read_to_string(&path).map_err(Failure::during(path.display()))?;
-    let glanz = house.glanz(Profile::Dev)?;
-    let folder = house.target_folder("tour")?;
-    copy(&house.path("examples"), &folder.join("examples"))?;
+    let glanz = workspace.glanz(Profile::Dev)?;
+    let folder = workspace.target_folder("tour")?;
+    copy(&workspace.path("examples"), &folder.join("examples"))?;
     let commands = commands(&readme);
     for words in &commands {
-        run_quietly(house.command(&glanz).args(smaller(words)).current_dir(&folder))?;
+        run_quietly(workspace.command(&glanz).args(smaller(words)).current_dir(&folder))?;
     }
     let scene = scene(&readme).ok_or_else(|| Failure::new("README.md shows no scene file"))?;
     let file = folder.join("readme.toml");
     std::fs::write(&file, scene).map_err(Failure::during(file.display()))?;
     let picture = folder.join("readme.png");
-    run_quietly(house.command(&glanz).arg("render").arg(&file).arg("-o").arg(&picture))?;
+    run_quietly(workspace.command(&glanz).arg("render").arg(&file).arg("-o").arg(&picture))?;
     if Picture::read(&picture)?.is_uniform() {
         return Err(Failure::new("the README's scene shows nothing"));
     }

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::house::{House, run, run_quietly, works};
+use crate::workspace::{Workspace, run, run_quietly, works};
 use crate::steps::Outcome;
 
 /// The crates that know no window and no terminal.
@@ -11,20 +11,20 @@ const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-sce
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Checks the libraries for this machine without rayon.
-pub fn serial(house: &House) -> Outcome {
-    run(&mut house.cargo(&format!("check {LIBRARIES} --no-default-features"))).into()
+pub fn serial(workspace: &Workspace) -> Outcome {
+    run(&mut workspace.cargo(&format!("check {LIBRARIES} --no-default-features"))).into()
 }
 
 /// Checks the libraries for wasm32 with the first toolchain that has that target.
-pub fn check(house: &House) -> Outcome {
+pub fn check(workspace: &Workspace) -> Outcome {
     let check = format!("check {LIBRARIES} --no-default-features --target {TARGET}");
-    let own_folder = house.target().join("wasm");
-    let mut command = if has_target(&mut house.command("rustc")) {
-        house.cargo(&check)
-    } else if works(house.command("rustup").args(["run", "wasm", "rustc", "--version"]))
-        && has_target(house.command("rustup").args(["run", "wasm", "rustc"]))
+    let own_folder = workspace.target().join("wasm");
+    let mut command = if has_target(&mut workspace.command("rustc")) {
+        workspace.cargo(&check)
+    } else if works(workspace.command("rustup").args(["run", "wasm", "rustc", "--version"]))
+        && has_target(workspace.command("rustup").args(["run", "wasm", "rustc"]))
     {
-        let mut command = house.command("rustup");
+        let mut command = workspace.command("rustup");
         command.args(["run", "wasm", "cargo"]).args(check.split_whitespace());
         // Only macros and build scripts are compiled in a check: optimising them costs more than it gains.
         command.args(["--config", "profile.dev.package.\"*\".opt-level=0"]);

@@ -9,7 +9,7 @@
 use std::io::{BufRead, BufWriter, Write};
 
 use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric};
-use glanz_bsdf::{Pair, Shape};
+use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 
 type Failure = Box<dyn std::error::Error>;
@@ -32,13 +32,13 @@ fn main() -> Result<(), Failure> {
         let [ox, oy, oz, ix, iy, iz] = numbers[..] else {
             return Err(format!("'{line}' has {} numbers, not 6", numbers.len()).into());
         };
-        let (f_cos, cosine) = value(&Pair::new(Vec3::new(ox, oy, oz), Vec3::new(ix, iy, iz)));
+        let (f_cos, cosine) = value(&DirectionPair::new(Vec3::new(ox, oy, oz), Vec3::new(ix, iy, iz)));
         writeln!(out, "{f_cos:e},{cosine:e}")?;
     }
     Ok(())
 }
 
-type Value = Box<dyn Fn(&Pair<f64>) -> (f64, f64)>;
+type Value = Box<dyn Fn(&DirectionPair<f64>) -> (f64, f64)>;
 
 /// What is asked for, as a function.
 fn values(name: &str, set: &[(&str, f64)]) -> Result<Value, Failure> {

@@ -2,7 +2,7 @@
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
-use crate::{ModelInfo, Pair, Shape, Side};
+use crate::{ModelInfo, DirectionPair, Shape, Side};
 
 /// Halvings of the cells towards the mirror direction: the finest are π/2 · 2^-13 = 0.0002 rad wide,
 /// a fifteenth of a Phong lobe with the greatest exponent allowed, 10⁵.
@@ -50,7 +50,7 @@ pub fn albedo_at(shape: &Shape, cos_o: f64, azimuth: f64) -> f64 {
 
 /// [`albedo_at`] of a shape with any factor: ∫ `f_cos` dωi by the shape's own quadrature, where `f_cos` is about as
 /// narrow as the shape.
-pub fn albedo_with(shape: &Shape, cos_o: f64, azimuth: f64, f_cos: impl Fn(&Pair<f64>) -> f64) -> f64 {
+pub fn albedo_with(shape: &Shape, cos_o: f64, azimuth: f64, f_cos: impl Fn(&DirectionPair<f64>) -> f64) -> f64 {
     directional(shape.info(), shape.eta(), (cos_o, azimuth), f_cos)
 }
 
@@ -59,11 +59,11 @@ pub(crate) fn directional(
     info: &ModelInfo,
     eta: f64,
     (cos_o, azimuth): (f64, f64),
-    f_cos: impl Fn(&Pair<f64>) -> f64,
+    f_cos: impl Fn(&DirectionPair<f64>) -> f64,
 ) -> f64 {
     let theta_o = libm::acos(cos_o.clamp(0.0, 1.0));
     let wo = Vec3::from_angles(theta_o, azimuth);
-    let value = |wi| f_cos(&Pair::new(wo, wi));
+    let value = |wi| f_cos(&DirectionPair::new(wo, wi));
     match (info.delta, info.side, info.anisotropic) {
         (true, ..) => 0.0,
         (_, Side::Reflection, true) => over_half_vectors(wo, value),

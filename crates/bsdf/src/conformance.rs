@@ -6,7 +6,7 @@
 use glanz_math::{Lanes, PI, Real, Vec3, at_level, simd_level};
 
 use crate::albedo::directional;
-use crate::{Law, Model, Pair, ParamInfo, Part, Shape, Side};
+use crate::{Law, Model, DirectionPair, ParamInfo, LightTerm, Shape, Side};
 
 /// How far both sides of the law of reciprocity may differ, in parts of the greater one: a few
 /// units of the last place, since the same products are formed in another order.
@@ -121,7 +121,7 @@ fn short(v: Vec3<f64>) -> Vec3<f32> {
 
 /// Whether the lobe answers to light from a direction.
 fn is_lit<M: Model>() -> bool {
-    !matches!(M::INFO.part, Part::Ambient | Part::Emission)
+    !matches!(M::INFO.term, LightTerm::Ambient | LightTerm::Emission)
 }
 
 fn exempt<M: Model>(law: Law) -> bool {
@@ -197,37 +197,37 @@ fn asymmetry<M: Model, R: Real + Into<f64>>(
 ) -> f64 {
     let over = |w: Vec3<R>| Vec3::new(w.x, w.y, -w.z);
     let swapped = match M::INFO.side {
-        Side::Reflection => Pair::new(wi, wo),
-        Side::Transmission => Pair::new(over(wi), over(wo)),
+        Side::Reflection => DirectionPair::new(wi, wo),
+        Side::Transmission => DirectionPair::new(over(wi), over(wo)),
     };
     let eta2 = model.eta() * model.eta();
-    let there = model.f_cos(&Pair::new(wo, wi)).into() * wo.z.abs().into() * eta2;
+    let there = model.f_cos(&DirectionPair::new(wo, wi)).into() * wo.z.abs().into() * eta2;
     let again = back.f_cos(&swapped).into() * wi.z.abs().into();
     let slack = if model.eta() == 1.0 {
         0.0
     } else {
-        let (low, high) = around(model, &long(&Pair::new(wo, wi)), rounding);
+        let (low, high) = around(model, &long(&DirectionPair::new(wo, wi)), rounding);
         (high - low) * wo.z.abs().into() * eta2
     };
     ((there - again).abs() - slack).max(0.0) / there.max(again).max(1e-20)
 }
 
 /// The same pair in `f64`.
-fn long<R: Real + Into<f64>>(pair: &Pair<R>) -> Pair<f64> {
-    Pair {
+fn long<R: Real + Into<f64>>(pair: &DirectionPair<R>) -> DirectionPair<f64> {
+    DirectionPair {
         cos_o: pair.cos_o.into(),
         cos_i: pair.cos_i.into(),
         cos_io: pair.cos_io.into(),
         tangent_o: (pair.tangent_o.0.into(), pair.tangent_o.1.into()),
         tangent_i: (pair.tangent_i.0.into(), pair.tangent_i.1.into()),
-        widening: pair.widening.into(),
+        alpha_scale: pair.alpha_scale.into(),
     }
 }
 
 /// The least and the greatest value for coordinates that differ by at most `rounding` from the pair's: every
 /// coordinate is moved both ways, then all together the ways in which the value fell, or rose.
-fn around<M: Model>(model: &M, pair: &Pair<f64>, rounding: f64) -> (f64, f64) {
-    type Coordinate = fn(&mut Pair<f64>) -> &mut f64;
+fn around<M: Model>(model: &M, pair: &DirectionPair<f64>, rounding: f64) -> (f64, f64) {
+    type Coordinate = fn(&mut DirectionPair<f64>) -> &mut f64;
     const COORDINATES: [Coordinate; 7] = [
         |p| &mut p.cos_o,
         |p| &mut p.cos_i,
@@ -293,8 +293,8 @@ pub(crate) fn keeps_energy_unless_it_says_so<M: Model>() {
 pub(crate) fn is_finite_and_positive_everywhere<M: Model>() {
     for model in instances::<M>() {
         for (wo, wi) in pairs() {
-            let long = model.f_cos(&Pair::new(wo, wi));
-            let short = model.f_cos(&Pair::new(short(wo), short(wi)));
+            let long = model.f_cos(&DirectionPair::new(wo, wi));
+            let short = model.f_cos(&DirectionPair::new(short(wo), short(wi)));
             let fine = long.is_finite() && long >= 0.0 && short.is_finite() && short >= 0.0;
             assert!(fine, "{:?} for {wo:?} and {wi:?}: {long}, in f32 {short}", model.params());
             assert!(!M::INFO.delta || long == 0.0, "a lobe without width answers to no light");
@@ -307,7 +307,7 @@ pub(crate) fn is_dark_where_the_light_is_on_the_wrong_side<M: Model>() {
     for model in instances::<M>() {
         for (wo, wi) in pairs().into_iter().filter(|(_, wi)| !right_side::<M>(wi.z)) {
             let values =
-                [model.f_cos(&Pair::new(wo, wi)), f64::from(model.f_cos(&Pair::new(short(wo), short(wi))))];
+                [model.f_cos(&DirectionPair::new(wo, wi)), f64::from(model.f_cos(&DirectionPair::new(short(wo), short(wi))))];
             if is_lit::<M>() {
                 assert_eq!(values, [0.0; 2], "{:?} for {wo:?} and {wi:?}", model.params());
             } else {
@@ -326,8 +326,8 @@ pub(crate) fn agrees_in_f32_and_f64<M: Model>() {
     let clear = |(_, wi): &(Vec3<f64>, Vec3<f64>)| wi.z.abs() > 1e-4;
     for model in instances::<M>() {
         for (wo, wi) in pairs().into_iter().filter(clear) {
-            let (low, high) = around(&model, &Pair::new(wo, wi), COSINE_F32);
-            let got = f64::from(model.f_cos(&Pair::new(short(wo), short(wi))));
+            let (low, high) = around(&model, &DirectionPair::new(wo, wi), COSINE_F32);
+            let got = f64::from(model.f_cos(&DirectionPair::new(short(wo), short(wi))));
             let fits = got >= low * (1.0 - 1e-5) - 1e-20 && got <= high * (1.0 + 1e-5) + 1e-20;
             assert!(fits, "{:?} for {wo:?} and {wi:?}: {got} not in {low} … {high}", model.params());
         }
@@ -338,8 +338,8 @@ pub(crate) fn gives_the_same_bits_in_16_lanes<M: Model>() {
     let pairs = pairs();
     for model in instances::<M>() {
         for sixteen in pairs.chunks_exact(16) {
-            let plane = |get: &dyn Fn(&Pair<f32>) -> f32| -> [f32; 16] {
-                core::array::from_fn(|i| get(&Pair::new(short(sixteen[i].0), short(sixteen[i].1))))
+            let plane = |get: &dyn Fn(&DirectionPair<f32>) -> f32| -> [f32; 16] {
+                core::array::from_fn(|i| get(&DirectionPair::new(short(sixteen[i].0), short(sixteen[i].1))))
             };
             let cosines = [plane(&|p| p.cos_o), plane(&|p| p.cos_i), plane(&|p| p.cos_io)];
             let tangents = [
@@ -354,12 +354,12 @@ pub(crate) fn gives_the_same_bits_in_16_lanes<M: Model>() {
                 at_level!(level, simd => {
                     let [cos_o, cos_i, cos_io] = cosines.map(|c| Lanes::load(simd, &c));
                     let [ox, oy, ix, iy] = tangents.map(|t| Lanes::load(simd, &t));
-                    let widening = cos_o.one();
-                    let pair = Pair { cos_o, cos_i, cos_io, tangent_o: (ox, oy), tangent_i: (ix, iy), widening };
+                    let alpha_scale = cos_o.one();
+                    let pair = DirectionPair { cos_o, cos_i, cos_io, tangent_o: (ox, oy), tangent_i: (ix, iy), alpha_scale };
                     model.f_cos(&pair).store(&mut wide);
                 });
                 for (i, got) in wide.iter().enumerate() {
-                    let expected = model.f_cos(&Pair::new(short(sixteen[i].0), short(sixteen[i].1)));
+                    let expected = model.f_cos(&DirectionPair::new(short(sixteen[i].0), short(sixteen[i].1)));
                     assert_eq!(got.to_bits(), expected.to_bits(), "{name}, lane {i}: {got}, {expected}");
                 }
             }

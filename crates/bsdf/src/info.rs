@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// Which of a light's colours a lobe answers to, after the classic lighting equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum LightTerm {
     /// Light that comes from everywhere.
     Ambient,
     /// Light scattered in all directions.
@@ -65,10 +65,10 @@ pub struct ModelInfo {
     /// Its parameters, in order.
     pub params: &'static [ParamInfo],
     /// Which of a light's colours it answers to.
-    pub part: Part,
+    pub term: LightTerm,
     /// On which side of the surface the light must be.
     pub side: Side,
-    /// Whether it may ask where the tangent is: only then must [`Pair`](crate::Pair) know it. Whether a shape with its
+    /// Whether it may ask where the tangent is: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
     /// parameters does is told by [`Shape::is_anisotropic`](crate::Shape::is_anisotropic).
     pub anisotropic: bool,
     /// Whether it sends light into a single direction, as a mirror does. Such a lobe answers to

@@ -13,19 +13,18 @@ mod albedo;
 pub mod certificate;
 #[cfg(test)]
 mod conformance;
+mod direction_pair;
 mod info;
+mod layers;
 pub mod models;
-mod pair;
-mod series;
 pub mod terms;
-mod veil;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
-pub use info::{Law, ModelInfo, ParamError, ParamInfo, Part, Side};
+pub use info::{Law, ModelInfo, ParamError, ParamInfo, LightTerm, Side};
 pub use models::{MODELS, Shape};
-pub use pair::Pair;
-pub use series::Series;
-pub use veil::{Angle, CoatSurface, Veil, veiled_albedo};
+pub use direction_pair::DirectionPair;
+pub use glanz_math::Chebyshev;
+pub use layers::{Angle, CoatSurface, LayerWeight, layered_albedo};
 
 use glanz_math::{Real, Vec3};
 
@@ -47,7 +46,7 @@ pub trait Model: Sized {
 
     /// The BSDF times the incident cosine, in 1/sr. Zero where the light is on the wrong side of the surface
     /// (see [`ModelInfo::side`]); the viewer is above it.
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R;
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R;
 
     /// The index of refraction below the surface over that above it, where light is bent on its way through: then
     /// the albedo of a lossless surface is 1/η², since radiance is spread or squeezed, and the law of reciprocity
@@ -64,7 +63,7 @@ pub trait Model: Sized {
     /// The cosine, 0 … 1, that a tint by Fresnel's law takes: that of the angle at which light meets the facet
     /// that sends it to the viewer.
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_view_half()
     }
 
@@ -76,7 +75,7 @@ pub trait Model: Sized {
     }
 
     /// The share G of facets that both directions see. None for models without such a factor.
-    fn shadowing(&self, _pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, _pair: &DirectionPair<f64>) -> Option<f64> {
         None
     }
 }

@@ -2,11 +2,11 @@
 
 use glanz_math::{Real, Vec3};
 
-use crate::{Model, ModelInfo, Pair, ParamError};
+use crate::{Model, ModelInfo, DirectionPair, ParamError};
 
 macro_rules! models {
-    ($($id:literal => $room:ident::$model:ident),+ $(,)?) => {
-        $(pub mod $room;)+
+    ($($id:literal => $module:ident::$model:ident),+ $(,)?) => {
+        $(pub mod $module;)+
 
         /// Any of the models, with its parameters. The discriminant is stable and names the model in
         /// arrays that other back ends read.
@@ -14,19 +14,19 @@ macro_rules! models {
         #[repr(u32)]
         pub enum Shape {
             $(
-                #[doc = concat!("See [`", stringify!($room), "`].")]
-                $model($room::$model) = $id,
+                #[doc = concat!("See [`", stringify!($module), "`].")]
+                $model($module::$model) = $id,
             )+
         }
 
         /// What each model tells about itself, in the order of the list.
-        pub const MODELS: &[ModelInfo] = &[$($room::$model::INFO),+];
+        pub const MODELS: &[ModelInfo] = &[$($module::$model::INFO),+];
 
         impl Shape {
             /// The model's description.
             pub fn info(&self) -> &'static ModelInfo {
                 match self {
-                    $(Self::$model(_) => &const { $room::$model::INFO },)+
+                    $(Self::$model(_) => &const { $module::$model::INFO },)+
                 }
             }
 
@@ -60,18 +60,18 @@ macro_rules! models {
 
             /// The BSDF times the incident cosine, in 1/sr.
             #[inline(always)]
-            pub fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+            pub fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
                 match self {
-                    $(Self::$model(model) if $room::$model::IN_PLACE => model.f_cos(pair),)+
+                    $(Self::$model(model) if $module::$model::IN_PLACE => model.f_cos(pair),)+
                     $(Self::$model(model) => outlined(model, pair),)+
                 }
             }
 
             /// [`Shape::f_cos`] of the models whose code is so short that loops hold it in place, 0 of the others.
             #[inline(always)]
-            pub fn f_cos_in_place<R: Real>(&self, pair: &Pair<R>) -> R {
+            pub fn f_cos_in_place<R: Real>(&self, pair: &DirectionPair<R>) -> R {
                 match self {
-                    $(Self::$model(model) if $room::$model::IN_PLACE => model.f_cos(pair),)+
+                    $(Self::$model(model) if $module::$model::IN_PLACE => model.f_cos(pair),)+
                     _ => pair.cos_o.zero(),
                 }
             }
@@ -79,13 +79,13 @@ macro_rules! models {
             /// Whether [`Shape::f_cos_in_place`] has its values.
             pub fn is_in_place(&self) -> bool {
                 match self {
-                    $(Self::$model(_) => $room::$model::IN_PLACE,)+
+                    $(Self::$model(_) => $module::$model::IN_PLACE,)+
                 }
             }
 
             /// See [`Model::tint_cosine`].
             #[inline(always)]
-            pub fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+            pub fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
                 match self {
                     $(Self::$model(model) => model.tint_cosine(pair),)+
                 }
@@ -99,15 +99,15 @@ macro_rules! models {
             }
 
             /// See [`Model::shadowing`].
-            pub fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+            pub fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
                 match self {
                     $(Self::$model(model) => model.shadowing(pair),)+
                 }
             }
 
             fn build(name: &str, values: &[f64]) -> Option<Self> {
-                $(if name == $room::$model::INFO.name {
-                    return Some(Self::$model($room::$model::from_params(values)));
+                $(if name == $module::$model::INFO.name {
+                    return Some(Self::$model($module::$model::from_params(values)));
                 })+
                 None
             }
@@ -115,8 +115,8 @@ macro_rules! models {
 
         #[cfg(test)]
         mod laws {
-            $(mod $room {
-                crate::conformance::suite!(crate::models::$room::$model);
+            $(mod $module {
+                crate::conformance::suite!(crate::models::$module::$model);
             })+
         }
     };
@@ -158,7 +158,7 @@ models! {
 /// The model's value by a call: code that all lobes share would be a thousand instructions per model and
 /// SIMD level.
 #[inline(never)]
-fn outlined<M: Model, R: Real>(model: &M, pair: &Pair<R>) -> R {
+fn outlined<M: Model, R: Real>(model: &M, pair: &DirectionPair<R>) -> R {
     pair.cos_o.at_own_level(
         #[inline(always)]
         || model.f_cos(pair),

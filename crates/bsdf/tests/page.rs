@@ -1,6 +1,6 @@
 //! The page of models in the docs, written from what the models tell about themselves.
 
-use glanz_bsdf::{Law, MODELS, ModelInfo, Part, Shape, Side, albedo};
+use glanz_bsdf::{Law, MODELS, ModelInfo, LightTerm, Shape, Side, albedo};
 
 /// View angles of the albedos on the page, in degrees.
 const ANGLES: [f64; 5] = [0.0, 45.0, 60.0, 75.0, 89.0];
@@ -28,11 +28,11 @@ fn seen(shape: &Shape, degrees: f64) -> f64 {
 }
 
 fn kind(info: &ModelInfo) -> String {
-    let part = match info.part {
-        Part::Ambient => "ambient",
-        Part::Diffuse => "diffuse",
-        Part::Specular => "specular",
-        Part::Emission => "emission",
+    let part = match info.term {
+        LightTerm::Ambient => "ambient",
+        LightTerm::Diffuse => "diffuse",
+        LightTerm::Specular => "specular",
+        LightTerm::Emission => "emission",
     };
     let side = if info.side == Side::Transmission { ", light from the other side" } else { "" };
     let grain = if info.anisotropic { ", has a grain" } else { "" };
@@ -42,7 +42,7 @@ fn kind(info: &ModelInfo) -> String {
 
 /// Whether a surface that nothing shines on from a direction has an albedo.
 fn has_albedo(info: &ModelInfo) -> bool {
-    !info.delta && !matches!(info.part, Part::Ambient | Part::Emission)
+    !info.delta && !matches!(info.term, LightTerm::Ambient | LightTerm::Emission)
 }
 
 fn law(info: &ModelInfo, law: Law) -> Option<&'static str> {

@@ -9,6 +9,7 @@
 //! defines the first five exactly, the others are polynomials made of them. Nothing here depends on
 //! the C library of a platform and nothing is contracted to a fused multiply-add.
 
+mod chebyshev;
 mod lanes;
 mod level;
 mod poly;
@@ -16,6 +17,7 @@ mod quadrature;
 mod real;
 mod vec3;
 
+pub use chebyshev::{Chebyshev, chebyshev_nodes};
 pub use lanes::{Lanes, LanesMask};
 pub use level::{LevelError, NARROWEST_LEVEL, narrowest, simd_level};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use fearless_simd::{Level, Simd};
 use glam::{DMat4, DVec3};
-use glanz_bsdf::{MODELS, ModelInfo, Pair, Part, Shape};
+use glanz_bsdf::{MODELS, ModelInfo, DirectionPair, LightTerm, Shape};
 use glanz_color::Rgb;
 use glanz_math::{Lanes, at_level};
 use glanz_render::cpu::Renderer;
@@ -242,7 +242,7 @@ fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: Lev
 /// Shading throughput per model, beside the limit: the same lobe alone, on numbers in cache, with 16
 /// lanes and with one.
 fn models(quick: bool, level: Level) {
-    let answers = |info: &&ModelInfo| matches!(info.part, Part::Diffuse | Part::Specular) && !info.delta;
+    let answers = |info: &&ModelInfo| matches!(info.term, LightTerm::Diffuse | LightTerm::Specular) && !info.delta;
     for info in MODELS.iter().filter(answers) {
         let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
         let shape = Shape::named(info.name, &[]).expect("a name from the list");
@@ -296,7 +296,7 @@ fn sixteen<S: Simd>(simd: S, shape: &Shape) -> f32 {
     for pass in 0..PAIRS / 64 {
         for block in std::hint::black_box(&rows).chunks_exact(3) {
             let load = |row: &[f32; 16]| Lanes::load(simd, row);
-            let pair = Pair::isotropic(load(&block[0]), load(&block[1]), load(&block[2]));
+            let pair = DirectionPair::isotropic(load(&block[0]), load(&block[1]), load(&block[2]));
             sum = sum + shape.f_cos(&pair);
         }
         std::hint::black_box(pass);
@@ -311,7 +311,7 @@ fn one(shape: &Shape) -> f32 {
     let mut sum = 0.0;
     for _ in 0..PAIRS / 64 {
         for [o, i, io] in std::hint::black_box(&pairs) {
-            sum += shape.f_cos(&Pair::isotropic(*o, *i, *io));
+            sum += shape.f_cos(&DirectionPair::isotropic(*o, *i, *io));
         }
     }
     sum

@@ -8,7 +8,7 @@ use crate::{Develop, Frame, Prepared, View};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Show {
+pub enum DebugView {
     /// Light on surfaces.
     #[default]
     Shaded,
@@ -34,7 +34,7 @@ pub enum Show {
     Lit,
 }
 
-impl Show {
+impl DebugView {
     /// Whether the view shows light, in the channels of the observer; the others show red, green and blue.
     pub fn is_light(self) -> bool {
         matches!(self, Self::Shaded | Self::Ambient | Self::Diffuse | Self::Specular | Self::Wireframe)
@@ -43,7 +43,7 @@ impl Show {
 
 /// Which planes a frame has beside colour and alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Layers {
+pub struct Aovs {
     /// Distance from the eye plane.
     pub depth: bool,
     /// Shading normals.
@@ -60,11 +60,11 @@ pub struct DrawOptions {
     /// Shade every sample rather than once per pixel and surface.
     pub supersample: bool,
     /// What the picture shows.
-    pub show: Show,
+    pub show: DebugView,
     /// Where nothing is.
     pub background: Background,
     /// Planes beside colour and alpha.
-    pub layers: Layers,
+    pub aovs: Aovs,
     /// SIMD instructions to use, from [`glanz_math::simd_level`]. The picture does not depend on it.
     pub level: fearless_simd::Level,
 }
@@ -75,9 +75,9 @@ impl DrawOptions {
         Self {
             samples: 1,
             supersample: false,
-            show: Show::Shaded,
+            show: DebugView::Shaded,
             background,
-            layers: Layers::default(),
+            aovs: Aovs::default(),
             level: simd_level(None).expect("the machine's own level exists"),
         }
     }

@@ -18,7 +18,7 @@ mod view;
 pub use develop::{
     Develop, DevelopKernel, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
-pub use draw::{DrawOptions, Layers, Show, draw, draw_rgba8};
+pub use draw::{DrawOptions, Aovs, DebugView, draw, draw_rgba8};
 pub use frame::Frame;
 pub use observe::draw_observed;
 pub use prepare::{

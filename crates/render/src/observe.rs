@@ -7,7 +7,7 @@ mod reference;
 
 use glanz_scene::{Background, ColorMode, Scene};
 
-use crate::{DrawOptions, Frame, Layers, PrepareError, PrepareOptions, Prepared, View, draw};
+use crate::{DrawOptions, Frame, Aovs, PrepareError, PrepareOptions, Prepared, View, draw};
 
 /// Draws every channel of `options.observation`; the first three are the frame's `rgb`, the others its
 /// `more`.
@@ -37,7 +37,7 @@ pub fn draw_observed(
         // A background of three numbers says nothing of further channels.
         let bare = DrawOptions {
             background: bare(draw_options.background),
-            layers: Layers::default(),
+            aovs: Aovs::default(),
             ..*draw_options
         };
         let planes = draw(&next, view, &bare).rgb;

@@ -8,7 +8,7 @@ use common::{
 };
 use glam::{DMat4, DVec3, Vec3};
 use glanz_color::Rgb;
-use glanz_render::{DrawOptions, Show, View, ViewError};
+use glanz_render::{DrawOptions, DebugView, View, ViewError};
 use glanz_scene::{
     AlphaMode, Attenuation, Background, Camera, Interpolation, LightKind, Projection, Scene, Shading,
 };
@@ -215,17 +215,17 @@ fn every_view_of_an_awkward_scene_gives_numbers() {
     let far = DMat4::from_translation(DVec3::new(0.0, 0.0, -1e9)) * DMat4::from_scale(DVec3::splat(1e9));
     add(&mut scene, rectangle([-1.0, -1.0, 1.0, 1.0], 0.0), shiny("phong", 9.0), far);
     for show in [
-        Show::Shaded,
-        Show::Normals,
-        Show::Depth,
-        Show::Ids,
-        Show::Facets,
-        Show::Wireframe,
-        Show::Ambient,
-        Show::Diffuse,
-        Show::Specular,
-        Show::Uv,
-        Show::Lit,
+        DebugView::Shaded,
+        DebugView::Normals,
+        DebugView::Depth,
+        DebugView::Ids,
+        DebugView::Facets,
+        DebugView::Wireframe,
+        DebugView::Ambient,
+        DebugView::Diffuse,
+        DebugView::Specular,
+        DebugView::Uv,
+        DebugView::Lit,
     ] {
         for samples in [1, 4] {
             let base = DrawOptions::new(Background::Color(Rgb::BLACK));

@@ -13,7 +13,7 @@ use glanz_bsdf::Shape;
 use glanz_color::{Ior, Rgb, Spectrum};
 use glanz_math::simd_level;
 use glanz_render::{
-    Develop, DrawOptions, Frame, PrepareOptions, Prepared, Show, ToneMap, View, develop, draw, draw_rgba8,
+    Develop, DrawOptions, Frame, PrepareOptions, Prepared, DebugView, ToneMap, View, develop, draw, draw_rgba8,
     prepare,
 };
 use glanz_scene::{
@@ -211,11 +211,11 @@ fn variants() -> Vec<(String, Scene, DrawOptions)> {
         DrawOptions { samples: 4, ..base },
         DrawOptions { samples: 8, background: transparent, ..base },
         DrawOptions { samples: 2, supersample: true, ..base },
-        DrawOptions { show: Show::Wireframe, ..base },
-        DrawOptions { show: Show::Normals, samples: 4, background: transparent, ..base },
-        DrawOptions { show: Show::Lit, ..base },
-        DrawOptions { show: Show::Uv, ..base },
-        DrawOptions { show: Show::Specular, ..base },
+        DrawOptions { show: DebugView::Wireframe, ..base },
+        DrawOptions { show: DebugView::Normals, samples: 4, background: transparent, ..base },
+        DrawOptions { show: DebugView::Lit, ..base },
+        DrawOptions { show: DebugView::Uv, ..base },
+        DrawOptions { show: DebugView::Specular, ..base },
     ];
     for options in others {
         let what = format!("{:?}, {} samples", options.show, options.samples);

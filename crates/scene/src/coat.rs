@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{CoatSurface, ParamError, Part, Shape, Side, Veil};
+use glanz_bsdf::{CoatSurface, ParamError, LightTerm, Shape, Side, LayerWeight};
 use glanz_color::{Ior, Rgb, Spectrum};
 
 use crate::{Absorption, Lobe, Material, Tint};
@@ -47,20 +47,20 @@ impl Coat {
 
     /// What becomes of a lobe below it.
     fn over(surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
-        let is_matte = lobe.shape.info().part == Part::Diffuse && lobe.shape.info().side == Side::Reflection;
+        let is_matte = lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection;
         // What comes back to the base from below the coat depends on its colour: where a texture darkens it further,
         // this is a little too bright.
-        let veil = if is_matte { Veil::over_matte(surface) } else { Veil::over_glossy(surface) };
+        let layer = if is_matte { LayerWeight::over_matte(surface) } else { LayerWeight::over_glossy(surface) };
         let tint = if is_matte { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
-        Lobe { tint, absorption: absorption.clone(), ..lobe }.under(veil)
+        Lobe { tint, absorption: absorption.clone(), ..lobe }.under(layer)
     }
 }
 
 /// A matte tint as it looks under a coat; re-radiation, which moves light about, is left as it is.
 fn darker(tint: &Tint, coat: &CoatSurface) -> Tint {
     match tint {
-        Tint::Rgb(rgb) => Rgb(rgb.0.map(|c| coat.matte_share(f64::from(c)) as f32)).into(),
-        Tint::Spectrum(spectrum) => Tint::Spectrum(Arc::new(spectrum.map(|c| coat.matte_share(c)))),
+        Tint::Rgb(rgb) => Rgb(rgb.0.map(|c| coat.reflectance_of_coated(f64::from(c)) as f32)).into(),
+        Tint::Spectrum(spectrum) => Tint::Spectrum(Arc::new(spectrum.map(|c| coat.reflectance_of_coated(c)))),
         other => other.clone(),
     }
 }
@@ -80,18 +80,18 @@ impl Material {
         let absorption = coat.absorption();
         let mut lobes = Vec::new();
         for lobe in self.lobes {
-            if !matches!(lobe.shape.info().part, Part::Diffuse | Part::Specular) {
+            if !matches!(lobe.shape.info().term, LightTerm::Diffuse | LightTerm::Specular) {
                 lobes.push(lobe);
                 continue;
             }
             if coat.weight < 1.0 {
-                lobes.push(lobe.clone().under(Veil::Share(1.0 - coat.weight)));
+                lobes.push(lobe.clone().under(LayerWeight::Constant(1.0 - coat.weight)));
             }
             let covered = Coat::over(&surface, lobe, &absorption);
-            lobes.push(if coat.weight < 1.0 { covered.under(Veil::Share(coat.weight)) } else { covered });
+            lobes.push(if coat.weight < 1.0 { covered.under(LayerWeight::Constant(coat.weight)) } else { covered });
         }
         let gloss = Lobe::new(shape, Tint::Ior(Arc::new(coat.ior.clone())));
-        lobes.push(if coat.weight < 1.0 { gloss.under(Veil::Share(coat.weight)) } else { gloss });
+        lobes.push(if coat.weight < 1.0 { gloss.under(LayerWeight::Constant(coat.weight)) } else { gloss });
         self.lobes = lobes;
         Ok(self)
     }
@@ -117,8 +117,8 @@ mod tests {
     fn half_a_coat_leaves_half_of_the_base_bare() {
         let half = base().under_coat(&Coat { weight: 0.5, ..Coat::default() }).expect("the coat is fine");
         assert_eq!(half.lobes.len(), 3);
-        assert_eq!(half.lobes[0].veils, [Veil::Share(0.5)]);
-        assert_eq!(half.lobes[1].veils, [Veil::over_matte(&CoatSurface::new(1.5, 0.03)), Veil::Share(0.5)]);
+        assert_eq!(half.lobes[0].layers, [LayerWeight::Constant(0.5)]);
+        assert_eq!(half.lobes[1].layers, [LayerWeight::over_matte(&CoatSurface::new(1.5, 0.03)), LayerWeight::Constant(0.5)]);
     }
 
     #[test]

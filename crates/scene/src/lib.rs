@@ -37,7 +37,7 @@ pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, Metalness, Textur
 pub use mesh::{Bounds, Mesh, MeshError};
 pub use normals::Normals;
 pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene, Shading};
-pub use sheet::{Absorption, Film, Pane, Through};
+pub use sheet::{Absorption, Film, Pane, Transmittance};
 pub use subdivide::SubdivideError;
 pub use texture::{Texture, TextureFilter, Wrap};
 pub use tint::{LightColor, Polarization, Tint};

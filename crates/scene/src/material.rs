@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{ParamError, Part, Shape, Veil};
+use glanz_bsdf::{ParamError, LightTerm, Shape, LayerWeight};
 use glanz_color::Rgb;
 
-use crate::{Absorption, Through, Tint};
+use crate::{Absorption, Transmittance, Tint};
 
 /// One term of a material: a shape times a tint.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,18 +17,18 @@ pub struct Lobe {
     /// Whether the base colour texture and vertex colours multiply the tint.
     pub textured: bool,
     /// What lies over it.
-    pub veils: Vec<Veil>,
+    pub layers: Vec<LayerWeight>,
     /// What a coat over it absorbs.
     pub absorption: Option<Arc<Absorption>>,
     /// Which part of the surface it belongs to.
-    pub share: Metalness,
+    pub metalness: Metalness,
 }
 
 impl Lobe {
     /// A bare lobe that textures do not touch.
     pub fn new(shape: Shape, tint: impl Into<Tint>) -> Self {
-        let (tint, share) = (tint.into(), Metalness::Any);
-        Self { shape, tint, textured: false, veils: Vec::new(), absorption: None, share }
+        let (tint, metalness) = (tint.into(), Metalness::Any);
+        Self { shape, tint, textured: false, layers: Vec::new(), absorption: None, metalness }
     }
 
     /// The same, multiplied by textures and vertex colours.
@@ -37,8 +37,8 @@ impl Lobe {
     }
 
     /// The same under one more veil.
-    pub fn under(mut self, veil: Veil) -> Self {
-        self.veils.push(veil);
+    pub fn under(mut self, layer: LayerWeight) -> Self {
+        self.layers.push(layer);
         self
     }
 }
@@ -114,7 +114,7 @@ pub struct Material {
     /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
     pub aniso: f64,
     /// What is seen through the surface, beside what `alpha` leaves open.
-    pub through: Option<Through>,
+    pub transmittance: Option<Transmittance>,
     /// Opacity, times the texture's and the vertex colour's.
     pub alpha: f32,
     /// What alpha means.
@@ -135,7 +135,7 @@ impl Material {
             emission_map: None,
             metal_rough_map: None,
             aniso: 0.0,
-            through: None,
+            transmittance: None,
             alpha: 1.0,
             alpha_mode: AlphaMode::Opaque,
             cull_back: false,
@@ -189,7 +189,7 @@ impl ClassicMaterial {
     /// The lobes of the block; those whose tint is black are left out.
     pub fn build(&self, name: impl Into<String>) -> Result<Material, ParamError> {
         let highlight = self.highlight()?;
-        let has_highlight = highlight.info().part == Part::Specular;
+        let has_highlight = highlight.info().term == LightTerm::Specular;
         let specular = if has_highlight { self.specular.clone() } else { Tint::BLACK };
         let plain = |shape: &str| Shape::named(shape, &[]);
         let terms = [

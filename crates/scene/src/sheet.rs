@@ -32,9 +32,9 @@ pub struct Pane {
 /// What is seen through a surface: the share of the light from behind at each wavelength, along the line of
 /// sight.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Through {
+pub enum Transmittance {
     /// The same share at every angle.
-    Share(Tint),
+    Constant(Tint),
     /// What one boundary to this medium does not reflect.
     Boundary(Arc<Ior>),
     /// What a pane lets through.
@@ -53,11 +53,11 @@ pub struct Absorption {
     pub eta: f64,
 }
 
-impl Through {
+impl Transmittance {
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         match self {
-            Self::Share(tint) => tint.is_finite(),
+            Self::Constant(tint) => tint.is_finite(),
             Self::Boundary(ior) => ior.eta.is_finite(),
             Self::Pane(pane) => pane.is_finite(),
             Self::Film(film) => film.is_finite(),

@@ -14,7 +14,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::house::House;
+use crate::workspace::Workspace;
 use crate::{Failure, Result};
 
 /// What is measured.
@@ -31,21 +31,21 @@ pub struct Options {
 }
 
 /// Measures, then prints the tables.
-pub fn run_all(house: &House, options: &Options) -> Result<()> {
+pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
     let mut lines = Vec::new();
     if !options.only_peers {
         let quick = if options.quick { " -- --quick" } else { "" };
         let kernels = format!("run --release --quiet --package glanz-render --example bench{quick}");
-        lines.extend(measured(&mut house.cargo(&kernels))?);
-        lines.extend(whole::run_all(house, options.quick)?);
+        lines.extend(measured(&mut workspace.cargo(&kernels))?);
+        lines.extend(whole::run_all(workspace, options.quick)?);
     }
     if options.peers || options.only_peers {
-        lines.extend(peers::run_all(house, options.quick));
+        lines.extend(peers::run_all(workspace, options.quick));
     }
-    let report = report::report(house, &lines, options);
+    let report = report::report(workspace, &lines, options);
     println!("\n{report}");
     if options.write {
-        report::write(house, &report)?;
+        report::write(workspace, &report)?;
     }
     Ok(())
 }

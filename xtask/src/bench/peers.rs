@@ -8,15 +8,15 @@ use serde_json::Value;
 
 use super::measured;
 use crate::Result;
-use crate::house::{House, run, works};
+use crate::workspace::{Workspace, run, works};
 
 /// Debian's packages for OpenGL without a screen.
 const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
 
 /// Runs both peers. One that cannot be set up is a loud line, and the other still runs.
-pub fn run_all(house: &House, quick: bool) -> Vec<Value> {
+pub fn run_all(workspace: &Workspace, quick: bool) -> Vec<Value> {
     let mut lines = Vec::new();
-    for (name, result) in [("llvmpipe", llvmpipe(house, quick)), ("euc", euc(house, quick))] {
+    for (name, result) in [("llvmpipe", llvmpipe(workspace, quick)), ("euc", euc(workspace, quick))] {
         match result {
             Ok(measured) => lines.extend(measured),
             Err(failure) => println!("!!! {name} was NOT measured: {failure}"),
@@ -25,36 +25,36 @@ pub fn run_all(house: &House, quick: bool) -> Vec<Value> {
     lines
 }
 
-fn llvmpipe(house: &House, quick: bool) -> Result<Vec<Value>> {
-    let python = python(house)?;
-    let mut probe = house.command(&python);
+fn llvmpipe(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
+    let python = python(workspace)?;
+    let mut probe = workspace.command(&python);
     if !works(probe.args(["xtask/peers/llvmpipe.py", "--probe"])) {
         println!("no OpenGL without a screen here: installing Debian's {MESA}");
-        run(house
+        run(workspace
             .command("apt-get")
             .args(["install", "-y", "--no-install-recommends"])
             .args(MESA.split(' ')))?;
     }
-    let mut command = house.command(&python);
+    let mut command = workspace.command(&python);
     measured(command.arg("xtask/peers/llvmpipe.py").args(quick.then_some("--quick")))
 }
 
 /// A Python with moderngl and numpy, in an environment of its own.
-fn python(house: &House) -> Result<PathBuf> {
-    let folder = house.target_folder("peers")?.join("venv");
+fn python(workspace: &Workspace) -> Result<PathBuf> {
+    let folder = workspace.target_folder("peers")?.join("venv");
     let python = folder.join("bin/python");
-    if !works(house.command(&python).args(["-c", "import moderngl, numpy"])) {
-        run(house.command("python3").args(["-m", "venv"]).arg(&folder))?;
-        run(house.command(&python).args(["-m", "pip", "install", "--quiet", "moderngl==5.13.0", "numpy"]))?;
+    if !works(workspace.command(&python).args(["-c", "import moderngl, numpy"])) {
+        run(workspace.command("python3").args(["-m", "venv"]).arg(&folder))?;
+        run(workspace.command(&python).args(["-m", "pip", "install", "--quiet", "moderngl==5.13.0", "numpy"]))?;
     }
     Ok(python)
 }
 
-fn euc(house: &House, quick: bool) -> Result<Vec<Value>> {
+fn euc(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
     let mut command =
-        house.cargo("run --release --quiet --manifest-path xtask/peers/euc/Cargo.toml --target-dir");
+        workspace.cargo("run --release --quiet --manifest-path xtask/peers/euc/Cargo.toml --target-dir");
     // euc relies on fused multiply-add, which is a slow library call where the processor may lack it.
     command.env("RUSTFLAGS", "-C target-cpu=native");
-    command.arg(house.target_folder("peers")?.join("euc")).arg("--").args(quick.then_some("--quick"));
+    command.arg(workspace.target_folder("peers")?.join("euc")).arg("--").args(quick.then_some("--quick"));
     measured(&mut command)
 }

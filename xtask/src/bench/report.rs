@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::Value;
 
 use super::Options;
-use crate::house::{House, run_quietly};
+use crate::workspace::{Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Below this line `docs/BENCHMARKS.md` is written by the program.
@@ -14,8 +14,8 @@ const MARK: &str = "<!-- measured -->";
 const LIGHTS: [u64; 3] = [1, 4, 8];
 
 /// All tables, with date, processor and command.
-pub fn report(house: &House, lines: &[Value], options: &Options) -> String {
-    let mut text = format!("Measured on {} with `{}`.\n", date(house), command(options));
+pub fn report(workspace: &Workspace, lines: &[Value], options: &Options) -> String {
+    let mut text = format!("Measured on {} with `{}`.\n", date(workspace), command(options));
     let _ = writeln!(text, "Processor: {}, {} threads.", processor(), threads());
     let frames: Vec<&Value> = lines.iter().filter(|line| line["sphere"].is_string()).collect();
     for (sphere, shading) in distinct(&frames, |line| (string(line, "sphere"), shading(line))) {
@@ -30,8 +30,8 @@ pub fn report(house: &House, lines: &[Value], options: &Options) -> String {
 }
 
 /// Puts the report into `docs/BENCHMARKS.md`, in place of the last one.
-pub fn write(house: &House, report: &str) -> Result<()> {
-    let path = house.path("docs/BENCHMARKS.md");
+pub fn write(workspace: &Workspace, report: &str) -> Result<()> {
+    let path = workspace.path("docs/BENCHMARKS.md");
     let old = std::fs::read_to_string(&path).map_err(Failure::during(path.display()))?;
     let (head, _) = old
         .split_once(MARK)
@@ -138,8 +138,8 @@ fn command(options: &Options) -> String {
     format!("cargo xtask bench{flags}")
 }
 
-fn date(house: &House) -> String {
-    let date = run_quietly(house.command("date").args(["-u", "+%Y-%m-%d"])).unwrap_or_default();
+fn date(workspace: &Workspace) -> String {
+    let date = run_quietly(workspace.command("date").args(["-u", "+%Y-%m-%d"])).unwrap_or_default();
     let date = String::from_utf8_lossy(&date).trim().to_owned();
     if date.is_empty() { "an unknown day".to_owned() } else { date }
 }
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn the_table_tells_who_is_how_much_slower() {
-        let text = report(&House::find(), &lines(), &Options { peers: true, ..Options::default() });
+        let text = report(&Workspace::find(), &lines(), &Options { peers: true, ..Options::default() });
         assert!(text.contains("`cargo xtask bench --peers`"), "{text}");
         assert!(text.contains("| glanz | 2.00 (1.50–3.00) | – | – |"), "{text}");
         assert!(text.contains("| euc (0.5.3), 1 threads | 5.00 (4.00–9.00) | – | – |"), "{text}");
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn other_rows_stand_under_their_title() {
-        let text = report(&House::find(), &lines(), &Options::default());
+        let text = report(&Workspace::find(), &lines(), &Options::default());
         let expected = "### Throughput\n\n| | Mfragments/s | of limit |\n|---|---|---|\n\
                         | lambert | 812.25 | – |\n| phong | 401.00 | 90 % |\n";
         assert!(text.contains(expected), "{text}");

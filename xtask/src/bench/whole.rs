@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use crate::house::{House, Profile, run_quietly};
+use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::{Failure, Result};
 
 /// The benchmark's sphere as a scene file: that of the peers, with one light.
@@ -45,14 +45,14 @@ material = \"red\"
 const SILHOUETTE: f64 = 0.7;
 
 /// Measures time and memory of `glanz render`.
-pub fn run_all(house: &House, quick: bool) -> Result<Vec<Value>> {
-    let glanz = house.glanz(Profile::Release)?;
-    let folder = house.target_folder("bench")?;
+pub fn run_all(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
+    let glanz = workspace.glanz(Profile::Release)?;
+    let folder = workspace.target_folder("bench")?;
     let scene = folder.join("sphere.toml");
     std::fs::write(&scene, scene_text()).map_err(Failure::during(scene.display()))?;
     let picture = folder.join("sphere.png");
     let render = || {
-        let mut command = house.command(&glanz);
+        let mut command = workspace.command(&glanz);
         command.arg("render").arg(&scene).arg("-o").arg(&picture);
         command
     };

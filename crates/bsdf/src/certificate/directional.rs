@@ -3,7 +3,7 @@
 use glanz_math::{GaussLegendre, PI, Vec3};
 
 use crate::albedo::directional;
-use crate::{ModelInfo, Pair, Side};
+use crate::{ModelInfo, DirectionPair, Side};
 
 /// Halvings of the cells towards the peak: the finest are 1.5e-9 rad wide. A lobe of width 0.001 that is seen at
 /// 89.999° is 2e-8 rad narrow in azimuth.
@@ -18,7 +18,7 @@ const POINTS: usize = 6;
 ///
 /// As `albedo::directional`, but for the plain highlight its grid is finer: there the integral is right up to the
 /// horizon.
-pub(super) fn albedo_by(info: &ModelInfo, eta: f64, wo: Vec3<f64>, f_cos: &dyn Fn(&Pair<f64>) -> f64) -> f64 {
+pub(super) fn albedo_by(info: &ModelInfo, eta: f64, wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
     let phi_o = libm::atan2(wo.y, wo.x);
     if info.anisotropic || info.side == Side::Transmission {
         return directional(info, eta, (wo.z, phi_o), f_cos);
@@ -27,14 +27,14 @@ pub(super) fn albedo_by(info: &ModelInfo, eta: f64, wo: Vec3<f64>, f_cos: &dyn F
 }
 
 /// The same over the upper hemisphere, in angles that are refined towards the mirror direction.
-pub(super) fn by_angles(wo: Vec3<f64>, f_cos: &dyn Fn(&Pair<f64>) -> f64) -> f64 {
+pub(super) fn by_angles(wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
     let phi_peak = libm::atan2(wo.y, wo.x) + PI;
     let theta_o = libm::acos(wo.z.clamp(0.0, 1.0));
     let rule = GaussLegendre::new(POINTS);
     let polar = refined(0.0, 0.5 * PI, theta_o);
     let around = refined(-PI, PI, 0.0);
     let strip = |theta: f64| {
-        let value = |phi: f64| f_cos(&Pair::new(wo, Vec3::from_angles(theta, phi_peak + phi)));
+        let value = |phi: f64| f_cos(&DirectionPair::new(wo, Vec3::from_angles(theta, phi_peak + phi)));
         let ring: f64 = around.windows(2).map(|cell| rule.integrate(cell[0], cell[1], value)).sum();
         ring * libm::sin(theta)
     };

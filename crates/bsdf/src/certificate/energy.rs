@@ -4,7 +4,7 @@ use super::directional::by_angles;
 use super::grid::{THETA, azimuths, direction};
 use super::report::{Check, Finding};
 use super::subject::Subject;
-use crate::Pair;
+use crate::DirectionPair;
 
 /// What quadrature may add to an albedo of exactly 1.
 const TOLERANCE: f64 = 2e-4;
@@ -35,7 +35,7 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
 /// narrow one way alone, must find too much as well.
 fn albedo(subject: &dyn Subject, theta: f64, phi: f64) -> f64 {
     let wo = direction(theta, phi);
-    let value = |pair: &Pair<f64>| subject.long(pair);
+    let value = |pair: &DirectionPair<f64>| subject.long(pair);
     let albedo = subject.eta() * subject.eta() * subject.integral(wo, &value);
     match albedo > 1.0 + TOLERANCE && subject.info().anisotropic && !subject.transmits() {
         true => albedo.min(by_angles(wo, &value)),

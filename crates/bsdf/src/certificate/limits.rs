@@ -5,7 +5,7 @@ use glanz_math::{PI, Vec3};
 use super::grid::direction;
 use super::report::{Check, Finding};
 use super::subject::Subject;
-use crate::{Pair, Part};
+use crate::{DirectionPair, LightTerm};
 
 /// The view angle at which a highlight is followed, in degrees.
 const VIEW: f64 = 30.0;
@@ -21,9 +21,9 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
     if let Some(reason) = subject.excuse() {
         return Finding::not_applicable(Check::Limits, reason);
     }
-    match (subject.info().part, subject.transmits()) {
+    match (subject.info().term, subject.transmits()) {
         (_, true) => Finding::not_applicable(Check::Limits, "where light passes through, it bends"),
-        (Part::Specular, _) => narrow(subject),
+        (LightTerm::Specular, _) => narrow(subject),
         _ => smooth(subject),
     }
 }
@@ -78,7 +78,7 @@ fn narrow(subject: &dyn Subject) -> Finding {
 fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
     let wo = direction(VIEW, 0.0);
     let moment =
-        |weight: &dyn Fn(&Pair<f64>) -> f64| subject.integral(wo, &|pair| subject.long(pair) * weight(pair));
+        |weight: &dyn Fn(&DirectionPair<f64>) -> f64| subject.integral(wo, &|pair| subject.long(pair) * weight(pair));
     let all = moment(&|_| 1.0);
     let sum = Vec3::new(
         moment(&|pair| pair.tangent_i.0),
@@ -110,7 +110,7 @@ fn from_lambert(subject: &dyn Subject) -> f64 {
     for theta_o in angles {
         for (theta_i, phi) in angles.iter().flat_map(|theta| [0.0, 70.0, 180.0].map(|phi| (*theta, phi))) {
             let wi = direction(theta_i, phi);
-            let value = subject.long(&Pair::new(direction(theta_o, 0.0), wi)) / wi.z;
+            let value = subject.long(&DirectionPair::new(direction(theta_o, 0.0), wi)) / wi.z;
             (low, high) = (low.min(value), high.max(value));
         }
     }

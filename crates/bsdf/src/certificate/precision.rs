@@ -5,7 +5,7 @@ use glanz_math::Vec3;
 use super::grid::{places, short};
 use super::report::{Check, Finding};
 use super::subject::Subject;
-use crate::{Pair, Part};
+use crate::{DirectionPair, LightTerm};
 
 /// Rounding of a cosine that is formed in `f32` from three products.
 const COSINE: f64 = 3e-7;
@@ -20,11 +20,11 @@ const HORIZON: f64 = 1e-4;
 /// Looks for the pair of directions whose value in `f32` is furthest from all that `f64` gives for cosines
 /// rounded as `f32` rounds them.
 pub(super) fn check(subject: &dyn Subject) -> Finding {
-    if matches!(subject.info().part, Part::Ambient | Part::Emission) {
+    if matches!(subject.info().term, LightTerm::Ambient | LightTerm::Emission) {
         return Finding::not_applicable(Check::Precision, super::subject::NO_DIRECTION);
     }
     let places = places(subject);
-    let value = |place: &super::grid::Place| subject.long(&Pair::new(place.wo(), place.wi()));
+    let value = |place: &super::grid::Place| subject.long(&DirectionPair::new(place.wo(), place.wi()));
     let greatest = places.iter().map(value).fold(0.0, f64::max);
     let mut worst = (0.0, None);
     for place in places {
@@ -46,8 +46,8 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
 
 /// How far outside, in parts of the value.
 fn excess(subject: &dyn Subject, wo: Vec3<f64>, wi: Vec3<f64>, faintest: f64) -> f64 {
-    let pair = Pair::new(wo, wi);
-    let got = f64::from(subject.short(&Pair::new(short(wo), short(wi))));
+    let pair = DirectionPair::new(wo, wi);
+    let got = f64::from(subject.short(&DirectionPair::new(short(wo), short(wi))));
     let (mut low, mut high) = (f64::MAX, f64::MIN);
     const STEPS: [f64; 3] = [-COSINE, 0.0, COSINE];
     for io in STEPS {

@@ -5,7 +5,7 @@ use glanz_math::Vec3;
 use super::grid::{Place, places};
 use super::report::{Check, Finding};
 use super::subject::Subject;
-use crate::Pair;
+use crate::DirectionPair;
 
 /// How far both ways may differ, in parts of the greater: the rounding of `f64`, multiplied by the exponents
 /// of narrow lobes.
@@ -56,6 +56,6 @@ pub(super) fn check(subject: &dyn Subject) -> Finding {
 fn both_ways(subject: &dyn Subject, back: &dyn Subject, place: Place) -> (f64, f64) {
     let (wo, wi) = (place.wo(), place.wi());
     let over = |w: Vec3<f64>| if subject.transmits() { Vec3::new(w.x, w.y, -w.z) } else { w };
-    let there = subject.long(&Pair::new(wo, wi)) * wo.z.abs() * subject.eta() * subject.eta();
-    (there, back.long(&Pair::new(over(wi), over(wo))) * wi.z.abs())
+    let there = subject.long(&DirectionPair::new(wo, wi)) * wo.z.abs() * subject.eta() * subject.eta();
+    (there, back.long(&DirectionPair::new(over(wi), over(wo))) * wi.z.abs())
 }

@@ -3,7 +3,7 @@
 use glanz_math::Vec3;
 
 use super::directional::albedo_by;
-use crate::{ModelInfo, Pair, Part, Shape, Side};
+use crate::{ModelInfo, DirectionPair, LightTerm, Shape, Side};
 
 /// Why lobes without a light's direction keep no laws.
 pub(super) const NO_DIRECTION: &str = "it answers to no light from a direction";
@@ -19,9 +19,9 @@ pub(super) trait Subject {
     /// The same model with other parameters.
     fn with(&self, params: &[f64]) -> Box<dyn Subject>;
     /// The BSDF times the incident cosine.
-    fn long(&self, pair: &Pair<f64>) -> f64;
+    fn long(&self, pair: &DirectionPair<f64>) -> f64;
     /// The same in single precision.
-    fn short(&self, pair: &Pair<f32>) -> f32;
+    fn short(&self, pair: &DirectionPair<f32>) -> f32;
     /// The index of refraction below the surface over that above it.
     fn eta(&self) -> f64;
     /// The distribution of facets, if it has one.
@@ -30,8 +30,8 @@ pub(super) trait Subject {
     /// Why the laws of directional light do not apply, if they do not.
     fn excuse(&self) -> Option<&'static str> {
         let info = self.info();
-        match info.part {
-            Part::Ambient | Part::Emission => Some(NO_DIRECTION),
+        match info.term {
+            LightTerm::Ambient | LightTerm::Emission => Some(NO_DIRECTION),
             _ if info.delta => Some(SINGLE_DIRECTION),
             _ => None,
         }
@@ -51,7 +51,7 @@ pub(super) trait Subject {
     }
 
     /// ∫ f_cos dωi over the light's hemisphere, for the function given in place of its own.
-    fn integral(&self, wo: Vec3<f64>, f_cos: &dyn Fn(&Pair<f64>) -> f64) -> f64 {
+    fn integral(&self, wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
         albedo_by(self.info(), self.eta(), wo, f_cos)
     }
 
@@ -73,10 +73,10 @@ impl Subject for Shape {
         let set: Vec<_> = info.params.iter().map(|param| param.name).zip(params.iter().copied()).collect();
         Box::new(Self::named(info.name, &set).expect("parameters within their ranges make a shape"))
     }
-    fn long(&self, pair: &Pair<f64>) -> f64 {
+    fn long(&self, pair: &DirectionPair<f64>) -> f64 {
         self.f_cos(pair)
     }
-    fn short(&self, pair: &Pair<f32>) -> f32 {
+    fn short(&self, pair: &DirectionPair<f32>) -> f32 {
         self.f_cos(pair)
     }
     fn eta(&self) -> f64 {

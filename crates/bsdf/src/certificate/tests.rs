@@ -3,7 +3,7 @@
 use glanz_math::{PI, Real, Vec3};
 
 use super::*;
-use crate::{Law, MODELS, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Law, MODELS, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// What is wrong with a lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ const INFO: ModelInfo = ModelInfo {
     formula: "(R·wo)ⁿ cosθi",
     source: "a test",
     params: &[SHARP],
-    part: Part::Specular,
+    term: LightTerm::Specular,
     side: Side::Reflection,
     anisotropic: false,
     delta: false,
@@ -44,14 +44,14 @@ const INFO: ModelInfo = ModelInfo {
 };
 
 /// The cosine to a direction 5° and more nearer to the normal than the mirror direction.
-fn askew<R: Real>(pair: &Pair<R>) -> R {
+fn askew<R: Real>(pair: &DirectionPair<R>) -> R {
     let lift = pair.cos_i.lit(0.2);
     let length = (pair.cos_i.one() + lift.sqr() + (lift + lift) * pair.cos_o).sqrt();
     (pair.cos_mirror() + lift * pair.cos_i) / length
 }
 
 impl Broken {
-    fn value<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn value<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let lobe = |cosine: R| cosine.max(zero).pow(zero.lit(self.shininess));
         let scale = zero.lit((self.shininess + 2.0) / (2.0 * PI));
@@ -79,10 +79,10 @@ impl Subject for Broken {
     fn with(&self, params: &[f64]) -> Box<dyn Subject> {
         Box::new(Self { shininess: params[0], ..*self })
     }
-    fn long(&self, pair: &Pair<f64>) -> f64 {
+    fn long(&self, pair: &DirectionPair<f64>) -> f64 {
         self.value(pair)
     }
-    fn short(&self, pair: &Pair<f32>) -> f32 {
+    fn short(&self, pair: &DirectionPair<f32>) -> f32 {
         match self.fault {
             Fault::ShortNotANumber if pair.cos_i < 1e-4 => f32::NAN,
             Fault::Imprecise => self.value(pair) * 1.001,
@@ -211,7 +211,7 @@ fn an_integral_does_not_depend_on_the_azimuth_of_a_surface_without_grain() {
 #[test]
 fn a_narrow_lobe_is_measured_at_the_horizon() {
     let n = 2e5;
-    let lobe = |pair: &Pair<f64>| (n + 1.0) / (2.0 * PI) * libm::pow(pair.cos_mirror().max(0.0), n);
+    let lobe = |pair: &DirectionPair<f64>| (n + 1.0) / (2.0 * PI) * libm::pow(pair.cos_mirror().max(0.0), n);
     let narrow = ModelInfo { side: Side::Reflection, ..INFO };
     let seen = |degrees: f64| {
         directional::albedo_by(&narrow, 1.0, Vec3::from_angles(degrees * PI / 180.0, 0.3), &lobe)
@@ -234,7 +234,7 @@ fn the_factors_of_facet_models_make_up_the_model() {
         let shape = Shape::named(name, &set).unwrap();
         for (theta, phi) in [(0.3, 2.0), (0.9, 3.0), (1.3, 4.0)] {
             let (wo, wi) = (Vec3::from_angles(0.7, 0.2), Vec3::from_angles(theta, phi));
-            let pair = Pair::new(wo, wi);
+            let pair = DirectionPair::new(wo, wi);
             let half = (wo + wi).normalized();
             let (d, g) = (shape.distribution(half).unwrap(), shape.shadowing(&pair).unwrap());
             let made = d * g / (4.0 * wo.z);

@@ -4,7 +4,7 @@
 
 use glanz_math::Real;
 
-use crate::Pair;
+use crate::DirectionPair;
 
 /// H = wo + wi.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +18,7 @@ pub(crate) struct Half<R> {
 
 impl<R: Real> Half<R> {
     #[inline(always)]
-    pub(crate) fn new(pair: &Pair<R>) -> Self {
+    pub(crate) fn new(pair: &DirectionPair<R>) -> Self {
         let up2 = (pair.cos_o + pair.cos_i).sqr().max(pair.cos_o.lit(1e-12));
         let length2 = ((pair.cos_io + pair.cos_io.one()) * pair.cos_io.lit(2.0)).max(up2);
         Self { up2, length2 }
@@ -27,7 +27,7 @@ impl<R: Real> Half<R> {
     /// The tangential part of H in parts of the widths, squared. `inverse2` is (1/αx², 1/αy²); where both are equal
     /// the tangents are not read.
     #[inline(always)]
-    pub(crate) fn across2(&self, pair: &Pair<R>, inverse2: (f64, f64)) -> R {
+    pub(crate) fn across2(&self, pair: &DirectionPair<R>, inverse2: (f64, f64)) -> R {
         let x = self.up2.lit(inverse2.0);
         if inverse2.0 == inverse2.1 {
             return (self.length2 - self.up2) * x;

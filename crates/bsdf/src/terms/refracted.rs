@@ -5,7 +5,7 @@
 
 use glanz_math::Real;
 
-use crate::Pair;
+use crate::DirectionPair;
 
 /// H = wo + η wi.
 pub(crate) struct Refracted<R: Real> {
@@ -21,7 +21,7 @@ pub(crate) struct Refracted<R: Real> {
 
 impl<R: Real> Refracted<R> {
     #[inline(always)]
-    pub(crate) fn new(pair: &Pair<R>, eta: f64) -> Self {
+    pub(crate) fn new(pair: &DirectionPair<R>, eta: f64) -> Self {
         let (zero, one, eta) = (pair.cos_o.zero(), pair.cos_o.one(), pair.cos_o.lit(eta));
         let up = pair.cos_o + eta * pair.cos_i;
         let (with_o, with_i) = (one + eta * pair.cos_io, pair.cos_io + eta);
@@ -36,7 +36,7 @@ impl<R: Real> Refracted<R> {
 
 /// |wo·h|, 0 … 1: the cosine at which light meets the facet, on the viewer's side.
 #[inline(always)]
-pub(crate) fn refracted_cosine<R: Real>(pair: &Pair<R>, eta: f64) -> R {
+pub(crate) fn refracted_cosine<R: Real>(pair: &DirectionPair<R>, eta: f64) -> R {
     let (one, eta) = (pair.cos_o.one(), pair.cos_o.lit(eta));
     let with_o = one + eta * pair.cos_io;
     let length2 = with_o + eta * (pair.cos_io + eta);

@@ -7,7 +7,7 @@
 use glanz_math::{PI, Real, Vec3};
 
 use crate::terms::{Distribution, exp2_or_zero, facets};
-use crate::{Pair, ParamInfo};
+use crate::{DirectionPair, ParamInfo};
 
 #[cfg(test)]
 pub(crate) mod checks;
@@ -69,7 +69,7 @@ impl Widths {
 
     /// What a model of this highlight has in the place of G, so that f_cos = D · G / (4 cosθo). It is none of a
     /// theory of facets, and may be more than 1.
-    pub(crate) fn in_place_of_g(&self, f_cos: f64, pair: &Pair<f64>) -> f64 {
+    pub(crate) fn in_place_of_g(&self, f_cos: f64, pair: &DirectionPair<f64>) -> f64 {
         let (wo, wi) = facets::both_above(pair);
         let d = self.distribution((wo + wi).normalized());
         if d > 0.0 { 4.0 * pair.cos_o * f_cos / d } else { 0.0 }
@@ -95,13 +95,13 @@ impl Widths {
 
     /// The Gaussian of the facet between `wo` and `wi`.
     #[inline(always)]
-    pub(crate) fn highlight<R: Real>(&self, pair: &Pair<R>) -> Highlight<R> {
+    pub(crate) fn highlight<R: Real>(&self, pair: &DirectionPair<R>) -> Highlight<R> {
         self.highlight_with(pair, pair.cos_i.one() / height_squared(pair))
     }
 
     /// [`Widths::highlight`] for a caller that has 1 / Hz² (see [`height_squared`]).
     #[inline(always)]
-    pub(crate) fn highlight_with<R: Real>(&self, pair: &Pair<R>, per_height_squared: R) -> Highlight<R> {
+    pub(crate) fn highlight_with<R: Real>(&self, pair: &DirectionPair<R>, per_height_squared: R) -> Highlight<R> {
         let x2 = (pair.tangent_o.0 + pair.tangent_i.0).sqr();
         let y2 = (pair.tangent_o.1 + pair.tangent_i.1).sqr();
         let weighed = x2 * x2.lit(self.steepness.0) + y2 * y2.lit(self.steepness.1);
@@ -112,13 +112,13 @@ impl Widths {
 
 /// Hz², where it is more than nothing.
 #[inline(always)]
-pub(crate) fn height_squared<R: Real>(pair: &Pair<R>) -> R {
+pub(crate) fn height_squared<R: Real>(pair: &DirectionPair<R>) -> R {
     (pair.cos_i + pair.cos_o).sqr().max(pair.cos_i.lit(LOWEST_SQUARED))
 }
 
 /// `value` where both directions are above the surface, else 0.
 #[inline(always)]
-pub(crate) fn above<R: Real>(pair: &Pair<R>, value: R) -> R {
+pub(crate) fn above<R: Real>(pair: &DirectionPair<R>, value: R) -> R {
     let zero = value.zero();
     value.select(zero.lt(pair.cos_i) & zero.lt(pair.cos_o), zero)
 }

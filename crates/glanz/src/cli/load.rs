@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use glam::DMat4;
-use glanz_render::{Show, ToneMap};
+use glanz_render::{DebugView, ToneMap};
 use glanz_scene::file::{FileError, LoadOptions, Loaded, load, parse_str};
 use glanz_scene::read::{ReadError, ReadOptions, read_model};
 use glanz_scene::{Camera, Scene, add_default_lights};
@@ -22,7 +22,7 @@ pub struct Input {
     /// The scene.
     pub scene: Scene,
     /// What the picture shows unless the command line says otherwise.
-    pub show: Show,
+    pub show: DebugView,
     /// Tone mapping unless the command line says otherwise.
     pub tone_map: ToneMap,
     /// Exposure in stops unless the command line says otherwise.

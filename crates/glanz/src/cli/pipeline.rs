@@ -4,7 +4,7 @@ use glanz_color::exr::{Band, SpectralImage};
 use glanz_color::photometry::PHOTOPIC_LM_PER_W;
 use glanz_color::{Spectrum, lambda_nm, rgb_spectra};
 use glanz_render::{
-    Develop, DrawOptions, Frame, Layers, Observation, PrepareOptions, Prepared, ToScreen, View, develop,
+    Develop, DrawOptions, Frame, Aovs, Observation, PrepareOptions, Prepared, ToScreen, View, develop,
     develop16, draw, draw_observed, draw_rgba8, prepare,
 };
 use glanz_scene::{Background, Camera, ColorMode, Scene, Shading, White};
@@ -164,7 +164,7 @@ impl Plan {
         Ok(match kind {
             Kind::Codes8 => Picture::Codes8(self.codes(prepared, timings)?),
             Kind::Codes16 => {
-                let frame = timings.measure(Stage::Draw, || self.frame(prepared, Layers::default()))?;
+                let frame = timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default()))?;
                 let rgba = timings.measure(Stage::Develop, || {
                     let (frame, develop) = self.developable(frame);
                     develop16(&frame, &develop)
@@ -175,7 +175,7 @@ impl Plan {
                 Picture::Spectrum(timings.measure(Stage::Draw, || self.spectral_image(prepared))?)
             }
             Kind::Light => {
-                let layers = Layers { depth: true, normal: true, object: true };
+                let layers = Aovs { depth: true, normal: true, object: true };
                 let frame = timings.measure(Stage::Draw, || self.frame(prepared, layers))?;
                 Picture::Light(self.light(frame))
             }
@@ -186,7 +186,7 @@ impl Plan {
     pub fn codes(&self, prepared: &Prepared, timings: &mut Timings) -> Result<Canvas, Failure> {
         let (width, height) = (self.view.width as usize, self.view.height as usize);
         if self.takes_several_frames() {
-            let frame = timings.measure(Stage::Draw, || self.frame(prepared, Layers::default()))?;
+            let frame = timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default()))?;
             let rgba = timings.measure(Stage::Develop, || {
                 let (frame, settings) = self.developable(frame);
                 develop(&frame, &settings)
@@ -202,15 +202,15 @@ impl Plan {
 
     /// Draws linear light with object numbers, and develops it.
     pub fn developed(&self, prepared: &Prepared) -> Result<Developed, Failure> {
-        let frame = self.frame(prepared, Layers { object: true, ..Layers::default() })?;
+        let frame = self.frame(prepared, Aovs { object: true, ..Aovs::default() })?;
         let frame = self.on_linear_screen(frame);
         let codes = develop(&frame, &Develop { to_screen: None, ..self.develop });
         Ok(Developed { frame, codes })
     }
 
     /// All channels that the observer sees.
-    pub fn frame(&self, prepared: &Prepared, layers: Layers) -> Result<Frame, Failure> {
-        let options = DrawOptions { layers, ..self.options };
+    pub fn frame(&self, prepared: &Prepared, aovs: Aovs) -> Result<Frame, Failure> {
+        let options = DrawOptions { aovs: layers, ..self.options };
         if !self.takes_several_frames() {
             return Ok(draw(prepared, &self.view, &options));
         }
@@ -249,7 +249,7 @@ impl Plan {
             Band { nm: lambda_nm(i), values }
         };
         let emissive = frame.rgb.into_iter().chain(frame.more).enumerate().map(band).collect();
-        let preview = self.on_linear_screen(self.frame(prepared, Layers::default())?);
+        let preview = self.on_linear_screen(self.frame(prepared, Aovs::default())?);
         Ok(SpectralImage {
             width: frame.width,
             height: frame.height,

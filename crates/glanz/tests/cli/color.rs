@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use serde_json::Value;
 
-use crate::house::Folder;
+use crate::folder::Folder;
 
 fn json(words: &[&str]) -> Value {
     Folder::new().glanz(&[&["color"], words, &["--format", "json"]].concat()).json()

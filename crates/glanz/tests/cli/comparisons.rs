@@ -5,7 +5,7 @@ use std::io::Cursor;
 use glanz_render::Frame;
 use glanz_render::output::{Effort, Metadata, write_exr, write_png8};
 
-use crate::house::{Folder, Run};
+use crate::folder::{Folder, Run};
 
 const SIZE: (usize, usize) = (24, 16);
 

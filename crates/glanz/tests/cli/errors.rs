@@ -1,6 +1,6 @@
 //! Every way to fail: one message that names what is wrong, and the right exit code.
 
-use crate::house::{Folder, SCENE, command};
+use crate::folder::{Folder, SCENE, command};
 
 /// Snapshots the failure of `glanz render` with these words on the scene of the house.
 macro_rules! fails {

@@ -1,6 +1,6 @@
 //! What `--help`, `--version`, `schema` and `completions` print.
 
-use crate::house::Folder;
+use crate::folder::Folder;
 
 /// The words that lead to every command.
 const COMMANDS: [&[&str]; 36] = [

@@ -1,6 +1,6 @@
 //! `glanz check`, `glanz plot`, `glanz sheet` and tables of directions.
 
-use crate::house::{Folder, command};
+use crate::folder::{Folder, command};
 
 /// Width and height in the head of a PNG.
 fn png_size(bytes: &[u8]) -> (u32, u32) {

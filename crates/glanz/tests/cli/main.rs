@@ -6,7 +6,7 @@ mod color;
 mod comparisons;
 mod errors;
 mod help;
-mod house;
+mod folder;
 mod lobes;
 mod materials;
 mod models;

@@ -1,6 +1,6 @@
 //! `glanz material`: the library on the command line.
 
-use crate::house::Folder;
+use crate::folder::Folder;
 use crate::pictures::Png;
 
 #[test]

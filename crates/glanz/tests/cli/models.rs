@@ -1,6 +1,6 @@
 //! `glanz bsdf` and `glanz info`: numbers for people and programs.
 
-use crate::house::Folder;
+use crate::folder::Folder;
 
 fn number(value: &serde_json::Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))

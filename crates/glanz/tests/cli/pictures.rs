@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use crate::house::Folder;
+use crate::folder::Folder;
 
 /// A decoded PNG: width, height, bits per channel, RGBA bytes.
 #[derive(Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::house::Folder;
+use crate::folder::Folder;
 
 /// Three patches under daylight.
 const PATCHES: &str = r#"[image]

@@ -1,17 +1,17 @@
 //! Everything about a frame that all its tiles share.
 
-use glanz_bsdf::{Part, Shape};
+use glanz_bsdf::{LightTerm, Shape};
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
-use super::backdrop::Backdrop;
-use super::eye::Eye;
-use super::lights::EyeLights;
+use super::background::ViewBackground;
+use super::camera::ViewCamera;
+use super::lights::ViewLights;
 use super::polygons::PolygonView;
 use super::samples;
 use crate::prepare::{
-    Attributes, Curve, DirectLobe, Field, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
+    Attributes, TintSeries, DirectLobe, LobeIntegrals, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
 };
-use crate::{DrawOptions, Prepared, Show, View};
+use crate::{DrawOptions, Prepared, DebugView, View};
 
 /// How a triangle of an object takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +59,8 @@ pub(crate) struct Layout {
 /// What all tiles of a frame share.
 pub(crate) struct FrameView<'a> {
     pub prepared: &'a Prepared,
-    pub eye: Eye,
-    pub lights: EyeLights<'a>,
+    pub camera: ViewCamera,
+    pub lights: ViewLights<'a>,
     pub materials: std::borrow::Cow<'a, [PreparedMaterial]>,
     pub objects: Vec<ObjectView>,
     pub options: &'a DrawOptions,
@@ -72,28 +72,28 @@ pub(crate) struct FrameView<'a> {
 
 impl<'a> FrameView<'a> {
     pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
-        let eye = Eye::new(prepared, view);
-        let lights = EyeLights::new(prepared, &eye, options);
+        let camera = ViewCamera::new(prepared, view);
+        let lights = ViewLights::new(prepared, &camera, options);
         let materials = shown_materials(prepared, options.show);
         let objects: Vec<_> = prepared
             .objects
             .iter()
-            .map(|object| ObjectView::new(object, &materials, &lights, &eye, options.show))
+            .map(|object| ObjectView::new(object, &materials, &lights, &camera, options.show))
             .collect();
         let any_gouraud = objects.iter().any(|object| object.shading == Shading::Gouraud);
         let is_mixed =
             |object: &ObjectView| object.shading == Shading::Gouraud && object.layout.mix.is_some();
         let any_mix = objects.iter().any(is_mixed);
         let samples = samples::positions(options.samples);
-        Self { prepared, eye, lights, materials, objects, options, samples, any_gouraud, any_mix }
+        Self { prepared, camera, lights, materials, objects, options, samples, any_gouraud, any_mix }
     }
 }
 
 impl FrameView<'_> {
     /// What is where nothing is.
     #[inline(always)]
-    pub fn backdrop(&self) -> Backdrop<'_> {
-        Backdrop::new(self.options.background, &self.eye, &self.lights, self.prepared.backdrop)
+    pub fn background(&self) -> ViewBackground<'_> {
+        ViewBackground::new(self.options.background, &self.camera, &self.lights, self.prepared.environment_tint)
     }
 }
 
@@ -101,18 +101,18 @@ impl ObjectView {
     fn new(
         object: &PreparedObject,
         materials: &[PreparedMaterial],
-        lights: &EyeLights,
-        eye: &Eye,
-        show: Show,
+        lights: &ViewLights,
+        camera: &ViewCamera,
+        show: DebugView,
     ) -> Self {
         let material = &materials[object.material];
         let pass = match material.alpha_mode {
-            _ if material.through.is_some() => Pass::Blended,
+            _ if material.transmittance.is_some() => Pass::Blended,
             AlphaMode::Opaque => Pass::Opaque,
             AlphaMode::Mask { .. } => Pass::Masked,
             AlphaMode::Blend => Pass::Blended,
         };
-        let hidden = object.closed && pass == Pass::Opaque && eye.is_outside(object);
+        let hidden = object.closed && pass == Pass::Opaque && camera.is_outside(object);
         let scanline = object.interpolation == Interpolation::Scanline;
         let mut view = Self {
             material: object.material,
@@ -121,18 +121,18 @@ impl ObjectView {
             pass,
             cull_back: material.cull_back || hidden,
             layout: Layout::new(object, material, show),
-            anchor: eye.anchor(object),
+            anchor: camera.anchor(object),
             polygons: None,
         };
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
-            view.polygons = Some(PolygonView::new(polygons, object, eye, lights, material));
+            view.polygons = Some(PolygonView::new(polygons, object, camera, lights, material));
         }
         view
     }
 }
 
 impl Layout {
-    fn new(object: &PreparedObject, material: &PreparedMaterial, show: Show) -> Self {
+    fn new(object: &PreparedObject, material: &PreparedMaterial, show: DebugView) -> Self {
         let mut layout = Self { groups: 1, ..Self::default() };
         let mut group = |wanted: bool| {
             wanted.then(|| {
@@ -150,7 +150,7 @@ impl Layout {
         let plain = group(!per_pixel && textured);
         let mix = group(!per_pixel && textured && material.mix.is_some());
         group(mix.is_some());
-        let uv = group(textured || has_uv && show == Show::Uv);
+        let uv = group(textured || has_uv && show == DebugView::Uv);
         let color = group(per_pixel && has_color);
         let tangent = group(bent);
         let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
@@ -159,32 +159,32 @@ impl Layout {
 }
 
 /// The materials as the chosen view wants them: all terms, or one, or none but a test for light.
-fn shown_materials(prepared: &Prepared, show: Show) -> std::borrow::Cow<'_, [PreparedMaterial]> {
-    let part = match show {
-        Show::Ambient => Part::Ambient,
-        Show::Diffuse => Part::Diffuse,
-        Show::Specular => Part::Specular,
-        Show::Lit => {
+fn shown_materials(prepared: &Prepared, show: DebugView) -> std::borrow::Cow<'_, [PreparedMaterial]> {
+    let term = match show {
+        DebugView::Ambient => LightTerm::Ambient,
+        DebugView::Diffuse => LightTerm::Diffuse,
+        DebugView::Specular => LightTerm::Specular,
+        DebugView::Lit => {
             let lights = &prepared.lights;
             return prepared.materials.iter().map(|material| lit_test(material, lights)).collect();
         }
         _ => return std::borrow::Cow::Borrowed(&prepared.materials),
     };
-    prepared.materials.iter().map(|material| one_term(material, part)).collect()
+    prepared.materials.iter().map(|material| one_term(material, term)).collect()
 }
 
-fn one_term(material: &PreparedMaterial, part: Part) -> PreparedMaterial {
+fn one_term(material: &PreparedMaterial, term: LightTerm) -> PreparedMaterial {
     let mut material = material.clone();
     let lobes = material.lobes.len().max(1);
     let mixes = material.mix.is_some();
-    let left_out = |i: usize| material.lobes[i % lobes].part != part;
+    let left_out = |i: usize| material.lobes[i % lobes].term != term;
     let mut mix = material.mix.take().unwrap_or_default();
     for i in (0..material.tints.len()).filter(|i| left_out(*i)) {
         material.tints[i] = [0.0; 3];
         mix.tints.get_mut(i).into_iter().for_each(|tint| *tint = Default::default());
-        material.curves.get_mut(i).into_iter().for_each(|curve| *curve = Curve::default());
+        material.series.get_mut(i).into_iter().for_each(|series| *series = TintSeries::default());
     }
-    if part != Part::Ambient {
+    if term != LightTerm::Ambient {
         material.ambient = Default::default();
         material.spot_ambient.clear();
         material.emission = [0.0; 3];
@@ -201,12 +201,12 @@ fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMa
         lobes: vec![DirectLobe::new(shape)],
         classic: true,
         tints: vec![[1.0; 3]; lights.iter().map(|light| light.shape.rows()).sum()],
-        fields: vec![Field::of_cosine(lights.len())],
+        integrals: vec![LobeIntegrals::of_cosine(lights.len())],
         anisotropic: false,
         transmits: false,
         metal_rough_map: None,
-        through: None,
-        curves: Vec::new(),
+        transmittance: None,
+        series: Vec::new(),
         ambient: Default::default(),
         spot_ambient: Vec::new(),
         emission: [0.0; 3],

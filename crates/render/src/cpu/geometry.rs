@@ -4,12 +4,12 @@ use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
 use glanz_math::{Lanes, Real};
 
 use super::bins::Bins;
-use super::clip::Extra;
-use super::eye::Eye;
+use super::clip::ClippedTriangle;
+use super::camera::ViewCamera;
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::{self, VertexLight};
 use super::inlined;
-use super::points::Point;
+use super::micro_triangles::MicroSample;
 use super::samples::SUBPIXEL;
 use super::sort::sort;
 use crate::prepare::Cluster;
@@ -32,11 +32,11 @@ pub(crate) struct ChunkOutput {
     /// Opaque and masked triangles.
     pub solid: Bins<u32>,
     /// Samples that tiny opaque triangles cover, where there is one sample per pixel.
-    pub points: Bins<Point>,
+    pub points: Bins<MicroSample>,
     /// Blended triangles.
     pub blended: Bins<u32>,
     /// Triangles that clipping made.
-    pub extras: Vec<Extra>,
+    pub clipped_triangles: Vec<ClippedTriangle>,
 }
 
 /// Fixed-point positions of a cluster's vertices, and which of them need clipping.
@@ -80,19 +80,19 @@ pub(crate) fn process<S: Simd>(
 
 /// Whether nothing of the cluster can be seen: it lies outside the view, or turns its back.
 fn is_culled(cluster: &Cluster, object: &ObjectView, frame: &FrameView) -> bool {
-    let eye = &frame.eye;
+    let camera = &frame.camera;
     let dot = |a: &[f32; 3], b: glam::Vec3| a[0] * b.x + a[1] * b.y + a[2] * b.z;
-    let x = dot(&eye.right, cluster.center) + object.anchor[0];
-    let y = dot(&eye.up, cluster.center) + object.anchor[1];
-    let distance = object.anchor[2] - dot(&eye.back, cluster.center);
+    let x = dot(&camera.right, cluster.center) + object.anchor[0];
+    let y = dot(&camera.up, cluster.center) + object.anchor[1];
+    let distance = object.anchor[2] - dot(&camera.back, cluster.center);
     let radius = cluster.radius;
-    if distance + radius < eye.near {
+    if distance + radius < camera.near {
         return true;
     }
     // Half sizes of the picture at distance 1, or everywhere.
-    let half = [eye.center[0] * eye.inverse_scale, eye.center[1] * eye.inverse_scale];
+    let half = [camera.center[0] * camera.inverse_scale, camera.center[1] * camera.inverse_scale];
     for (along, half) in [x, y].into_iter().zip(half) {
-        let (limit, reach) = match eye.perspective {
+        let (limit, reach) = match camera.perspective {
             true => (half * distance, radius * (1.0 + half * half).sqrt()),
             false => (half, radius),
         };
@@ -107,12 +107,12 @@ fn is_turned_away(cluster: &Cluster, object: &ObjectView, frame: &FrameView) -> 
     if cluster.cone_sin > 1.0 {
         return false;
     }
-    let eye = &frame.eye;
-    let back = glam::Vec3::from(eye.back);
-    if !eye.perspective {
+    let camera = &frame.camera;
+    let back = glam::Vec3::from(camera.back);
+    if !camera.perspective {
         return -back.dot(cluster.cone_axis) >= cluster.cone_sin;
     }
-    let (right, up) = (glam::Vec3::from(eye.right), glam::Vec3::from(eye.up));
+    let (right, up) = (glam::Vec3::from(camera.right), glam::Vec3::from(camera.up));
     let anchor = right * object.anchor[0] + up * object.anchor[1] - back * object.anchor[2];
     let center = anchor + cluster.center;
     center.dot(cluster.cone_axis) >= cluster.cone_sin * center.length() + cluster.radius
@@ -128,13 +128,13 @@ fn project<S: Simd>(
     screen: &mut [Screen],
     local: &mut Local,
 ) -> bool {
-    let eye = &frame.eye;
+    let camera = &frame.camera;
     let [px, py, pz] = &frame.prepared.geometry.position;
     let first = cluster.first_vertex as usize;
     let mut clipped = false;
     for row in (0..screen.len()).step_by(16) {
         let at = |array: &[f32]| Lanes(f32x16::from_slice(simd, &array[first + row..first + row + 16]));
-        let (x, y, depth, inside) = project_lanes(simd, eye, object, [at(px), at(py), at(pz)]);
+        let (x, y, depth, inside) = project_lanes(simd, camera, object, [at(px), at(py), at(pz)]);
         let subpixel = x.lit(f64::from(SUBPIXEL));
         let fixed = inlined(
             #[inline(always)]
@@ -162,7 +162,7 @@ fn project<S: Simd>(
 #[inline(always)]
 fn project_lanes<S: Simd>(
     simd: S,
-    eye: &Eye,
+    camera: &ViewCamera,
     object: &ObjectView,
     p: [Lanes<S>; 3],
 ) -> (Lanes<S>, Lanes<S>, Lanes<S>, glanz_math::LanesMask<S>) {
@@ -174,18 +174,18 @@ fn project_lanes<S: Simd>(
         #[inline(always)]
         |axis: &[f32; 3]| p[0] * splat(axis[0]) + p[1] * splat(axis[1]) + p[2] * splat(axis[2]),
     );
-    let right = along(&eye.right) + splat(object.anchor[0]);
-    let up = along(&eye.up) + splat(object.anchor[1]);
-    let distance = splat(object.anchor[2]) - along(&eye.back);
-    let (factor, depth) = if eye.perspective {
+    let right = along(&camera.right) + splat(object.anchor[0]);
+    let up = along(&camera.up) + splat(object.anchor[1]);
+    let distance = splat(object.anchor[2]) - along(&camera.back);
+    let (factor, depth) = if camera.perspective {
         let inverse = splat(1.0) / distance;
-        (inverse * splat(eye.scale), inverse)
+        (inverse * splat(camera.scale), inverse)
     } else {
-        (splat(eye.scale), -distance)
+        (splat(camera.scale), -distance)
     };
-    let x = splat(eye.center[0]) + right * factor;
-    let y = splat(eye.center[1]) - up * factor;
-    let inside = splat(eye.near).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
+    let x = splat(camera.center[0]) + right * factor;
+    let y = splat(camera.center[1]) - up * factor;
+    let inside = splat(camera.near).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
     let nan = splat(f32::NAN);
     (x.select(inside, splat(0.0)), y.select(inside, splat(0.0)), depth.select(inside, nan), inside)
 }

@@ -4,9 +4,9 @@ use fearless_simd::Simd;
 use glanz_color::Rgb;
 use glanz_math::{Lanes, Real, Vec3};
 
-use super::eye::Eye;
+use super::camera::ViewCamera;
 use super::frame::{FrameView, ObjectView};
-use super::reflect::{Point, reflect_lanes};
+use super::reflect::{ShadingPoint, reflect_lanes};
 use crate::prepare::Cluster;
 
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
@@ -35,7 +35,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
     let object = &frame.prepared.objects[cluster.object as usize];
     let view = &frame.objects[cluster.object as usize];
     let material = &frame.materials[object.material];
-    let offset = frame.eye.offset(object);
+    let offset = frame.camera.offset(object);
     let sides = if view.cull_back { 1 } else { 2 };
     for row in (0..lit.len()).step_by(16) {
         let first = cluster.first_vertex as usize + row;
@@ -47,7 +47,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
         let shift = Vec3::new(offset.x, offset.y, offset.z);
         let position = at + splat(simd, shift);
         let normal = normals(simd, &geometry.normals[first..first + 16]);
-        let wo = to_viewer(simd, &frame.eye, position);
+        let wo = to_viewer(simd, &frame.camera, position);
         let colors = object.attributes.color.then(|| &geometry.colors[first..first + 16]);
         for side in 0..sides {
             let normal = match (side, material.two_sided) {
@@ -55,12 +55,12 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let mut point = Point::plain(position, normal, wo);
+            let mut point = ShadingPoint::plain(position, normal, wo);
             if material.anisotropic && object.attributes.tangent {
                 let [x, y, z] = columns(simd, &geometry.tangents[first..first + 16]);
                 point.tangent = Some(Vec3::new(x, y, z));
             }
-            let vertices = Sixteen { simd, frame, view, point, colors };
+            let vertices = VertexBlock { simd, frame, view, point, colors };
             let (parts, more) = vertices.reflect();
             store(parts, side, &mut lit[row..row + 16]);
             if let Some(more) = more {
@@ -77,32 +77,32 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
 type Parts<S> = [[Lanes<S>; 3]; 2];
 
 /// Sixteen vertices, seen from one side.
-struct Sixteen<'a, S: Simd> {
+struct VertexBlock<'a, S: Simd> {
     simd: S,
     frame: &'a FrameView<'a>,
     view: &'a ObjectView,
-    point: Point<Lanes<S>>,
+    point: ShadingPoint<Lanes<S>>,
     colors: Option<&'a [[f32; 4]]>,
 }
 
-impl<S: Simd> Sixteen<'_, S> {
+impl<S: Simd> VertexBlock<'_, S> {
     /// What textures multiply and what not; and where texels mix spectra at the pixels, the light through the
     /// second and the third, the first of both parts then being that through the first.
     #[inline(always)]
     fn reflect(&self) -> (Parts<S>, Option<Parts<S>>) {
         let material = &self.frame.materials[self.view.material];
-        let through = |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
+        let transmittance = |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
         let one = self.point.position.x.one();
         let zero = one.zero();
         let [r, g, b] = self.colors.map_or([one; 3], |colors| columns(self.simd, colors));
         let mixes = material.mix.is_some();
         if self.view.layout.mix.is_none() {
             let texel = (mixes && self.colors.is_some()).then_some([r, g, b]);
-            let reflected = through(texel);
+            let reflected = transmittance(texel);
             return ([reflected.textured, reflected.plain], None);
         }
-        let first = through(Some([r, zero, zero]));
-        let more = [[zero, g, zero], [zero, zero, b]].map(|texel| through(Some(texel)).textured);
+        let first = transmittance(Some([r, zero, zero]));
+        let more = [[zero, g, zero], [zero, zero, b]].map(|texel| transmittance(Some(texel)).textured);
         ([first.textured, first.plain], Some(more))
     }
 }
@@ -138,10 +138,10 @@ fn columns<S: Simd, const N: usize>(simd: S, rows: &[[f32; N]]) -> [Lanes<S>; 3]
 }
 
 #[inline(always)]
-fn to_viewer<S: Simd>(simd: S, eye: &Eye, position: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
-    match eye.perspective {
+fn to_viewer<S: Simd>(simd: S, camera: &ViewCamera, position: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
+    match camera.perspective {
         true => unit(-position),
-        false => splat(simd, Vec3::new(eye.back[0], eye.back[1], eye.back[2])),
+        false => splat(simd, Vec3::new(camera.back[0], camera.back[1], camera.back[2])),
     }
 }
 

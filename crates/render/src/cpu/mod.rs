@@ -13,35 +13,35 @@
 //! Nothing depends on the number of threads or the order of triangles: of two surfaces at the same
 //! depth the one with the smaller number is seen.
 
-mod backdrop;
+mod background;
 mod bins;
-mod blend;
+mod transparency;
 mod block;
 mod clip;
-mod dust;
-mod eye;
+mod triangle_batch;
+mod camera;
 mod frame;
 mod geometry;
 mod gouraud;
-mod group;
-mod layered;
+mod shade_block;
+mod multi_sample;
 mod lights;
-mod points;
+mod micro_triangles;
 mod polygons;
 mod raster;
-mod records;
+mod triangle_setup;
 mod reflect;
 mod renderer;
-mod runs;
+mod coverage_layers;
 mod samples;
-mod show;
-mod solid;
+mod debug_view;
+mod single_sample;
 mod sort;
 mod target;
 mod texturing;
 mod tile;
 mod visible;
-mod wide;
+mod general;
 
 pub use renderer::Renderer;
 

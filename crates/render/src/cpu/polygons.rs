@@ -7,15 +7,15 @@ use glanz_color::Rgb;
 use glanz_math::Vec3;
 use glanz_scene::Shading;
 
-use super::eye::Eye;
+use super::camera::ViewCamera;
 use super::gouraud::unit;
-use super::lights::EyeLights;
-use super::reflect::{Point, reflect};
+use super::lights::ViewLights;
+use super::reflect::{ShadingPoint, reflect};
 use crate::prepare::{Polygons, PreparedMaterial, PreparedObject};
 
 /// The values that are interpolated at a corner: normal or light, plain light, texture coordinates,
 /// colour with alpha, light through the second and third spectrum that texels mix.
-pub(crate) type Corner = [f32; CORNER];
+pub(crate) type PolygonCorner = [f32; CORNER];
 
 /// The numbers of a corner.
 pub(crate) const CORNER: usize = 18;
@@ -27,28 +27,28 @@ pub(crate) struct PolygonView {
     /// Screen position of each corner; none behind the eye.
     screen: Vec<Option<[f32; 2]>>,
     /// Values on front and back faces.
-    values: [Vec<Corner>; 2],
+    values: [Vec<PolygonCorner>; 2],
 }
 
 impl PolygonView {
     pub fn new(
         polygons: &Arc<Polygons>,
         object: &PreparedObject,
-        eye: &Eye,
-        lights: &EyeLights,
+        camera: &ViewCamera,
+        lights: &ViewLights,
         material: &PreparedMaterial,
     ) -> Self {
-        let offset = eye.offset(object);
+        let offset = camera.offset(object);
         let count = polygons.positions.len();
         let at = |i: usize| {
             let [x, y, z] = polygons.positions[i];
             offset + Vec3::new(x, y, z)
         };
-        let screen = (0..count).map(|i| project(eye, at(i))).collect();
+        let screen = (0..count).map(|i| project(camera, at(i))).collect();
         let has_texels = object.attributes.uv && material.base_color.is_some();
         let values = [1.0, if material.two_sided { -1.0 } else { 0.0 }].map(|side| {
             (0..count)
-                .map(|i| corner(polygons, i, at(i), side, object.shading, eye, lights, material, has_texels))
+                .map(|i| corner(polygons, i, at(i), side, object.shading, camera, lights, material, has_texels))
                 .collect()
         });
         Self { polygons: Arc::clone(polygons), screen, values }
@@ -56,11 +56,11 @@ impl PolygonView {
 
     /// The values at a pixel position inside a facet, or `None` where a corner is behind the eye and
     /// the scheme has no edges to follow.
-    pub fn interpolate(&self, facet: u32, back: bool, px: f32, py: f32) -> Option<Corner> {
+    pub fn interpolate(&self, facet: u32, back: bool, px: f32, py: f32) -> Option<PolygonCorner> {
         let corners = self.polygons.corners(facet);
         let values = &self.values[usize::from(back)];
-        let mut left: Option<(f32, Corner)> = None;
-        let mut right: Option<(f32, Corner)> = None;
+        let mut left: Option<(f32, PolygonCorner)> = None;
+        let mut right: Option<(f32, PolygonCorner)> = None;
         for i in corners.clone() {
             let next = if i + 1 == corners.end { corners.start } else { i + 1 };
             let (a, b) = (self.screen[i]?, self.screen[next]?);
@@ -84,18 +84,18 @@ impl PolygonView {
     }
 }
 
-fn mix(a: &Corner, b: &Corner, t: f32) -> Corner {
+fn mix(a: &PolygonCorner, b: &PolygonCorner, t: f32) -> PolygonCorner {
     core::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
 }
 
-fn project(eye: &Eye, p: Vec3<f32>) -> Option<[f32; 2]> {
+fn project(camera: &ViewCamera, p: Vec3<f32>) -> Option<[f32; 2]> {
     let axis = |a: &[f32; 3]| Vec3::new(a[0], a[1], a[2]);
-    let distance = -p.dot(axis(&eye.back));
-    if distance < eye.near {
+    let distance = -p.dot(axis(&camera.back));
+    if distance < camera.near {
         return None;
     }
-    let factor = if eye.perspective { eye.scale / distance } else { eye.scale };
-    Some([eye.center[0] + p.dot(axis(&eye.right)) * factor, eye.center[1] - p.dot(axis(&eye.up)) * factor])
+    let factor = if camera.perspective { camera.scale / distance } else { camera.scale };
+    Some([camera.center[0] + p.dot(axis(&camera.right)) * factor, camera.center[1] - p.dot(axis(&camera.up)) * factor])
 }
 
 #[expect(clippy::too_many_arguments, reason = "a corner is where everything meets")]
@@ -105,23 +105,23 @@ fn corner(
     position: Vec3<f32>,
     side: f32,
     shading: Shading,
-    eye: &Eye,
-    lights: &EyeLights,
+    camera: &ViewCamera,
+    lights: &ViewLights,
     material: &PreparedMaterial,
     has_texels: bool,
-) -> Corner {
+) -> PolygonCorner {
     let [x, y, z] = polygons.normals[i];
     let normal = Vec3::new(x, y, z) * side;
     let [r, g, b, alpha] = polygons.colors[i];
     let mut more = [[0.0; 3]; 2];
     let (first, plain) = match shading {
         Shading::Gouraud => {
-            let wo = if eye.perspective {
+            let wo = if camera.perspective {
                 unit(-position)
             } else {
-                Vec3::new(eye.back[0], eye.back[1], eye.back[2])
+                Vec3::new(camera.back[0], camera.back[1], camera.back[2])
             };
-            let point = Point::plain(position, unit(normal), wo);
+            let point = ShadingPoint::plain(position, unit(normal), wo);
             match (&material.mix, has_texels) {
                 (None, _) => {
                     let reflected = reflect(lights, material, &point, None);
@@ -132,9 +132,9 @@ fn corner(
                     (reflected.textured, reflected.plain)
                 }
                 (Some(_), true) => {
-                    let through = |texel| reflect(lights, material, &point, Some(texel));
-                    let first = through([r, 0.0, 0.0]);
-                    more = [[0.0, g, 0.0], [0.0, 0.0, b]].map(|texel| through(texel).textured);
+                    let transmittance = |texel| reflect(lights, material, &point, Some(texel));
+                    let first = transmittance([r, 0.0, 0.0]);
+                    more = [[0.0, g, 0.0], [0.0, 0.0, b]].map(|texel| transmittance(texel).textured);
                     (first.textured, first.plain)
                 }
             }

@@ -4,16 +4,16 @@
 //! numbers of the tint table.
 
 use fearless_simd::Simd;
-use glanz_bsdf::Pair;
+use glanz_bsdf::DirectionPair;
 use glanz_math::{Lanes, Real, Vec3};
 
-use super::lights::{EyeCone, EyeFalloff, EyeLight, EyeLights, splat, turned};
-use super::{inlined, three, wide};
-use crate::prepare::{Along, PreparedMaterial};
+use super::lights::{ViewCone, ViewFalloff, ViewLight, ViewLights, splat, turned};
+use super::{inlined, three, general};
+use crate::prepare::{TintCoordinate, PreparedMaterial};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
-pub(crate) struct Point<R> {
+pub(crate) struct ShadingPoint<R> {
     pub position: Vec3<R>,
     /// Unit normal; null where the surface shall not be lit.
     pub normal: Vec3<R>,
@@ -22,17 +22,17 @@ pub(crate) struct Point<R> {
     /// The surface's tangent, of any length; none where it has none.
     pub tangent: Option<Vec3<R>>,
     /// Multiplies the width of lobes that textures can widen.
-    pub widening: R,
+    pub alpha_scale: R,
     /// What a texture says of metal.
     pub metal: R,
 }
 
-impl<R: Real> Point<R> {
+impl<R: Real> ShadingPoint<R> {
     /// A point of a surface without tangents and textures.
     #[inline(always)]
     pub fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
         let one = normal.x.one();
-        Self { position, normal, wo, tangent: None, widening: one, metal: one }
+        Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one }
     }
 }
 
@@ -46,7 +46,7 @@ pub(crate) struct Reflected<R> {
 /// What reaches the point from a lamp: direction, reach, and the factor of its cone alone.
 pub(super) struct Incident<R> {
     pub wi: Vec3<R>,
-    pub reach: Option<R>,
+    pub attenuation: Option<R>,
     pub cone: Option<R>,
     /// How far the light is; none if it is infinitely far.
     pub distance: Option<R>,
@@ -58,23 +58,23 @@ pub(super) struct Incident<R> {
 /// it; else it is what is still to be multiplied with the texel.
 #[inline(always)]
 pub(crate) fn reflect<R: Real>(
-    lights: &EyeLights,
+    lights: &ViewLights,
     material: &PreparedMaterial,
-    point: &Point<R>,
+    point: &ShadingPoint<R>,
     texel: Option<[R; 3]>,
 ) -> Reflected<R> {
     match material.classic && lights.classic {
         true => reflect_classic(&lights.list, material, point, texel),
-        false => wide::reflect(lights, material, point, texel),
+        false => general::reflect(lights, material, point, texel),
     }
 }
 
 /// [`reflect`] where there are but classic materials and lamps without luminaires or shadows.
 #[inline(always)]
 pub(crate) fn reflect_classic<R: Real>(
-    lights: &[EyeLight],
+    lights: &[ViewLight],
     material: &PreparedMaterial,
-    point: &Point<R>,
+    point: &ShadingPoint<R>,
     texel: Option<[R; 3]>,
 ) -> Reflected<R> {
     let like = point.normal.x;
@@ -102,16 +102,16 @@ pub(crate) fn reflect_classic<R: Real>(
         if !R::any(like.zero().lt(cos_i)) {
             continue;
         }
-        let pair = Pair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
+        let pair = DirectionPair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
         let first = number * lobes.len();
         let row = &material.tints[first..][..lobes.len()];
         // A factor of 1 rather than none: the compiler multiplies in either case, and where there is
         // none with what happens to be in memory, which is slow where that is a denormal number.
-        let reach = incident.reach.unwrap_or(like.one());
+        let attenuation = incident.attenuation.unwrap_or(like.one());
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
-            let value = lobe.shape.f_cos_in_place(&pair) * reach;
+            let value = lobe.shape.f_cos_in_place(&pair) * attenuation;
             let tint = match &mix {
-                _ if lobe.along == Along::Facet => material.curves[first + k].at(pair.cos_view_half()),
+                _ if lobe.coordinate == TintCoordinate::HalfAngle => material.series[first + k].at(pair.cos_view_half()),
                 Some((mix, texel)) if lobe.textured => mixed(&mix.tints[first + k], texel),
                 _ => literal(like, tint),
             };
@@ -152,9 +152,9 @@ pub(super) fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
 #[inline(never)]
 pub(crate) fn reflect_lanes<S: Simd>(
     simd: S,
-    lights: &EyeLights,
+    lights: &ViewLights,
     material: &PreparedMaterial,
-    point: &Point<Lanes<S>>,
+    point: &ShadingPoint<Lanes<S>>,
     texel: Option<[Lanes<S>; 3]>,
 ) -> Reflected<Lanes<S>> {
     simd.vectorize(
@@ -171,25 +171,25 @@ pub(super) fn add<R: Real>(sum: &mut [R; 3], value: R, tint: [R; 3]) {
 }
 
 #[inline(always)]
-pub(super) fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R> {
+pub(super) fn arrive<R: Real>(light: &ViewLight, point: &ShadingPoint<R>) -> Incident<R> {
     let like = point.normal.x;
     match light {
-        EyeLight::Directional { towards } => {
-            Incident { wi: splat(like, towards), reach: None, cone: None, distance: None }
+        ViewLight::Directional { towards } => {
+            Incident { wi: splat(like, towards), attenuation: None, cone: None, distance: None }
         }
         // Surfaces and surroundings are no lamps; the loop does not ask.
-        EyeLight::Area(_) | EyeLight::Environment { .. } => {
-            Incident { wi: point.normal, reach: Some(like.zero()), cone: None, distance: None }
+        ViewLight::Area(_) | ViewLight::Environment { .. } => {
+            Incident { wi: point.normal, attenuation: Some(like.zero()), cone: None, distance: None }
         }
-        EyeLight::Point { position, falloff, cone, luminaire } => {
+        ViewLight::Point { position, falloff, cone, luminaire } => {
             let to_light = splat(like, position) - point.position;
             // A light on the surface itself: no direction, no light, rather than infinity.
             let squared = to_light.dot(to_light).max(like.lit(1e-30));
             let inverse = squared.rsqrt();
             let wi = to_light * inverse;
             let fade = match falloff {
-                EyeFalloff::None => None,
-                EyeFalloff::Polynomial([c, l, q]) => {
+                ViewFalloff::None => None,
+                ViewFalloff::Polynomial([c, l, q]) => {
                     let distance = squared * inverse;
                     let f = inlined(
                         #[inline(always)]
@@ -204,22 +204,22 @@ pub(super) fn arrive<R: Real>(light: &EyeLight, point: &Point<R>) -> Incident<R>
                 #[inline(always)]
                 |cone| inside(cone, wi),
             );
-            let mut reach = match (fade, cone) {
+            let mut attenuation = match (fade, cone) {
                 (Some(a), Some(b)) => Some(a * b),
                 (a, b) => a.or(b),
             };
             if let Some(luminaire) = luminaire {
-                let share = luminaire.shares.at(turned(&luminaire.frame, -wi));
-                reach = Some(reach.map_or(share, |reach| reach * share));
+                let share = luminaire.intensities.at(turned(&luminaire.frame, -wi));
+                attenuation = Some(attenuation.map_or(share, |attenuation| attenuation * share));
             }
-            Incident { wi, reach, cone, distance: Some(squared * inverse) }
+            Incident { wi, attenuation, cone, distance: Some(squared * inverse) }
         }
     }
 }
 
 /// The cone factor: (−L·D)^exponent inside the cut-off, 0 outside; or a smooth edge as in glTF.
 #[inline(always)]
-fn inside<R: Real>(cone: &EyeCone, wi: Vec3<R>) -> R {
+fn inside<R: Real>(cone: &ViewCone, wi: Vec3<R>) -> R {
     let like = wi.x;
     let cosine = -wi.dot(splat(like, &cone.axis));
     let factor = match cone.smooth_edge {

@@ -9,7 +9,7 @@ use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::frame::FrameView;
 use super::geometry::{self, ChunkOutput, Screen};
 use super::gouraud::{Lit, VertexLight};
-use super::records::Projected;
+use super::triangle_setup::Projected;
 use super::target::{Band, Codes, PlaneBand, empty_block};
 use super::tile::{self, TilePlace, TileScratch};
 use crate::develop::DevelopKernel;
@@ -64,7 +64,7 @@ impl Renderer {
         self.project(&frame);
         let kernel = DevelopKernel::new(develop);
         let opaque = options.background != Background::Transparent;
-        let empty = empty_block(develop, &kernel, &frame.backdrop());
+        let empty = empty_block(develop, &kernel, &frame.background());
         let bands = out
             .chunks_mut(4 * width * TILE_HEIGHT)
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))
@@ -103,10 +103,10 @@ impl Renderer {
         }
         let level = frame.options.level;
         for_each(tasks, |(range, screen, lit, output)| {
-            output.solid.reset(frame.eye.width, frame.eye.height);
-            output.points.reset(frame.eye.width, frame.eye.height);
-            output.blended.reset(frame.eye.width, frame.eye.height);
-            output.extras.clear();
+            output.solid.reset(frame.camera.width, frame.camera.height);
+            output.points.reset(frame.camera.width, frame.camera.height);
+            output.blended.reset(frame.camera.width, frame.camera.height);
+            output.clipped_triangles.clear();
             process(level, frame, range, screen, lit, output);
         });
     }
@@ -116,7 +116,7 @@ impl Renderer {
         self.tiles.resize_with(threads() + 1, Mutex::default);
         let projected =
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
-        let columns = frame.eye.width.div_ceil(TILE_WIDTH);
+        let columns = frame.camera.width.div_ceil(TILE_WIDTH);
         let level = frame.options.level;
         let tasks: Vec<_> = bands.into_iter().enumerate().collect();
         for_each(tasks, |(row, mut band)| {
@@ -157,7 +157,7 @@ fn draw_tile(
 fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
     let count = width * height;
     let plane = |wanted: bool| vec![0.0f32; if wanted { count } else { 0 }];
-    let layers = options.layers;
+    let layers = options.aovs;
     Frame {
         width,
         height,

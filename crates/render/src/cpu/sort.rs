@@ -7,7 +7,7 @@ use glanz_math::Lanes;
 use super::clip;
 use super::frame::{FrameView, ObjectView, Pass};
 use super::geometry::{ChunkOutput, Local, SMALL, Screen, sample_range};
-use super::points::{Sixteen, TINY};
+use super::micro_triangles::{MicroTriangles, TINY};
 use super::samples::SUBPIXEL;
 use super::{inlined, three};
 use crate::prepare::Geometry;
@@ -45,7 +45,7 @@ pub(crate) fn sort<S: Simd>(
     let geometry: &Geometry = &frame.prepared.geometry;
     let cluster = &geometry.clusters[number];
     let triangles = &geometry.triangles[cluster.first_triangle as usize..][..cluster.triangles as usize];
-    let ChunkOutput { solid, points, blended, extras } = output;
+    let ChunkOutput { solid, points, blended, clipped_triangles } = output;
     let bins = if object.pass == Pass::Blended { blended } else { solid };
     // With more samples a pixel than one, or where a texture decides, triangles stay triangles.
     let pointed = frame.samples.len() == 1 && object.pass == Pass::Opaque;
@@ -62,7 +62,7 @@ pub(crate) fn sort<S: Simd>(
             let Boxes { area, first, last, .. } = boxes;
             let steps = [last[0] - first[0], last[1] - first[1]];
             let depth = depths(simd, screen, sixteen);
-            Sixteen { x, y, area, first, steps, depth, name: first_name }.scatter(simd, frame, tiny, points);
+            MicroTriangles { x, y, area, first, steps, depth, name: first_name }.scatter(simd, frame, tiny, points);
         }
         if kept != 0 {
             let (first, last) = (stored(boxes.first), stored(boxes.last));
@@ -76,7 +76,7 @@ pub(crate) fn sort<S: Simd>(
         while outside != 0 {
             let lane = outside.trailing_zeros();
             outside &= outside - 1;
-            clip::clip(frame, first_name + lane, screen, bins, extras);
+            clip::clip(frame, first_name + lane, screen, bins, clipped_triangles);
         }
     }
 }
@@ -154,7 +154,7 @@ fn visible<S: Simd>(simd: S, frame: &FrameView, object: &ObjectView, corners: &C
     };
     let mut kept = (facing | large).to_bitmask() as u32;
     let tiny = simd.simd_lt_i32x16(extent, int(TINY));
-    let size = [frame.eye.width as i32, frame.eye.height as i32];
+    let size = [frame.camera.width as i32, frame.camera.height as i32];
     let (mut first, mut last) = ([area; 2], [area; 2]);
     for axis in 0..2 {
         let (least_sample, most_sample) = sample_range(frame.samples, axis);

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use glanz_math::Lanes;
 
-use super::backdrop::Backdrop;
+use super::background::ViewBackground;
 use super::bins::{TILE_PIXELS, TILE_WIDTH};
 use super::block::{self, BLOCK, SIDE};
 use super::inlined;
@@ -46,14 +46,14 @@ impl TilePixels {
 
     /// Sees to it that the block of this place holds the background, or what was drawn since.
     #[inline(always)]
-    pub fn touch<S: Simd>(&mut self, simd: S, backdrop: &Backdrop, grid: &Grid, place: usize) {
+    pub fn touch<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid, place: usize) {
         let block = place / BLOCK;
         if self.touched[block] {
             return;
         }
         self.touched[block] = true;
         let range = block * BLOCK..(block + 1) * BLOCK;
-        let (color, alpha) = backdrop.block(simd, grid, block * BLOCK);
+        let (color, alpha) = background.block(simd, grid, block * BLOCK);
         self.put(block * BLOCK, color, alpha);
         self.distance[range.clone()].fill(f32::INFINITY);
         for plane in &mut self.normal {
@@ -80,10 +80,10 @@ impl TilePixels {
     }
 
     #[inline(always)]
-    fn touch_all<S: Simd>(&mut self, simd: S, backdrop: &Backdrop, grid: &Grid) {
+    fn touch_all<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid) {
         (0..TILE_PIXELS).step_by(BLOCK).for_each(
             #[inline(always)]
-            |place| self.touch(simd, backdrop, grid, place),
+            |place| self.touch(simd, background, grid, place),
         );
     }
 }
@@ -148,17 +148,17 @@ impl Band<'_> {
         simd: S,
         pixels: &mut TilePixels,
         slot: Slot,
-        (backdrop, grid): (&Backdrop, &Grid),
+        (background, grid): (&ViewBackground, &Grid),
     ) {
         match self {
             Band::Codes(codes) => {
                 if codes.empty.is_none() {
-                    pixels.touch_all(simd, backdrop, grid);
+                    pixels.touch_all(simd, background, grid);
                 }
                 codes.write(simd, pixels, &slot);
             }
             Band::Planes(planes) => {
-                pixels.touch_all(simd, backdrop, grid);
+                pixels.touch_all(simd, background, grid);
                 planes.write(pixels, slot);
             }
         }
@@ -171,7 +171,7 @@ impl Band<'_> {
         simd: S,
         pixels: &mut TilePixels,
         slot: Slot,
-        behind: (&Backdrop, &Grid),
+        behind: (&ViewBackground, &Grid),
     ) {
         if let Band::Codes(Codes { out, empty: Some(empty), .. }) = self {
             for row in 0..slot.size[1] {
@@ -260,12 +260,12 @@ impl Codes<'_> {
 pub(crate) fn empty_block(
     develop: &Develop,
     kernel: &DevelopKernel,
-    backdrop: &Backdrop,
+    background: &ViewBackground,
 ) -> Option<[u8; 64]> {
     if develop.dither {
         return None;
     }
-    let (color, alpha) = backdrop.fixed()?;
+    let (color, alpha) = background.fixed()?;
     let mut block = [0; 4 * BLOCK];
     let simd = glanz_math::narrowest(fearless_simd::Level::baseline());
     let splat = |value| Lanes::splat(simd, value);

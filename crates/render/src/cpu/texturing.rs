@@ -6,15 +6,15 @@ use glanz_scene::{AlphaMode, TextureUse};
 
 use super::frame::Layout;
 use super::gouraud::unit;
-use super::group::{Group, Place};
+use super::shade_block::{ShadeBlock, Place};
 use super::polygons::{CORNER, PolygonView};
-use super::records::GROUP;
-use super::reflect::Point;
+use super::triangle_setup::GROUP;
+use super::reflect::ShadingPoint;
 use super::{inlined, three};
 use crate::prepare::{Mipmap, PreparedMaterial};
 
 /// Factors and directions that textures and vertex colours give sixteen pixels.
-pub(crate) struct Extra<S: Simd> {
+pub(crate) struct SurfaceAttributes<S: Simd> {
     /// Multiplies the textured lobes: the vertices' colour times the texel.
     pub base: [Lanes<S>; 3],
     /// The texel alone.
@@ -32,7 +32,7 @@ pub(crate) struct Extra<S: Simd> {
     bend: [Lanes<S>; 3],
 }
 
-impl<S: Simd> Extra<S> {
+impl<S: Simd> SurfaceAttributes<S> {
     #[inline(always)]
     pub fn new(like: Lanes<S>) -> Self {
         let (zero, one) = (like.zero(), like.one());
@@ -53,36 +53,36 @@ impl<S: Simd> Extra<S> {
     #[inline(always)]
     pub fn read(
         &mut self,
-        group: &Group<S>,
+        shade_block: &ShadeBlock<S>,
         layout: &Layout,
         material: &PreparedMaterial,
         place: &Place<S>,
         rows: &[Lanes<S>; GROUP],
     ) {
         if let Some(color) = layout.color {
-            self.base = group.attribute(color, place);
+            self.base = shade_block.attribute(color, place);
         }
-        let mut extra = [group.px.one(); 3];
+        let mut extra = [shade_block.px.one(); 3];
         if let Some(number) = layout.extra {
-            extra = group.attribute(number, place);
+            extra = shade_block.attribute(number, place);
             self.alpha = extra[0];
         }
         if let Some(number) = layout.uv {
-            let [u, v, _] = group.attribute(number, place);
+            let [u, v, _] = shade_block.attribute(number, place);
             self.uv = [u, v];
-            let across = group.uv_at(rows, number, 1.0, 0.0);
-            let down = group.uv_at(rows, number, 0.0, 1.0);
-            self.sample(group, material, &footprint([u, v], across, down));
+            let across = shade_block.uv_at(rows, number, 1.0, 0.0);
+            let down = shade_block.uv_at(rows, number, 0.0, 1.0);
+            self.sample(shade_block, material, &footprint([u, v], across, down));
         }
         if let Some(number) = layout.tangent {
-            let [x, y, z] = group.attribute(number, place);
+            let [x, y, z] = shade_block.attribute(number, place);
             self.tangent = Some((Vec3::new(x, y, z), extra[1]));
         }
     }
 
     /// Looks all the material's textures up at `self.uv`.
     #[inline(always)]
-    fn sample(&mut self, group: &Group<S>, material: &PreparedMaterial, footprint: &[f32; 16]) {
+    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &PreparedMaterial, footprint: &[f32; 16]) {
         let uv = self.uv.map(
             #[inline(always)]
             |lanes| {
@@ -91,14 +91,14 @@ impl<S: Simd> Extra<S> {
                 array
             },
         );
-        let textures = &group.frame.prepared.textures;
+        let textures = &shade_block.frame.prepared.textures;
         let look = inlined(
             #[inline(always)]
             |map: &TextureUse| {
                 let columns = lookup(&textures[map.texture], map, &uv, footprint);
                 columns.map(
                     #[inline(always)]
-                    |column| Lanes::load(group.simd, &column),
+                    |column| Lanes::load(shade_block.simd, &column),
                 )
             },
         );
@@ -126,21 +126,21 @@ impl<S: Simd> Extra<S> {
                 #[inline(always)]
                 |c: Lanes<S>| c + c - c.one(),
             );
-            let scale = group.px.lit(f64::from(map.scale));
+            let scale = shade_block.px.lit(f64::from(map.scale));
             self.bend = [centered(x) * scale, centered(y) * scale, centered(z)];
         }
     }
 
     /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
     #[inline(always)]
-    pub fn apply(&self, material: &PreparedMaterial, point: &mut Point<Lanes<S>>) {
+    pub fn apply(&self, material: &PreparedMaterial, point: &mut ShadingPoint<Lanes<S>>) {
         point.normal = self.bend(material, point.normal);
         if material.anisotropic {
             point.tangent = self.tangent.map(|(tangent, _)| tangent);
         }
         if material.metal_rough_map.is_some() {
             // The width of a lobe is the square of its roughness.
-            (point.widening, point.metal) = (self.rough.sqr(), self.metal);
+            (point.alpha_scale, point.metal) = (self.rough.sqr(), self.metal);
         }
     }
 
@@ -187,20 +187,20 @@ fn lookup(texture: &Mipmap, map: &TextureUse, uv: &[[f32; 16]; 2], footprint: &[
 
 /// Replaces what was interpolated over triangles by what the scheme of 1971 gives over whole polygons.
 pub(crate) fn scanline<S: Simd>(
-    group: &Group<S>,
+    shade_block: &ShadeBlock<S>,
     polygons: &PolygonView,
     values: &mut [[Lanes<S>; 3]; 4],
-    extra: &mut Extra<S>,
+    extra: &mut SurfaceAttributes<S>,
 ) {
     let mut columns = [[0.0f32; 16]; CORNER];
     let (mut px, mut py) = ([0.0; 16], [0.0; 16]);
-    group.px.store(&mut px);
-    group.py.store(&mut py);
+    shade_block.px.store(&mut px);
+    shade_block.py.store(&mut py);
     let mut found = 0u32;
-    for run in group.runs {
-        let record = group.record(run);
+    for run in shade_block.runs {
+        let setup = shade_block.setup(run);
         for lane in (0..16).filter(|lane| run.bits >> lane & 1 == 1) {
-            if let Some(corner) = polygons.interpolate(record.facet, record.back, px[lane], py[lane]) {
+            if let Some(corner) = polygons.interpolate(setup.facet, setup.back, px[lane], py[lane]) {
                 found |= 1 << lane;
                 for (column, value) in columns.iter_mut().zip(corner) {
                     column[lane] = value;
@@ -208,15 +208,15 @@ pub(crate) fn scanline<S: Simd>(
             }
         }
     }
-    let mask = glanz_math::LanesMask::from_bits(group.simd, found);
-    let lanes = |i: usize, other: Lanes<S>| Lanes::load(group.simd, &columns[i]).select(mask, other);
-    let layout = &group.object.layout;
+    let mask = glanz_math::LanesMask::from_bits(shade_block.simd, found);
+    let lanes = |i: usize, other: Lanes<S>| Lanes::load(shade_block.simd, &columns[i]).select(mask, other);
+    let layout = &shade_block.object.layout;
     let (first, plain) = (values[0], values[1]);
-    let flat = group.object.shading == glanz_scene::Shading::Flat;
+    let flat = shade_block.object.shading == glanz_scene::Shading::Flat;
     if !flat {
         values[0] = three([0, 1, 2], |c| {
             let whole = lanes(c, first[c]);
-            let separate = layout.plain.is_some() || group.object.shading == glanz_scene::Shading::Phong;
+            let separate = layout.plain.is_some() || shade_block.object.shading == glanz_scene::Shading::Phong;
             if separate { whole } else { (whole + lanes(3 + c, whole.zero())).select(mask, first[c]) }
         });
         if layout.plain.is_some() {

@@ -4,29 +4,29 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real};
 
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
-use super::blend::Glass;
+use super::transparency::TransparencyBuffer;
 use super::block::BLOCK;
-use super::dust::Dust;
+use super::triangle_batch::TriangleBatch;
 use super::frame::FrameView;
-use super::group::Shaded;
+use super::shade_block::Shaded;
 use super::raster::Grid;
-use super::records::{Projected, Records};
-use super::runs::{Layers, Run};
+use super::triangle_setup::{Projected, TriangleSetups};
+use super::coverage_layers::{CoverageLayers, Run};
 use super::samples::SUBPIXEL;
 use super::target::{Band, Slot, TilePixels};
 use super::visible::Visible;
-use super::{layered, solid};
-use crate::Layers as PlaneChoice;
+use super::{multi_sample, single_sample};
+use crate::Aovs;
 
 /// Everything that drawing a tile needs beside the frame. Kept by each thread, for its memory.
 #[derive(Debug, Default)]
 pub(crate) struct TileScratch {
     pub visible: Visible,
-    pub records: Records,
-    pub layers: Layers<1>,
-    pub tinted_layers: Layers<4>,
-    pub glass: Glass,
-    pub dust: Dust,
+    pub setups: TriangleSetups,
+    pub layers: CoverageLayers<1>,
+    pub tinted_layers: CoverageLayers<4>,
+    pub transparency: TransparencyBuffer,
+    pub triangle_batch: TriangleBatch,
     pub pixels: TilePixels,
 }
 
@@ -52,7 +52,7 @@ impl TilePlace {
     fn grid(self, frame: &FrameView) -> Grid {
         let origin = [self.column * TILE_WIDTH, self.row * TILE_HEIGHT];
         let size =
-            [TILE_WIDTH.min(frame.eye.width - origin[0]), TILE_HEIGHT.min(frame.eye.height - origin[1])];
+            [TILE_WIDTH.min(frame.camera.width - origin[0]), TILE_HEIGHT.min(frame.camera.height - origin[1])];
         Grid { origin, size, sample: [SUBPIXEL / 2; 2] }
     }
 }
@@ -69,8 +69,8 @@ pub(crate) fn draw<S: Simd>(
 ) {
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
-    let slot = Slot { stride: frame.eye.width, left, top, size: grid.size };
-    let behind = (&frame.backdrop(), &grid);
+    let slot = Slot { stride: frame.camera.width, left, top, size: grid.size };
+    let behind = (&frame.background(), &grid);
     let chunks = projected.chunks;
     let any = |blended: bool| {
         chunks.iter().any(|chunk| match blended {
@@ -91,12 +91,12 @@ pub(crate) fn draw<S: Simd>(
     scratch.see(simd, &tile, place);
     match band {
         Band::Codes(codes) if codes.opaque && tile.is_plain() => {
-            solid::shade(simd, &tile, scratch, Some(codes));
+            single_sample::shade(simd, &tile, scratch, Some(codes));
             return;
         }
-        _ if frame.samples.len() == 1 => solid::shade(simd, &tile, scratch, None),
-        _ if blended => layered::shade_blended(simd, &tile, scratch),
-        _ => layered::shade(simd, &tile, scratch),
+        _ if frame.samples.len() == 1 => single_sample::shade(simd, &tile, scratch, None),
+        _ if blended => multi_sample::shade_blended(simd, &tile, scratch),
+        _ => multi_sample::shade(simd, &tile, scratch),
     }
     band.write(simd, &mut scratch.pixels, slot, behind);
 }
@@ -110,7 +110,7 @@ impl Tile<'_> {
     /// Whether planes beside colour are asked for.
     #[inline(always)]
     pub fn keeps_planes(&self) -> bool {
-        self.frame.options.layers != PlaneChoice::default()
+        self.frame.options.aovs != Aovs::default()
     }
 }
 
@@ -119,25 +119,25 @@ impl TileScratch {
     #[inline(always)]
     fn see<S: Simd>(&mut self, simd: S, tile: &Tile, TilePlace { column, row }: TilePlace) {
         let Tile { frame, projected, ref grid, .. } = *tile;
-        let Self { visible, records, glass, .. } = self;
-        records.clear();
+        let Self { visible, setups, transparency, .. } = self;
+        setups.clear();
         visible.clear(frame.samples.len());
         for (number, chunk) in projected.chunks.iter().enumerate() {
             for &key in chunk.solid.of(column, row) {
-                visible.triangle(simd, frame, projected, records, grid, (number, key));
+                visible.triangle(simd, frame, projected, setups, grid, (number, key));
             }
             for point in chunk.points.of(column, row) {
                 visible.point(point);
             }
         }
         if tile.blended {
-            glass.clear(frame.samples.len());
+            transparency.clear(frame.samples.len());
             for (number, chunk) in projected.chunks.iter().enumerate() {
                 for &key in chunk.blended.of(column, row) {
-                    glass.collect(simd, frame, projected, (visible, records), grid, (number, key));
+                    transparency.collect(simd, frame, projected, (visible, setups), grid, (number, key));
                 }
             }
-            glass.blend(simd, frame, records, grid);
+            transparency.blend(simd, frame, setups, grid);
         }
     }
 }
@@ -146,7 +146,7 @@ impl TileScratch {
 pub(crate) fn keep_planes<S: Simd>(
     simd: S,
     pixels: &mut TilePixels,
-    records: &Records,
+    setups: &TriangleSetups,
     shaded: &Shaded<S>,
     runs: &[Run],
     at: usize,
@@ -162,7 +162,7 @@ pub(crate) fn keep_planes<S: Simd>(
         value.select(kept, Lanes::load(simd, plane)).store(plane);
     }
     for run in runs {
-        let number = records.list[run.record as usize].object + 1;
+        let number = setups.list[run.setup as usize].object + 1;
         for lane in (0..BLOCK).filter(|lane| (run.bits & nearer) >> lane & 1 == 1) {
             pixels.object[at + lane] = number;
         }

@@ -8,11 +8,11 @@ use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
 use super::clip::EXTRA;
 use super::frame::{FrameView, Pass};
-use super::group::{self, Shaded};
-use super::points::Point;
+use super::shade_block::{self, Shaded};
+use super::micro_triangles::MicroSample;
 use super::raster::{Grid, Triangle, cover};
-use super::records::{Projected, Records};
-use super::runs::Run;
+use super::triangle_setup::{Projected, TriangleSetups};
+use super::coverage_layers::Run;
 use super::{inlined, three};
 
 /// No triangle.
@@ -29,7 +29,7 @@ struct Seen {
     key: u32,
     chunk: u32,
     /// Its number among the records, or [`NONE`] as long as it is not set up.
-    record: u32,
+    setup: u32,
 }
 
 /// The depth buffer of a tile, sample after sample, and who owns each of its places.
@@ -52,7 +52,7 @@ pub(crate) struct Owners {
 
 impl Default for Owners {
     fn default() -> Self {
-        Self { runs: [Run { record: 0, bits: 0 }; BLOCK], count: 0, bits: 0 }
+        Self { runs: [Run { setup: 0, bits: 0 }; BLOCK], count: 0, bits: 0 }
     }
 }
 
@@ -68,7 +68,7 @@ impl Visible {
 
     /// Depth-tests a sample that the first pass found covered.
     #[inline(always)]
-    pub fn point(&mut self, point: &Point) {
+    pub fn point(&mut self, point: &MicroSample) {
         let at = point.place as usize;
         let before = self.depth[at];
         if before < point.depth
@@ -87,14 +87,14 @@ impl Visible {
         simd: S,
         frame: &FrameView,
         projected: &Projected,
-        records: &mut Records,
+        setups: &mut TriangleSetups,
         grid: &Grid,
         (chunk, key): (usize, u32),
     ) {
         let triangle = triangle(frame, projected, chunk, key);
         let view = &frame.objects[object_of(frame, triangle.name)];
         let masked = view.pass == Pass::Masked;
-        let record = if masked { records.add(frame, projected, chunk, &triangle) } else { NONE };
+        let setup = if masked { setups.add(frame, projected, chunk, &triangle) } else { NONE };
         let number = self.seen.len() as u32;
         let mut used = false;
         for (sample, &position) in frame.samples.iter().enumerate() {
@@ -107,13 +107,13 @@ impl Visible {
                 &grid,
                 #[inline(always)]
                 |place, inside, z| {
-                    let keep = masked.then_some((frame, &*records, record, &grid));
+                    let keep = masked.then_some((frame, &*setups, setup, &grid));
                     used |= self.test(simd, plane + place, inside, z, [triangle.name, number], keep);
                 },
             );
         }
         if used {
-            self.seen.push(Seen { name: triangle.name, key, chunk: chunk as u32, record });
+            self.seen.push(Seen { name: triangle.name, key, chunk: chunk as u32, setup });
         }
     }
 
@@ -127,7 +127,7 @@ impl Visible {
         inside: LanesMask<S>,
         z: Lanes<S>,
         [name, number]: [u32; 2],
-        masked: Option<(&FrameView, &Records, u32, &Grid)>,
+        masked: Option<(&FrameView, &TriangleSetups, u32, &Grid)>,
     ) -> bool {
         let old = self.depth[at..].first_chunk_mut().expect("planes are whole blocks");
         let owners: &mut [u32; BLOCK] = self.owners[at..].first_chunk_mut().expect("planes are whole blocks");
@@ -142,8 +142,8 @@ impl Visible {
         if bits == 0 {
             return false;
         }
-        if let Some((frame, records, record, grid)) = masked {
-            bits &= opaque_enough(simd, frame, records, record, grid, at % TILE_PIXELS);
+        if let Some((frame, setups, setup, grid)) = masked {
+            bits &= opaque_enough(simd, frame, setups, setup, grid, at % TILE_PIXELS);
             won = LanesMask::from_bits(simd, bits);
         }
         z.select(won, before).store(old);
@@ -181,7 +181,7 @@ impl Visible {
             let bits = same(owner);
             left &= !bits;
             if owner != NONE {
-                found.runs[found.count & (BLOCK - 1)] = Run { record: owner, bits };
+                found.runs[found.count & (BLOCK - 1)] = Run { setup: owner, bits };
                 found.count += 1;
                 found.bits |= bits;
             }
@@ -209,21 +209,21 @@ impl Visible {
         &mut self,
         frame: &FrameView,
         projected: &Projected,
-        records: &mut Records,
+        setups: &mut TriangleSetups,
         runs: &mut [Run],
     ) {
         for run in runs {
-            run.record = match self.seen.get_mut(run.record as usize) {
-                Some(seen) if seen.record != NONE => seen.record,
+            run.setup = match self.seen.get_mut(run.setup as usize) {
+                Some(seen) if seen.setup != NONE => seen.setup,
                 Some(seen) => {
                     let chunk = seen.chunk as usize;
                     let triangle = triangle(frame, projected, chunk, seen.key);
-                    seen.record = records.add(frame, projected, chunk, &triangle);
-                    seen.record
+                    seen.setup = setups.add(frame, projected, chunk, &triangle);
+                    seen.setup
                 }
                 None => {
-                    let triangle = triangle(frame, projected, 0, run.record & !NAMED);
-                    records.add(frame, projected, 0, &triangle)
+                    let triangle = triangle(frame, projected, 0, run.setup & !NAMED);
+                    setups.add(frame, projected, 0, &triangle)
                 }
             };
         }
@@ -233,7 +233,7 @@ impl Visible {
 /// The triangle behind a key of a bin.
 pub(crate) fn triangle(frame: &FrameView, projected: &Projected, chunk: usize, key: u32) -> Triangle {
     if key & EXTRA != 0 {
-        let extra = &projected.chunks[chunk].extras[(key & !EXTRA) as usize];
+        let extra = &projected.chunks[chunk].clipped_triangles[(key & !EXTRA) as usize];
         return Triangle { screen: extra.screen, name: extra.original, key };
     }
     let corners = corners(frame, key);
@@ -299,19 +299,19 @@ fn ties(seen: &[Seen], owners: &[u32; BLOCK], mut equal: u32, new: u32) -> u32 {
 fn opaque_enough<S: Simd>(
     simd: S,
     frame: &FrameView,
-    records: &Records,
-    record: u32,
+    setups: &TriangleSetups,
+    setup: u32,
     grid: &Grid,
     place: usize,
 ) -> u32 {
-    let object = &frame.objects[records.list[record as usize].object as usize];
+    let object = &frame.objects[setups.list[setup as usize].object as usize];
     let AlphaMode::Mask { cutoff } = frame.materials[object.material].alpha_mode else { return u32::MAX };
     simd.vectorize(
         #[inline(always)]
         || {
             let at = block::coordinates(simd, grid, place, [0.5, 0.5]);
             let mut shaded = Shaded::nothing(simd);
-            group::shade(simd, frame, records, &[Run { record, bits: 0xffff }], at, &mut shaded);
+            shade_block::shade(simd, frame, setups, &[Run { setup, bits: 0xffff }], at, &mut shaded);
             Lanes::splat(simd, cutoff).le(shaded.alpha).bits()
         },
     )

@@ -12,7 +12,7 @@ use glanz_color::{SAMPLES, STEP_NM, Spectrum, rgb_spectra};
 use glanz_scene::{Background, Light, LightColor, LightColors, Scene, Tint};
 
 use crate::prepare::Observation;
-use crate::{DrawOptions, Frame, Layers, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
+use crate::{DrawOptions, Frame, Aovs, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
 
 /// Channels that a picture has.
 const AT_ONCE: usize = 3;
@@ -30,8 +30,8 @@ pub(super) fn draw(
         Background::Environment => Background::Environment,
         _ => Background::Transparent,
     };
-    let bare = DrawOptions { background, layers: Layers::default(), ..*draw_options };
-    let mut sum = Sum::new(channels, view);
+    let bare = DrawOptions { background, aovs: Aovs::default(), ..*draw_options };
+    let mut sum = ChannelSums::new(channels, view);
     let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
     let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
     for input in 0..SAMPLES {
@@ -61,9 +61,9 @@ pub(super) fn draw(
 }
 
 /// The channels so far, in f64.
-struct Sum(Vec<Vec<f64>>);
+struct ChannelSums(Vec<Vec<f64>>);
 
-impl Sum {
+impl ChannelSums {
     fn new(channels: usize, view: &View) -> Self {
         Self(vec![vec![0.0; view.width as usize * view.height as usize]; channels])
     }
@@ -158,7 +158,7 @@ fn table_part(scene: &Scene) -> Scene {
 }
 
 fn is_emission(lobe: &glanz_scene::Lobe) -> bool {
-    lobe.shape.info().part == glanz_bsdf::Part::Emission
+    lobe.shape.info().term == glanz_bsdf::LightTerm::Emission
 }
 
 fn glows(material: &glanz_scene::Material) -> bool {

@@ -6,7 +6,7 @@
 
 use glanz_math::{PI, Real, Vec3};
 
-use super::sky::Sky;
+use super::environment_map::EnvironmentMap;
 
 /// Harmonics of degree 0, 1, 2 and 4.
 const TERMS: usize = 1 + 3 + 5 + 9;
@@ -32,23 +32,23 @@ impl Irradiance {
     }
 
     /// That of a picture.
-    pub fn of(sky: &Sky) -> Self {
-        if sky.size()[1] < COARSEST {
+    pub fn of(map: &EnvironmentMap) -> Self {
+        if map.size()[1] < COARSEST {
             // So few pixels would be lights from single directions.
-            let finer = Sky::from_fn(2 * COARSEST, COARSEST, |d| {
-                sky.at(Vec3::new(d.x as f32, d.y as f32, d.z as f32))
+            let finer = EnvironmentMap::from_fn(2 * COARSEST, COARSEST, |d| {
+                map.at(Vec3::new(d.x as f32, d.y as f32, d.z as f32))
             });
             return Self::of(&finer);
         }
         let mut sums = [[0.0f64; 3]; TERMS];
-        let [width, height] = sky.size();
+        let [width, height] = map.size();
         for row in 0..height {
-            let weight = sky.solid_angle(row);
+            let weight = map.solid_angle(row);
             for column in 0..width {
-                let d = sky.direction(row, column);
+                let d = map.direction(row, column);
                 let basis = harmonics(Vec3::new(d.x, d.y, d.z));
                 for (sum, y) in sums.iter_mut().zip(basis) {
-                    for (sum, value) in sum.iter_mut().zip(sky.pixel(row, column)) {
+                    for (sum, value) in sum.iter_mut().zip(map.pixel(row, column)) {
                         *sum += weight * y * f64::from(value);
                     }
                 }
@@ -139,15 +139,15 @@ mod tests {
 
     #[test]
     fn the_harmonics_are_orthonormal() {
-        let sky = Sky::from_fn(256, 128, |_| [0.0; 3]);
+        let map = EnvironmentMap::from_fn(256, 128, |_| [0.0; 3]);
         let mut gram = [[0.0; TERMS]; TERMS];
         for row in 0..128 {
             for column in 0..256 {
-                let DVec3 { x, y, z } = sky.direction(row, column);
+                let DVec3 { x, y, z } = map.direction(row, column);
                 let basis = harmonics(Vec3::new(x, y, z));
                 for i in 0..TERMS {
                     for j in 0..TERMS {
-                        gram[i][j] += basis[i] * norm(i) * basis[j] * norm(j) * sky.solid_angle(row);
+                        gram[i][j] += basis[i] * norm(i) * basis[j] * norm(j) * map.solid_angle(row);
                     }
                 }
             }
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn uniform_surroundings_give_one_everywhere() {
-        let white = Irradiance::of(&Sky::from_fn(64, 32, |_| [1.0, 0.5, 0.25]));
+        let white = Irradiance::of(&EnvironmentMap::from_fn(64, 32, |_| [1.0, 0.5, 0.25]));
         for normal in [DVec3::X, DVec3::NEG_Y, DVec3::new(0.48, 0.6, 0.64)] {
             let got = white.at(Vec3::new(normal.x as f32, normal.y as f32, normal.z as f32));
             for (got, expected) in got.iter().zip([1.0, 0.5, 0.25]) {
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn a_bright_half_gives_its_form_factor() {
         // Light from the upper hemisphere: (1 + cosine) / 2.
-        let half = Sky::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]);
+        let half = EnvironmentMap::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]);
         let irradiance = Irradiance::of(&half);
         for degrees in [0.0_f64, 30.0, 60.0, 90.0, 120.0, 180.0] {
             let (sin, cos) = libm::sincos(degrees.to_radians());

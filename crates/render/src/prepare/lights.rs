@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use glanz_scene::{AreaShape, Attenuation, EnvironmentMap, Light, LightKind, Luminaire, Scene, Space};
+use glanz_scene::{AreaShape, Attenuation, Light, LightKind, Luminaire, Scene, Space};
 
 use super::PrepareError;
 use super::irradiance::Irradiance;
-use super::shares::Shares;
-use super::sky::Sky;
+use super::intensity_grid::IntensityGrid;
+use super::environment_map::EnvironmentMap;
 
 /// How the reach of a point or spot light falls with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,15 +67,15 @@ pub enum LightShape {
         /// Whether it shines on its back, too.
         two_sided: bool,
     },
-    /// Surroundings.
-    Environment(Surroundings),
+    /// EnvironmentLight.
+    Environment(EnvironmentLight),
 }
 
-/// Surroundings at infinite distance.
+/// EnvironmentLight at infinite distance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Surroundings {
+pub struct EnvironmentLight {
     /// What they look like; `None` for 1 everywhere.
-    pub sky: Option<Arc<Sky>>,
+    pub map: Option<Arc<EnvironmentMap>>,
     /// What a matte surface gets of them.
     pub irradiance: Irradiance,
     /// From their directions to the light's space.
@@ -85,8 +85,8 @@ pub struct Surroundings {
 /// Intensities over directions, and how they are turned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreparedLuminaire {
-    /// Shares of the greatest intensity.
-    pub shares: Arc<Shares>,
+    /// IntensityGrid of the greatest intensity.
+    pub intensities: Arc<IntensityGrid>,
     /// The directions of C 0°, C 90° and γ 0°.
     pub frame: DMat3,
 }
@@ -164,7 +164,7 @@ fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
         LightKind::Area { shape, position, direction, up, two_sided } => {
             area(shape, position, direction, up, two_sided)?
         }
-        LightKind::Environment { ref map, rotation } => LightShape::Environment(surroundings(map, rotation)?),
+        LightKind::Environment { ref map, rotation } => LightShape::Environment(environment(map, rotation)?),
         LightKind::Ambient => return Ok(None),
         LightKind::Directional { direction } => LightShape::Directional { towards: -unit(direction)? },
         LightKind::Point { position, attenuation } => {
@@ -218,18 +218,18 @@ fn area(
     Ok(LightShape::Area { form, position: finite(position)?, axes, two_sided })
 }
 
-fn surroundings(map: &Option<Arc<EnvironmentMap>>, rotation: DMat3) -> Result<Surroundings, &'static str> {
+fn environment(map: &Option<Arc<glanz_scene::EnvironmentMap>>, rotation: DMat3) -> Result<EnvironmentLight, &'static str> {
     if !rotation.is_finite() {
         return Err("the rotation must be finite numbers");
     }
-    let sky = map.as_ref().map(|map| Arc::new(Sky::from(&**map)));
-    let irradiance = sky.as_ref().map_or_else(Irradiance::uniform, |sky| Irradiance::of(sky));
-    Ok(Surroundings { sky, irradiance, rotation })
+    let map = map.as_ref().map(|map| Arc::new(EnvironmentMap::from(&**map)));
+    let irradiance = map.as_ref().map_or_else(Irradiance::uniform, |map| Irradiance::of(map));
+    Ok(EnvironmentLight { map, irradiance, rotation })
 }
 
 fn luminaire(luminaire: &Luminaire) -> Result<PreparedLuminaire, &'static str> {
     let frame = luminaire.frame().ok_or("the luminaire's axis and C0 must be finite and not parallel")?;
-    Ok(PreparedLuminaire { shares: Arc::new(Shares::of(&luminaire.profile)), frame })
+    Ok(PreparedLuminaire { intensities: Arc::new(IntensityGrid::of(&luminaire.profile)), frame })
 }
 
 fn finite(position: DVec3) -> Result<DVec3, &'static str> {

@@ -1,12 +1,12 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{Part, Shape, Side, Veil};
+use glanz_bsdf::{LightTerm, Shape, Side, LayerWeight};
 use glanz_scene::{AlphaMode, Lobe, Material, Metalness, TextureUse, Tint};
 
-use super::along::Along;
-use super::curve::Curve;
-use super::fields::Field;
-use super::tints::{Entry, Table, part_of};
+use super::tint_coordinate::TintCoordinate;
+use super::tint_series::TintSeries;
+use super::lobe_integrals::LobeIntegrals;
+use super::tint_table::{Entry, Table, term_of};
 use super::{PrepareError, with_model};
 
 /// A lobe that answers to lights with a direction.
@@ -15,15 +15,15 @@ pub struct DirectLobe {
     /// Its shape.
     pub shape: Shape,
     /// Diffuse or specular.
-    pub part: Part,
+    pub term: LightTerm,
     /// Whether base colour texture and vertex colours multiply it.
     pub textured: bool,
     /// On what its tint depends.
-    pub along: Along,
+    pub coordinate: TintCoordinate,
     /// What lies over it.
-    pub veils: Vec<Veil>,
+    pub layers: Vec<LayerWeight>,
     /// Which part of the surface it belongs to.
-    pub share: Metalness,
+    pub metalness: Metalness,
     /// Whether its shape is that of the lobe before.
     pub repeats: bool,
 }
@@ -36,9 +36,9 @@ pub struct PreparedMaterial {
     /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
     pub tints: Vec<[f32; 3]>,
     /// What the lobes make of areas and surroundings; empty where the scene has none.
-    pub fields: Vec<Field>,
+    pub integrals: Vec<LobeIntegrals>,
     /// The entries of curved lobes, with the same numbers; empty if there are none.
-    pub curves: Vec<Curve>,
+    pub series: Vec<TintSeries>,
     /// Ambient light from everywhere times the ambient tints, and light of its own: what textures
     /// multiply, then the ambient light that they do not.
     pub ambient: [[f32; 3]; 2],
@@ -68,7 +68,7 @@ pub struct PreparedMaterial {
     /// Whether any lobe answers to light on the other side.
     pub transmits: bool,
     /// What is seen through it, per channel over the cosine of the line of sight.
-    pub through: Option<Curve>,
+    pub transmittance: Option<TintSeries>,
     /// Whether it has nothing that the pixel loop of the classic models does not know.
     pub classic: bool,
     /// Opacity.
@@ -97,7 +97,7 @@ pub(super) fn prepare(
     table: &Table,
     model: Option<&str>,
 ) -> Result<PreparedMaterial, PrepareError> {
-    let finite_through = material.through.as_ref().is_none_or(glanz_scene::Through::is_finite);
+    let finite_through = material.transmittance.as_ref().is_none_or(glanz_scene::Transmittance::is_finite);
     if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) || !finite_through {
         let what = format!("material '{}': tints must be finite numbers", material.name);
         return Err(PrepareError::Scene { what });
@@ -117,8 +117,8 @@ pub(super) fn prepare(
         classic: lobes.iter().all(DirectLobe::is_classic) && material.metal_rough_map.is_none(),
         lobes,
         tints: table.direct(&direct, None),
-        fields: Vec::new(),
-        curves: table.curves(&direct),
+        integrals: Vec::new(),
+        series: table.series(&direct),
         ambient,
         spot_ambient: spot_ambient(table, &terms),
         emission: table.emission(&terms.emission, None),
@@ -130,7 +130,7 @@ pub(super) fn prepare(
         emission_map: material.emission_map,
         metal_rough_map: material.metal_rough_map,
         aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
-        through: material.through.as_ref().map(|through| table.through(through)),
+        transmittance: material.transmittance.as_ref().map(|transmittance| table.transmittance(transmittance)),
         alpha: material.alpha,
         alpha_mode: material.alpha_mode,
     })
@@ -140,31 +140,31 @@ pub(super) fn prepare(
 /// than making matte lobes of them.
 fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&'a Lobe>, PrepareError> {
     let target = model.map(glanz_bsdf::models::info_named).transpose()?;
-    let matte = target.is_some_and(|info| info.part != Part::Specular);
-    let kept = |lobe: &&Lobe| match part_of(lobe) {
-        Part::Diffuse => true,
-        Part::Specular => !matte,
-        Part::Ambient | Part::Emission => false,
+    let matte = target.is_some_and(|info| info.term != LightTerm::Specular);
+    let kept = |lobe: &&Lobe| match term_of(lobe) {
+        LightTerm::Diffuse => true,
+        LightTerm::Specular => !matte,
+        LightTerm::Ambient | LightTerm::Emission => false,
     };
     Ok(material.lobes.iter().filter(kept).collect())
 }
 
 fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
-    let part = part_of(lobe);
+    let term = term_of(lobe);
     let shape = match model {
-        Some(name) if part == Part::Specular => with_model(&lobe.shape, name)?,
+        Some(name) if term == LightTerm::Specular => with_model(&lobe.shape, name)?,
         _ => lobe.shape.clone(),
     };
     // A texel has no say in a tint that is a curve.
-    let along = Along::of(lobe);
-    let textured = lobe.textured && along == Along::Nothing;
+    let coordinate = TintCoordinate::of(lobe);
+    let textured = lobe.textured && coordinate == TintCoordinate::None;
     Ok(DirectLobe {
         shape,
-        part,
+        term,
         textured,
-        along,
-        veils: lobe.veils.clone(),
-        share: lobe.share,
+        coordinate,
+        layers: lobe.layers.clone(),
+        metalness: lobe.metalness,
         repeats: false,
     })
 }
@@ -172,13 +172,13 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
 impl DirectLobe {
     /// A bare lobe.
     pub fn new(shape: Shape) -> Self {
-        let (part, along) = (shape.info().part, Along::Nothing);
-        Self { shape, part, textured: false, along, veils: Vec::new(), share: Metalness::Any, repeats: false }
+        let (term, coordinate) = (shape.info().term, TintCoordinate::None);
+        Self { shape, term, textured: false, coordinate, layers: Vec::new(), metalness: Metalness::Any, repeats: false }
     }
 
     fn is_classic(&self) -> bool {
-        let bare = self.veils.is_empty() && self.share == Metalness::Any;
-        bare && self.shape.is_in_place() && !matches!(self.along, Along::Path { .. })
+        let bare = self.layers.is_empty() && self.metalness == Metalness::Any;
+        bare && self.shape.is_in_place() && !matches!(self.coordinate, TintCoordinate::CoatPath { .. })
     }
 }
 
@@ -192,15 +192,15 @@ struct Terms<'a> {
 
 impl<'a> Terms<'a> {
     fn new(material: &'a Material) -> Self {
-        let of = |part: Part, textured: bool| {
+        let of = |term: LightTerm, textured: bool| {
             let lobes = material.lobes.iter();
-            lobes.filter(|l| part_of(l) == part && l.textured == textured).map(|l| &l.tint).collect()
+            lobes.filter(|l| term_of(l) == term && l.textured == textured).map(|l| &l.tint).collect()
         };
         Self {
-            textured_ambient: of(Part::Ambient, true),
-            plain_ambient: of(Part::Ambient, false),
-            textured_emission: of(Part::Emission, true),
-            emission: of(Part::Emission, false),
+            textured_ambient: of(LightTerm::Ambient, true),
+            plain_ambient: of(LightTerm::Ambient, false),
+            textured_emission: of(LightTerm::Emission, true),
+            emission: of(LightTerm::Emission, false),
         }
     }
 

@@ -2,27 +2,27 @@
 //!
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
-mod along;
+mod tint_coordinate;
 mod closed;
-mod cosines;
-mod curve;
+mod ltc;
+mod tint_series;
 mod facets;
-mod fields;
+mod lobe_integrals;
 mod geometry;
-mod glossy;
+mod prefilter;
 mod irradiance;
 mod lights;
 mod materials;
 mod observation;
-mod occluders;
+mod bvh;
 mod polygons;
-mod sampling;
-mod shares;
-mod sheets;
+mod quadrature;
+mod intensity_grid;
+mod interfaces;
 mod simplex;
-mod sky;
-mod textures;
-mod tints;
+mod environment_map;
+mod mipmap;
+mod tint_table;
 
 use std::sync::Arc;
 
@@ -31,22 +31,22 @@ use glanz_bsdf::{MODELS, ParamError, Shape};
 use glanz_scene::{Background, Interpolation, LightKind, Mesh, Scene, Shading};
 use thiserror::Error;
 
-pub use along::Along;
-pub use cosines::Cosines;
-pub use curve::Curve;
+pub use tint_coordinate::TintCoordinate;
+pub use ltc::LtcTable;
+pub use tint_series::TintSeries;
 pub use facets::Facets;
-pub use fields::Field;
-pub(crate) use fields::is_cosine;
+pub use lobe_integrals::LobeIntegrals;
+pub(crate) use lobe_integrals::is_cosine;
 pub use geometry::{Cluster, Geometry};
-pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, Surroundings};
+pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, EnvironmentLight};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
-pub use occluders::Occluders;
+pub use bvh::Bvh;
 pub use polygons::Polygons;
-use sampling::Sampling;
-pub use shares::Shares;
-pub use sky::Sky;
-pub use textures::Mipmap;
+use quadrature::Sampling;
+pub use intensity_grid::IntensityGrid;
+pub use environment_map::EnvironmentMap;
+pub use mipmap::Mipmap;
 
 /// What to change of a scene on the way.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -143,9 +143,9 @@ pub struct Prepared {
     /// The number of facets of all objects.
     pub facet_count: u32,
     /// What each of the three spectra of the first surroundings gives in the channels, seen directly.
-    pub backdrop: Option<[[f32; 3]; 3]>,
+    pub environment_tint: Option<[[f32; 3]; 3]>,
     /// What keeps light from surfaces; none where nothing casts a shadow.
-    pub occluders: Option<Arc<Occluders>>,
+    pub bvh: Option<Arc<Bvh>>,
 }
 
 impl Prepared {
@@ -158,17 +158,17 @@ impl Prepared {
 /// Turns a scene into arrays. All colour work happens here.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
     check_references(scene)?;
-    let surroundings = |light: &glanz_scene::Light| matches!(light.kind, LightKind::Environment { .. });
-    if scene.image.background == Background::Environment && !scene.lights.iter().any(surroundings) {
+    let environment = |light: &glanz_scene::Light| matches!(light.kind, LightKind::Environment { .. });
+    if scene.image.background == Background::Environment && !scene.lights.iter().any(environment) {
         let what = "the background is 'environment', but no light of that kind is there".to_owned();
         return Err(PrepareError::Scene { what });
     }
     let lights = lights::prepare(scene)?;
-    let (materials, backdrop) = fill(scene, options, &lights, &[])?;
+    let (materials, environment_tint) = fill(scene, options, &lights, &[])?;
     let mut prepared = Prepared {
-        textures: textures::prepare(&scene.textures),
+        textures: mipmap::prepare(&scene.textures),
         materials,
-        backdrop,
+        environment_tint,
         lights,
         ..Prepared::default()
     };
@@ -176,7 +176,7 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
         prepared.add_object(scene, object, options)?;
     }
     if scene.render.shadows {
-        prepared.occluders = Some(Arc::new(Occluders::new(&prepared)));
+        prepared.bvh = Some(Arc::new(Bvh::new(&prepared)));
     }
     Ok(prepared)
 }
@@ -195,11 +195,11 @@ fn fill(
         glanz_bsdf::models::info_named(model)?;
     }
     let sampling = Sampling::new(&options.observation, options.first_channel);
-    let table = tints::Table::new(&sampling, scene);
+    let table = tint_table::Table::new(&sampling, scene);
     let prepare = |material| materials::prepare(material, &table, options.model.as_deref());
     let mut materials = scene.materials.iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
-    fields::attach(&mut materials, lights, before);
-    Ok((materials, table.backdrop()))
+    lobe_integrals::attach(&mut materials, lights, before);
+    Ok((materials, table.environment_tint()))
 }
 
 impl Prepared {
@@ -210,8 +210,8 @@ impl Prepared {
     /// are read.
     pub fn refilled(&self, scene: &Scene, options: &PrepareOptions) -> Result<Self, PrepareError> {
         lights::check_colors(scene)?;
-        let (materials, backdrop) = fill(scene, options, &self.lights, &self.materials)?;
-        Ok(Self { materials, backdrop, ..self.clone() })
+        let (materials, environment_tint) = fill(scene, options, &self.lights, &self.materials)?;
+        Ok(Self { materials, environment_tint, ..self.clone() })
     }
 }
 

@@ -7,7 +7,7 @@ use glanz_color::{
 use glanz_scene::{ColorMode, LightColor, LightKind, Scene, White};
 use thiserror::Error;
 
-use super::sampling::{Channels, Row, Sampling, Surface};
+use super::quadrature::{Channels, Row, Sampling, Surface};
 use crate::develop::ToScreen;
 
 /// The luminance that a screen shows as its white when light is in cd/m²: that of the reference
@@ -196,7 +196,7 @@ fn white_lights(scene: &Scene, white: White) -> Result<Vec<LightColor>, Observat
 
 fn white_under(sampling: &Sampling, lights: &[LightColor]) -> Channels {
     let rows: Vec<Row> = lights.iter().map(|light| sampling.light(light)).collect();
-    let response = sampling.response(&Surface::Share(vec![1.0; rows[0].len()]), None);
+    let response = sampling.response(&Surface::Reflectance(vec![1.0; rows[0].len()]), None);
     let mut sum = [0.0; 3];
     for row in &rows {
         sum.iter_mut().zip(response.under(row)).for_each(|(sum, value)| *sum += value);

@@ -5,7 +5,7 @@
 use glam::{DMat4, DVec3, Vec2, Vec3};
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;
-use glanz_render::{DrawOptions, Frame, Layers, PrepareOptions, View, draw, prepare};
+use glanz_render::{DrawOptions, Frame, Aovs, PrepareOptions, View, draw, prepare};
 use glanz_scene::{
     Background, Builtin, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
     Material, Mesh, Object, Projection, Scene, Shading,
@@ -136,7 +136,7 @@ pub fn picture(scene: &Scene, width: u32, height: u32, options: &DrawOptions) ->
 }
 
 /// All planes beside colour.
-pub const ALL_LAYERS: Layers = Layers { depth: true, normal: true, object: true };
+pub const ALL_LAYERS: Aovs = Aovs { depth: true, normal: true, object: true };
 
 /// Panics unless every colour and alpha is a finite number and every distance a number.
 pub fn assert_sane(frame: &Frame, what: &str) {

@@ -14,7 +14,7 @@ mod scenes;
 mod shelf;
 
 use glanz_math::{NARROWEST_LEVEL, simd_level};
-use glanz_render::{DrawOptions, Frame, Layers, Observation, PrepareOptions, View, draw, prepare};
+use glanz_render::{DrawOptions, Frame, Aovs, Observation, PrepareOptions, View, draw, prepare};
 use glanz_scene::{Background, Scene};
 
 /// A frame and what a screen shows of it.
@@ -40,7 +40,7 @@ fn drawn(scene: &Scene) -> Drawn {
     if let (Background::Color(color), Some(to_screen)) = (background, &to_screen) {
         background = Background::Color(glanz_color::Rgb(to_screen.channels_of(color.0)));
     }
-    let layers = Layers { depth: true, normal: true, object: true };
+    let layers = Aovs { depth: true, normal: true, object: true };
     let path = |level: &str, threads: usize| {
         let options = DrawOptions {
             samples: scene.image.samples,

@@ -15,7 +15,7 @@ mod skies;
 
 use common::{add, empty, picture, rectangle, transparent};
 use glam::{DMat4, DVec3};
-use glanz_bsdf::{Pair, Shape};
+use glanz_bsdf::{DirectionPair, Shape};
 use glanz_color::Rgb;
 use glanz_math::Vec3;
 use glanz_scene::{Camera, Light, LightColors, LightKind, Lobe, Material, Projection, Scene};
@@ -67,7 +67,7 @@ fn white(kind: LightKind) -> Light {
 /// f_cos of the surface's view and a light in a direction of the world.
 fn lobe_value(shape: &Shape, degrees: f64, light: DVec3) -> f64 {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    shape.f_cos(&Pair::new(Vec3::new(sin, 0.0, cos), Vec3::new(light.x, light.y, light.z)))
+    shape.f_cos(&DirectionPair::new(Vec3::new(sin, 0.0, cos), Vec3::new(light.x, light.y, light.z)))
 }
 
 /// The greatest error of a lobe, in parts of a scale, with the place.

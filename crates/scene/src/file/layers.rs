@@ -12,8 +12,8 @@ use super::build::Builder;
 use super::colors::{ColorValue, IorValue};
 use super::error::Problem;
 use super::spectra::medium;
-use super::values::{Amount, At, Share};
-use crate::{Coat, Lobe, Material, Pane, Through, Tint};
+use super::values::{Amount, At, Fraction};
+use crate::{Coat, Lobe, Material, Pane, Transmittance, Tint};
 
 /// The width of a pane's highlight where nothing else is said: that of polished glass, hardly to be seen.
 const POLISHED: f64 = 0.01;
@@ -28,9 +28,9 @@ pub(crate) struct CoatTable {
     /// Its index of refraction, or the name of a glass; 1.5 by default.
     pub ior: Option<At<IorValue>>,
     /// The width of its highlight, as of the shape `ggx`; 0.03 by default.
-    pub alpha: Option<At<Share>>,
+    pub alpha: Option<At<Fraction>>,
     /// How much of the surface it covers; 1 by default.
-    pub weight: Option<At<Share>>,
+    pub weight: Option<At<Fraction>>,
     /// Its thickness in mm, 0.05 by default; 0 is no coat.
     pub thickness_mm: Option<At<Amount>>,
     /// The share of light that passes 1 mm of it: a colour or a spectrum; all by default.
@@ -44,7 +44,7 @@ pub(crate) struct PaneTable {
     /// Its index of refraction, or the name of a glass; 1.5 by default.
     pub ior: Option<At<IorValue>>,
     /// The width of its highlight, as of the shape `ggx`; 0.01 by default.
-    pub alpha: Option<At<Share>>,
+    pub alpha: Option<At<Fraction>>,
     /// Its thickness in mm; 4 by default.
     pub thickness_mm: Option<At<Amount>>,
     /// The share of light that passes 1 mm of it: a colour or a spectrum; all by default.
@@ -91,21 +91,21 @@ impl PaneTable {
         let shape = Shape::named("ggx", &[("alpha", alpha)])
             .map_err(|error| Problem::at(place, error.to_string()))?;
         material.lobes.push(Lobe::new(shape, Tint::Pane(Arc::clone(&pane))));
-        material.through = Some(Through::Pane(pane));
+        material.transmittance = Some(Transmittance::Pane(pane));
         Ok(())
     }
 }
 
 /// What is seen through a surface: the share of each colour, what a boundary (`ior`) or a film in air
 /// (`film_nm`) does not reflect.
-pub(super) fn through(value: &At<ColorValue>, builder: &mut Builder) -> Result<Through, Problem> {
+pub(super) fn transmittance(value: &At<ColorValue>, builder: &mut Builder) -> Result<Transmittance, Problem> {
     let opaque =
         |name: &str| Problem::at(&value.span, format!("light does not pass '{name}', which is a metal"));
     Ok(match builder.tint(value)? {
         Tint::Ior(ior) if ior.k.max() > 0.0 => return Err(opaque(&ior.name)),
         Tint::Film(film) if film.base.k.max() > 0.0 => return Err(opaque(&film.base.name)),
-        Tint::Ior(ior) => Through::Boundary(ior),
-        Tint::Film(film) => Through::Film(film),
+        Tint::Ior(ior) => Transmittance::Boundary(ior),
+        Tint::Film(film) => Transmittance::Film(film),
         Tint::Polarized(..) => {
             return Err(Problem::at(&value.span, "'polarization' is for what a surface reflects"));
         }
@@ -123,7 +123,7 @@ pub(super) fn through(value: &At<ColorValue>, builder: &mut Builder) -> Result<T
                 let message = format!("expected a share of the light from behind, 0 to 1, found {most}");
                 return Err(Problem::at(&value.span, message));
             }
-            Through::Share(tint)
+            Transmittance::Constant(tint)
         }
     })
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use glanz_bsdf::{MODELS, ParamError, Part, Shape, Side, Veil};
+use glanz_bsdf::{MODELS, ParamError, LightTerm, Shape, Side, LayerWeight};
 use glanz_color::Rgb;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, MapAccess, Visitor};
@@ -16,7 +16,7 @@ use super::colors::ColorValue;
 use super::error::Problem;
 use super::near::{did_you_mean, list};
 use super::types::names;
-use super::values::{At, Number, Share};
+use super::values::{At, Number, Fraction};
 use crate::{Lobe, Tint};
 
 names! {
@@ -37,7 +37,7 @@ pub(crate) struct LobeTable {
     shape: At<String>,
     tint: Option<At<ColorValue>>,
     textured: Option<bool>,
-    weight: Option<At<Share>>,
+    weight: Option<At<Fraction>>,
     fresnel: Option<At<FresnelName>>,
     params: Vec<(At<String>, At<Number>)>,
 }
@@ -117,14 +117,14 @@ impl LobeTable {
         let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
         let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
         // Document 003's textures and vertex colours are surface colours: not light, not highlights.
-        let textured = self.textured.unwrap_or(matches!(shape.info().part, Part::Ambient | Part::Diffuse));
+        let textured = self.textured.unwrap_or(matches!(shape.info().term, LightTerm::Ambient | LightTerm::Diffuse));
         let tint = match &self.tint {
             None => Rgb::WHITE.into(),
-            Some(color) if shape.info().part == Part::Emission => builder.emission(color)?,
+            Some(color) if shape.info().term == LightTerm::Emission => builder.emission(color)?,
             Some(color) => builder.tint(color)?,
         };
         let tint = self.with_fresnel(tint)?;
-        if shape.info().part == Part::Specular && textured && tint.depends_on_angle() {
+        if shape.info().term == LightTerm::Specular && textured && tint.depends_on_angle() {
             return Err(Problem::at(&self.shape.span, "a highlight by Fresnel's law cannot be 'textured'"));
         }
         if let (Tint::Ior(ior), Side::Transmission) = (&tint, shape.info().side)
@@ -133,14 +133,14 @@ impl LobeTable {
             let message = format!("light does not pass '{}', which is a metal", ior.name);
             return Err(Problem::at(&self.shape.span, message));
         }
-        let is_lit = matches!(shape.info().part, Part::Diffuse | Part::Specular);
+        let is_lit = matches!(shape.info().term, LightTerm::Diffuse | LightTerm::Specular);
         if let (Some(weight), false) = (&self.weight, is_lit) {
             return Err(Problem::at(&weight.span, "'weight' is for terms that lights shine on")
                 .help("make the tint of this term darker instead"));
         }
         let lobe = Lobe { textured, ..Lobe::new(shape, tint) };
         Ok(match &self.weight {
-            Some(weight) if weight.0 < 1.0 => lobe.under(Veil::Share(weight.0)),
+            Some(weight) if weight.0 < 1.0 => lobe.under(LayerWeight::Constant(weight.0)),
             _ => lobe,
         })
     }

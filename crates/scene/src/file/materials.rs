@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
-use glanz_bsdf::{MODELS, ParamError, Part};
+use glanz_bsdf::{MODELS, ParamError, LightTerm};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
@@ -13,12 +13,12 @@ use serde::{Deserialize, Deserializer};
 use super::build::Builder;
 use super::colors::ColorValue;
 use super::error::Problem;
-use super::layers::{CoatTable, PaneTable, through};
+use super::layers::{CoatTable, PaneTable, transmittance};
 use super::lobes::LobeTable;
 use super::near::{did_you_mean, list};
 use super::table;
 use super::types::names;
-use super::values::{Amount, At, Exponent, Number, Share};
+use super::values::{Amount, At, Exponent, Number, Fraction};
 use crate::{AlphaMode, ClassicMaterial, Material, Tint};
 
 /// A material: the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`, `emission`; colours
@@ -61,11 +61,11 @@ pub(crate) struct MaterialTable {
     #[serde(default)]
     pub cull_back: bool,
     /// Opacity; 1 by default. Below 1 the surface is blended unless `alpha_mode` says otherwise.
-    pub alpha: Option<Share>,
+    pub alpha: Option<Fraction>,
     /// What alpha means; `opaque` by default where `alpha` is 1.
     pub alpha_mode: Option<AlphaModeName>,
     /// The least alpha that a mask draws; 0.5 by default.
-    pub alpha_cutoff: Option<At<Share>>,
+    pub alpha_cutoff: Option<At<Fraction>>,
     /// Picture that multiplies the ambient and diffuse tints; its alpha is the surface's.
     pub base_color_texture: Option<At<TextureValue>>,
     /// Picture of tangent-space normals, as glTF has them.
@@ -192,8 +192,8 @@ impl JsonSchema for HighlightName {
 
 /// The models that a classic block can name: the highlights, and `lambert` for none.
 fn highlight_names() -> impl Iterator<Item = &'static str> {
-    let highlight = |part| matches!(part, Part::Specular | Part::Diffuse);
-    MODELS.iter().filter(move |info| highlight(info.part)).map(|info| info.name)
+    let highlight = |part| matches!(part, LightTerm::Specular | LightTerm::Diffuse);
+    MODELS.iter().filter(move |info| highlight(info.term)).map(|info| info.name)
 }
 
 fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
@@ -222,9 +222,9 @@ impl MaterialTable {
             if let Some(pane) = &self.pane {
                 return Err(Problem::at(&pane.span, "'pane' beside 'see_through': a pane says what is seen"));
             }
-            material.through = Some(through(seen, builder)?);
+            material.transmittance = Some(transmittance(seen, builder)?);
         }
-        if let (Some(coat), Some(_)) = (&self.coat, &material.through) {
+        if let (Some(coat), Some(_)) = (&self.coat, &material.transmittance) {
             return Err(Problem::at(
                 &coat.span,
                 "a 'coat' over what is seen through: give the 'pane' its colour instead",
@@ -280,7 +280,7 @@ impl MaterialTable {
                     Problem::at(&model.span, format!("unknown model '{}'{near}", model.value)).help(known)
                 );
             };
-            if info.part != Part::Specular && !classic.specular.is_black() {
+            if info.term != LightTerm::Specular && !classic.specular.is_black() {
                 classic.specular = Tint::BLACK;
                 builder.notes.push(format!(
                     "material '{name}': '{}' has no highlight; 'specular' is not used",

@@ -21,7 +21,7 @@ const THICKEST_FILM_NM: f64 = 2000.0;
 /// What a function of wavelength stands for.
 enum Function {
     Light(Spectrum),
-    Share(Spectrum),
+    Fraction(Spectrum),
     /// From a file or given in numbers: what it stands for is where it stands.
     Either(Spectrum),
     Reradiation(Arc<Reradiation>),
@@ -60,7 +60,7 @@ impl Builder {
     fn unit_light(&mut self, table: &SpectralTable, span: &Range<usize>) -> Result<LightColor, Problem> {
         let spectrum = match self.function(table, span, true)? {
             Function::Light(spectrum) | Function::Either(spectrum) => spectrum,
-            Function::Share(_) => {
+            Function::Fraction(_) => {
                 return Err(Problem::at(span, "a lamp needs light, found a reflectance")
                     .help("the light sources are listed by `glanz color list lights`"));
             }
@@ -90,7 +90,7 @@ impl Builder {
         }
         let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
         Ok(match self.function(table, &value.span, false)? {
-            Function::Share(spectrum) | Function::Either(spectrum) => {
+            Function::Fraction(spectrum) | Function::Either(spectrum) => {
                 let spectrum = spectrum * scale;
                 if spectrum.max() > 1.0 {
                     let most = spectrum.max();
@@ -327,7 +327,7 @@ pub(super) fn for_power(color: &LightColor, watts: f64) -> f64 {
 
 fn named(name: &At<String>, light: bool) -> Result<Function, Problem> {
     let as_light = || glanz_color::light(name).map(Function::Light);
-    let as_share = || glanz_color::reflectance(name).map(Function::Share);
+    let as_share = || glanz_color::reflectance(name).map(Function::Fraction);
     let found = if light {
         as_light().or_else(|error| as_share().map_err(|_| error))
     } else {

@@ -92,7 +92,7 @@ number!(
 );
 number!(
     /// A share.
-    Share, "a number between 0 and 1", |v| (0.0..=1.0).contains(&v),
+    Fraction, "a number between 0 and 1", |v| (0.0..=1.0).contains(&v),
     { "type": "number", "minimum": 0.0, "maximum": 1.0 }
 );
 number!(
@@ -294,7 +294,7 @@ mod tests {
     #[test]
     fn numbers_out_of_range_are_refused_with_what_was_expected() {
         assert_eq!(
-            read::<Share>("1.5").map(|v| v.0),
+            read::<Fraction>("1.5").map(|v| v.0),
             Err("expected a number between 0 and 1, found 1.5".into())
         );
         assert!(read::<Positive>("0").is_err());

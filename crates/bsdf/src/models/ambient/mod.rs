@@ -9,7 +9,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The ambient lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ impl Model for Ambient {
         formula: "1 / π",
         source: "the classic lighting equation, I = Ia·ka",
         params: &[],
-        part: Part::Ambient,
+        term: LightTerm::Ambient,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -43,7 +43,7 @@ impl Model for Ambient {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_i.lit(1.0 / PI)
     }
 }

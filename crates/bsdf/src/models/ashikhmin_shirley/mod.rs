@@ -18,7 +18,7 @@ use core::f64::consts::LOG2_E;
 use glanz_math::{PI, Real};
 
 use crate::terms::{above, exp2_or_zero, height_squared};
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// Below this x the series is used: its first term left out is 1/15 · (x/(2+x))¹⁴ = 3e-15 there.
 const SERIES_UP_TO: f64 = 0.25;
@@ -58,7 +58,7 @@ impl Model for AshikhminShirley {
                 default: 0.0,
             },
         ],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -77,7 +77,7 @@ impl Model for AshikhminShirley {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let one = pair.cos_i.one();
         let x2 = (pair.tangent_o.0 + pair.tangent_i.0).sqr();
         let y2 = (pair.tangent_o.1 + pair.tangent_i.1).sqr();

@@ -24,7 +24,7 @@ fn is_the_formula_of_the_paper_with_a_unit_half_vector() {
             let exponent = (nu * h.x * h.x + nv * h.y * h.y) / (1.0 - h.z * h.z);
             let f = libm::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * PI) * libm::pow(h.z, exponent)
                 / (wo.dot(h) * wo.z.max(wi.z));
-            let (got, expected) = (lobe(nu, nv).f_cos(&Pair::new(wo, wi)), f * wi.z);
+            let (got, expected) = (lobe(nu, nv).f_cos(&DirectionPair::new(wo, wi)), f * wi.z);
             let close = (got - expected).abs() <= 1e-7 * expected + 1e-30;
             assert!(close, "{nu}, {nv}: {got} for {expected}");
         }
@@ -59,6 +59,6 @@ fn every_width_returns_half_of_the_light_along_the_surface() {
 
 #[test]
 fn one_exponent_alone_stands_for_both() {
-    let pair = Pair::new(Vec3::from_angles(0.5, 0.3), Vec3::from_angles(0.6, 3.0));
+    let pair = DirectionPair::new(Vec3::from_angles(0.5, 0.3), Vec3::from_angles(0.6, 3.0));
     assert_eq!(lobe(70.0, 0.0).f_cos(&pair), lobe(70.0, 70.0).f_cos(&pair));
 }

@@ -12,7 +12,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The matte lobe beneath a coat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ impl Model for AshikhminShirleyDiffuse {
             max: 1.0,
             default: 0.04,
         }],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -51,7 +51,7 @@ impl Model for AshikhminShirleyDiffuse {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));
         cos_i * let_in(cos_i) * let_in(cos_o) * zero.lit(28.0 / (23.0 * PI) * (1.0 - self.rs))

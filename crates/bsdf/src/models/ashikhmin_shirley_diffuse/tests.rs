@@ -20,11 +20,11 @@ fn has_the_albedo_that_the_paper_normalised_it_to() {
 #[test]
 fn has_the_value_of_the_paper_along_the_normal() {
     // 28/(23π) (31/32)².
-    let got = matte(0.0).f_cos(&Pair::isotropic(1.0, 1.0, 1.0));
+    let got = matte(0.0).f_cos(&DirectionPair::isotropic(1.0, 1.0, 1.0));
     assert!((got - 0.363_666_9f64).abs() < 1e-7, "{got}");
 }
 
 #[test]
 fn is_black_beneath_a_perfect_coat() {
-    assert_eq!(matte(1.0).f_cos(&Pair::isotropic(0.5f64, 0.5, 0.1)), 0.0);
+    assert_eq!(matte(1.0).f_cos(&DirectionPair::isotropic(0.5f64, 0.5, 0.1)), 0.0);
 }

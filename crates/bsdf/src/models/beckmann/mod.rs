@@ -18,8 +18,8 @@
 use glanz_math::{PI, Real, Vec3};
 
 use crate::models::ggx::{ALPHA, ALPHA_Y, MULTISCATTER, widths};
-use crate::terms::{Distribution, Half, Missing, exp_of_minus, facets, stretched2};
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::terms::{Distribution, Half, MultiScatter, exp_of_minus, facets, stretched2};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Reflection by Beckmann's slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Beckmann {
     inverse2: (f64, f64),
     /// 1 / (4π αx αy).
     scale: f64,
-    missing: Missing,
+    compensation: MultiScatter,
 }
 
 impl Model for Beckmann {
@@ -45,7 +45,7 @@ impl Model for Beckmann {
         formula: "D · G2 / (4 cosθo) + w (1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg)), D = exp(−tan²θh/α²) / (π α² cos⁴θh)",
         source: "P. Beckmann and A. Spizzichino, The Scattering of Electromagnetic Waves from Rough Surfaces, 1963; E. Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, 2014; C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, 2017",
         params: &[ALPHA, ALPHA_Y, MULTISCATTER],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -62,7 +62,7 @@ impl Model for Beckmann {
             squares: (x * x, y * y),
             inverse2: (1.0 / (x * x), 1.0 / (y * y)),
             scale: 0.25 / (PI * x * y),
-            missing: Missing::new(Distribution::Beckmann, (x, y), multiscatter),
+            compensation: MultiScatter::new(Distribution::Beckmann, (x, y), multiscatter),
         }
     }
 
@@ -76,11 +76,11 @@ impl Model for Beckmann {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_o.zero();
         let mut value = self.single(pair);
         if self.multiscatter > 0.0 {
-            value = value + self.missing.f_cos(pair, None);
+            value = value + self.compensation.f_cos(pair, None);
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
     }
@@ -89,7 +89,7 @@ impl Model for Beckmann {
         Some(facets::distribution(Distribution::Beckmann, half, widths(self.alpha, self.alpha_y)))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(facets::shadowing(Distribution::Beckmann, pair, widths(self.alpha, self.alpha_y)))
     }
 }
@@ -97,7 +97,7 @@ impl Model for Beckmann {
 impl Beckmann {
     /// D · G2 / (4 cosθo) for light and viewer above. With Λ = N / (cosθ M), G2 / cosθo has one quotient.
     #[inline(always)]
-    fn single<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn single<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let half = Half::new(pair);
         let inverse = half.up2.one() / half.up2;
         let d = exp_of_minus(half.across2(pair, self.inverse2) * inverse) * (half.length2 * inverse).sqr();

@@ -21,7 +21,7 @@ fn a_single_reflection_is_the_product_of_its_terms() {
         for (wo, wi) in directions() {
             let g = smith_g2(lambda_beckmann(wo, alpha), lambda_beckmann(wi, alpha));
             let expected = d_beckmann((wo + wi).normalized(), alpha) * g / (4.0 * wo.z);
-            let got = beckmann(alpha.0, alpha.1, 0.0).f_cos(&Pair::new(wo, wi));
+            let got = beckmann(alpha.0, alpha.1, 0.0).f_cos(&DirectionPair::new(wo, wi));
             assert!((got / expected - 1.0).abs() < 1e-11, "{alpha:?}: {got} for {expected}");
         }
     }
@@ -30,9 +30,9 @@ fn a_single_reflection_is_the_product_of_its_terms() {
 #[test]
 fn equal_widths_ask_for_no_tangent() {
     for (wo, wi) in directions() {
-        let bare = Pair::isotropic(wo.z, wi.z, wo.dot(wi));
+        let bare = DirectionPair::isotropic(wo.z, wi.z, wo.dot(wi));
         let (one, two) = (beckmann(0.3, 0.0, 1.0), beckmann(0.3, 0.3, 1.0));
-        assert_eq!(one.f_cos(&bare), one.f_cos(&Pair::new(wo, wi)));
+        assert_eq!(one.f_cos(&bare), one.f_cos(&DirectionPair::new(wo, wi)));
         assert_eq!(one.f_cos(&bare), two.f_cos(&bare));
     }
 }
@@ -67,7 +67,7 @@ fn with_little_width_is_a_mirror() {
         let single = albedo(&Shape::Beckmann(beckmann(0.001, 0.0, 0.0)), wo.z);
         assert!((single - 1.0).abs() < 1e-3, "{degrees}°: {single}");
         let at =
-            |angle: f64| beckmann(0.01, 0.0, 1.0).f_cos(&Pair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
+            |angle: f64| beckmann(0.01, 0.0, 1.0).f_cos(&DirectionPair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
         assert!(at(degrees) > at(degrees + 0.5) && at(degrees) > at(degrees - 0.5));
     }
 }

@@ -13,8 +13,8 @@
 use glanz_math::Real;
 
 use crate::models::ggx::{ALPHA, ALPHA_Y, widths};
-use crate::terms::{Distribution, Missing};
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::terms::{Distribution, MultiScatter};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The energy of further reflections.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub struct BeckmannMultiple {
     pub alpha: f64,
     /// The width along the bitangent; 0 means as `alpha`.
     pub alpha_y: f64,
-    missing: Missing,
+    compensation: MultiScatter,
 }
 
 impl Model for BeckmannMultiple {
@@ -33,7 +33,7 @@ impl Model for BeckmannMultiple {
         formula: "(1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg))",
         source: "C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017",
         params: &[ALPHA, ALPHA_Y],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -42,7 +42,7 @@ impl Model for BeckmannMultiple {
 
     fn from_params(values: &[f64]) -> Self {
         let (alpha, alpha_y) = (values[0], values[1]);
-        Self { alpha, alpha_y, missing: Missing::new(Distribution::Beckmann, widths(alpha, alpha_y), 1.0) }
+        Self { alpha, alpha_y, compensation: MultiScatter::new(Distribution::Beckmann, widths(alpha, alpha_y), 1.0) }
     }
 
     fn params(&self) -> Vec<f64> {
@@ -55,9 +55,9 @@ impl Model for BeckmannMultiple {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_o.zero();
-        let value = self.missing.f_cos(pair, None);
+        let value = self.compensation.f_cos(pair, None);
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
     }
 }

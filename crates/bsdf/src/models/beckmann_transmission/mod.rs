@@ -20,7 +20,7 @@ use glanz_math::{PI, Real, Vec3};
 use crate::models::ggx::ALPHA;
 use crate::models::refraction::ETA;
 use crate::terms::{Distribution, Refracted, bending, exp_of_minus, facets, refracted_cosine, stretched2};
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Refraction by Beckmann's slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ impl Model for BeckmannTransmission {
         formula: "D · G1(wo) G1(wi) |wo·h| |wi·h| / (cosθo (wo·h + η wi·h)²)",
         source: "B. Walter, S. R. Marschner, H. Li and K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces, 2007",
         params: &[ALPHA, ETA],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
@@ -65,12 +65,12 @@ impl Model for BeckmannTransmission {
     }
 
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         refracted_cosine(pair, self.bending)
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let (zero, half) = (pair.cos_o.zero(), Refracted::new(pair, self.bending));
         let inverse = zero.one() / half.up2.max(zero.lit(1e-12));
         let tan2 = (half.length2 - half.up2) * inverse;
@@ -85,7 +85,7 @@ impl Model for BeckmannTransmission {
         Some(facets::distribution(Distribution::Beckmann, half, (self.alpha, self.alpha)))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(facets::shadowing_apart(Distribution::Beckmann, pair, (self.alpha, self.alpha)))
     }
 }

@@ -13,7 +13,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Blinn's highlight: a power of the cosine between normal and half vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Model for BlinnPhong {
         formula: "max(n·h, 0)ⁿ / π where cosθi > 0",
         source: "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977",
         params: &[SHININESS],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -50,7 +50,7 @@ impl Model for BlinnPhong {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_half().max(zero);
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);

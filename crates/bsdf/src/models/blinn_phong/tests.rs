@@ -6,9 +6,9 @@ use super::*;
 use crate::models::phong::Phong;
 
 /// Light and view in one plane, at these degrees from the normal on opposite sides.
-fn pair(light: f64, view: f64) -> Pair<f64> {
+fn pair(light: f64, view: f64) -> DirectionPair<f64> {
     let radians = PI / 180.0;
-    Pair::new(Vec3::from_angles(view * radians, 0.0), Vec3::from_angles(light * radians, PI))
+    DirectionPair::new(Vec3::from_angles(view * radians, 0.0), Vec3::from_angles(light * radians, PI))
 }
 
 #[test]
@@ -38,9 +38,9 @@ fn with_4_times_the_exponent_resembles_phong() {
 #[test]
 fn opposite_directions_have_no_half_vector_and_no_highlight() {
     let lobe = BlinnPhong { shininess: 10.0 };
-    assert_eq!(lobe.f_cos(&Pair::isotropic(-0.5f64, 0.5, -1.0)), 0.0);
+    assert_eq!(lobe.f_cos(&DirectionPair::isotropic(-0.5f64, 0.5, -1.0)), 0.0);
     // Rounding to f32 can leave a cosine sum that is not 0 over a length that is.
-    assert!(lobe.f_cos(&Pair::isotropic(-0.5f32, 0.500_000_1, -1.0)) < 1e-6);
+    assert!(lobe.f_cos(&DirectionPair::isotropic(-0.5f32, 0.500_000_1, -1.0)) < 1e-6);
 }
 
 #[test]

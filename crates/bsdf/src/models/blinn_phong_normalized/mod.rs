@@ -11,7 +11,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Blinn's lobe scaled so that it keeps its energy at normal incidence.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Model for BlinnPhongNormalized {
         formula: "(n+2)(n+4) / (8π (2^(−n/2) + n)) · max(n·h, 0)ⁿ · cosθi",
         source: "the normalisation factor for the half-vector lobe, after F. Giesen, 2009",
         params: &[SHININESS],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -49,7 +49,7 @@ impl Model for BlinnPhongNormalized {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_half().max(zero);
         let value = cosine.pow(zero.lit(self.shininess)) * pair.cos_i * zero.lit(self.scale);

@@ -28,14 +28,14 @@ fn has_the_albedo_of_an_independent_quadrature() {
 #[test]
 fn is_the_classic_lobe_times_cosine_and_factor() {
     // n = 2: (4·6)/(8π(1/2 + 2)) = 1.2/π.
-    let pair = Pair::isotropic(0.9f64, 0.7, 0.5);
+    let pair = DirectionPair::isotropic(0.9f64, 0.7, 0.5);
     let classic = BlinnPhong { shininess: 2.0 }.f_cos(&pair);
     assert!((lobe(2.0).f_cos(&pair) / (classic * 0.7 * 1.2) - 1.0).abs() < 1e-12);
 }
 
 #[test]
 fn with_exponent_0_is_lambert() {
-    let pair = Pair::isotropic(0.4f64, 0.8, 0.1);
+    let pair = DirectionPair::isotropic(0.4f64, 0.8, 0.1);
     let matte = crate::models::lambert::Lambert.f_cos(&pair);
     assert!((lobe(0.0).f_cos(&pair) - matte).abs() < 1e-15);
 }

@@ -3,7 +3,7 @@
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 
 use super::Charlie;
-use crate::{Model, Pair};
+use crate::{Model, DirectionPair};
 
 /// Terms of the series: enough for an error of 0.003 (see [`Albedo`]).
 const TERMS: usize = 13;
@@ -71,7 +71,7 @@ fn integral(sheen: &Charlie, cos_o: f64) -> f64 {
         let sin_i = libm::sqrt(1.0 - cos_i * cos_i);
         let ring = rule.integrate(0.0, PI, |phi| {
             let wi = Vec3::new(sin_i * libm::cos(phi), sin_i * libm::sin(phi), cos_i);
-            sheen.f_cos(&Pair::new(wo, wi))
+            sheen.f_cos(&DirectionPair::new(wo, wi))
         });
         // Both halves of the circle, and dcosθ = 2 root droot.
         4.0 * root * ring

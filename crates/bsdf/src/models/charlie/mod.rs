@@ -23,7 +23,7 @@ use glanz_math::{PI, Real, Vec3};
 pub use albedo::Albedo;
 
 use crate::terms::{above, d_charlie, smith_g2};
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// a, b, c, d, e of l for α = 1 and for α = 0.
 const FIT: [[f64; 2]; 5] =
@@ -53,7 +53,7 @@ impl Model for Charlie {
             max: 1.0,
             default: 0.25,
         }],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -75,7 +75,7 @@ impl Model for Charlie {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let (one, two) = (zero.one(), zero.lit(2.0));
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));
@@ -93,7 +93,7 @@ impl Model for Charlie {
         Some(if half.z > 0.0 { d_charlie(across.min(1.0), self.alpha) } else { 0.0 })
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(smith_g2(self.lambda(pair.cos_o), self.lambda(pair.cos_i)))
     }
 }

@@ -17,7 +17,7 @@
 use glanz_math::{PI, Real, Vec3};
 
 use crate::terms::{Distribution, Half, exp_of_minus, facets, g_v_cavity};
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The root mean square slope.
 pub const M: ParamInfo = ParamInfo {
@@ -61,7 +61,7 @@ impl Model for CookTorrance {
                 default: 0.0,
             },
         ],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -79,7 +79,7 @@ impl Model for CookTorrance {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let half = Half::new(pair);
         let inverse = half.up2.one() / half.up2;
         let ratio = half.length2 * inverse;
@@ -96,7 +96,7 @@ impl Model for CookTorrance {
         Some((1.0 - self.weight2) * term(self.m) + self.weight2 * term(self.m2))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(g_v_cavity(pair.cos_half(), pair.cos_o, pair.cos_i, pair.cos_view_half()))
     }
 }
@@ -109,7 +109,7 @@ fn term<R: Real>(tan2: R, (scale, steep): (f64, f64)) -> R {
 
 /// G / (4 cosθo) of the V-grooves, 0 where light or viewer is below: (n·h)/(wo·h) is 2 n·H / |H|².
 #[inline(always)]
-pub(crate) fn groove<R: Real>(pair: &Pair<R>, length2: R) -> R {
+pub(crate) fn groove<R: Real>(pair: &DirectionPair<R>, length2: R) -> R {
     let zero = pair.cos_o.zero();
     let least = pair.cos_o.min(pair.cos_i);
     // One facet's share, and what the groove leaves, both over cosθo.

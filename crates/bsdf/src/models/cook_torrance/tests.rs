@@ -44,7 +44,7 @@ fn is_the_product_of_its_terms() {
         let h = (wo + wi).normalized();
         let d = 0.7 * d_beckmann(h, (0.3, 0.3)) + 0.3 * d_beckmann(h, (0.6, 0.6));
         let expected = d * g_v_cavity(h.z, wo.z, wi.z, wo.dot(h)) / (4.0 * wo.z);
-        let got = CookTorrance::from_params(&[0.3, 0.6, 0.3]).f_cos(&Pair::new(wo, wi));
+        let got = CookTorrance::from_params(&[0.3, 0.6, 0.3]).f_cos(&DirectionPair::new(wo, wi));
         assert!((got / expected - 1.0).abs() < 1e-12, "{got} for {expected}");
     }
 }
@@ -54,7 +54,7 @@ fn with_little_slope_is_a_mirror() {
     for degrees in [0.0, 30.0, 60.0, 80.0] {
         assert!((seen(0.002, degrees) - 1.0).abs() < 1e-3, "{degrees}°: {}", seen(0.002, degrees));
         let wo = Vec3::from_angles(degrees * PI / 180.0, 0.0);
-        let at = |angle: f64| lobe(0.01).f_cos(&Pair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
+        let at = |angle: f64| lobe(0.01).f_cos(&DirectionPair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
         assert!(at(degrees) > at(degrees + 0.5) && at(degrees) > at(degrees - 0.5));
     }
 }

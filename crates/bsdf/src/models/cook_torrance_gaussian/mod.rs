@@ -14,7 +14,7 @@ use glanz_math::{Real, Vec3};
 
 use crate::models::cook_torrance::{M, groove};
 use crate::terms::{Half, d_gaussian, g_v_cavity, gaussian_scale};
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// Cook and Torrance's reflection with the Gaussian distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Model for CookTorranceGaussian {
         formula: "c exp(−(θh/m)²) · min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h)) / (4 cosθo)",
         source: "R. L. Cook and K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics 1(1), 1982",
         params: &[ParamInfo { doc: "spread of the angles of the facets, in radians: greater is rougher", ..M }],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -48,7 +48,7 @@ impl Model for CookTorranceGaussian {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let half = Half::new(pair);
         // From sine and cosine: an arc cosine alone is coarse about 0.
         let theta = (half.length2 - half.up2).sqrt().atan2(half.up2.sqrt());
@@ -61,7 +61,7 @@ impl Model for CookTorranceGaussian {
         Some(if half.z > 0.0 { d_gaussian(across.atan2(half.z), self.m, self.scale) } else { 0.0 })
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(g_v_cavity(pair.cos_half(), pair.cos_o, pair.cos_i, pair.cos_view_half()))
     }
 }

@@ -16,14 +16,14 @@ fn narrow_lobes_are_those_of_beckmanns_slopes() {
     let beckmann = CookTorrance::from_params(&[0.01, 0.5, 0.0]);
     let wo = Vec3::from_angles(0.7, 0.0);
     for theta in [0.68, 0.7, 0.71] {
-        let pair = Pair::new(wo, Vec3::from_angles(theta, PI));
+        let pair = DirectionPair::new(wo, Vec3::from_angles(theta, PI));
         assert!((gaussian.f_cos(&pair) / beckmann.f_cos(&pair) - 1.0).abs() < 1e-3);
     }
 }
 
 #[test]
 fn the_peak_for_a_spread_of_a_half_is_16_percent_higher() {
-    let pair = Pair::isotropic(1.0, 1.0, 1.0);
+    let pair = DirectionPair::isotropic(1.0, 1.0, 1.0);
     let gaussian: f64 = CookTorranceGaussian::from_params(&[0.5]).f_cos(&pair);
     let beckmann = CookTorrance::from_params(&[0.5, 0.5, 0.0]).f_cos(&pair);
     assert!((gaussian / beckmann - 1.16).abs() < 0.02, "{}", gaussian / beckmann);

@@ -9,7 +9,7 @@
 
 use glanz_math::Real;
 
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The emission lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ impl Model for Emission {
         formula: "1, without any light",
         source: "the classic lighting equation",
         params: &[],
-        part: Part::Emission,
+        term: LightTerm::Emission,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -43,7 +43,7 @@ impl Model for Emission {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_i.one()
     }
 }

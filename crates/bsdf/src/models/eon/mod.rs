@@ -18,7 +18,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::oren_nayar::RHO;
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// What roughness takes from the albedo along the normal.
 const K1: f64 = 0.5 - 2.0 / (3.0 * PI);
@@ -51,7 +51,7 @@ impl Model for Eon {
             },
             RHO,
         ],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -71,7 +71,7 @@ impl Model for Eon {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let [even, rough, multiple] = self.c.map(|c| zero.lit(c));
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));

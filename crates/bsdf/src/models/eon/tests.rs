@@ -43,7 +43,7 @@ fn is_the_formula_of_the_paper_with_albedos_by_quadrature() {
             for (i, o, phi) in [(0.3, 1.0, 0.5), (1.2, 1.3, 2.9), (0.7, 0.2, 1.7)] {
                 let lost = |theta| 1.0 - single_albedo(r, theta);
                 let f = rho * single(r, i, o, phi) + color / PI * lost(i) * lost(o) / (1.0 - average);
-                let pair = Pair::new(Vec3::from_angles(o, 0.0), Vec3::from_angles(i, phi));
+                let pair = DirectionPair::new(Vec3::from_angles(o, 0.0), Vec3::from_angles(i, phi));
                 let got = rho * Eon::from_params(&[r, rho]).f_cos(&pair);
                 let expected = f * libm::cos(i);
                 assert!((got - expected).abs() < 1e-7, "r = {r}, ρ = {rho}: {got} for {expected}");
@@ -66,7 +66,7 @@ fn a_white_furnace_stays_white() {
 fn without_roughness_is_lambert_for_every_reflectance() {
     for rho in [0.0, 0.5, 1.0] {
         for (i, o, phi) in [(0.1, 0.2, 0.3), (1.5, 1.4, 3.1), (1.2, 0.0, 2.0)] {
-            let pair = Pair::new(Vec3::from_angles(o, 0.0), Vec3::from_angles(i, phi));
+            let pair = DirectionPair::new(Vec3::from_angles(o, 0.0), Vec3::from_angles(i, phi));
             assert_eq!(Eon::from_params(&[0.0, rho]).f_cos(&pair), Lambert.f_cos(&pair));
         }
     }

@@ -18,8 +18,8 @@
 
 use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Distribution, Half, Missing, facets, stretched2};
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::terms::{Distribution, Half, MultiScatter, facets, stretched2};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The least width: its square must stay well above 6e-8, to which `f32` rounds cosines.
 pub const LEAST_ALPHA: f64 = 0.001;
@@ -75,7 +75,7 @@ pub struct Ggx {
     scale: f64,
     /// The factor that makes the lesser width the least allowed.
     least_widening: f64,
-    missing: Missing,
+    compensation: MultiScatter,
 }
 
 impl Model for Ggx {
@@ -85,7 +85,7 @@ impl Model for Ggx {
         formula: "D · G2 / (4 cosθo) + w (1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg)), D = 1 / (π α² (cos²θh + sin²θh/α²)²)",
         source: "B. Walter, S. R. Marschner, H. Li and K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces, 2007; E. Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs, 2014; C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, 2017",
         params: &[ALPHA, ALPHA_Y, MULTISCATTER],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -103,7 +103,7 @@ impl Model for Ggx {
             inverse2: (1.0 / (x * x), 1.0 / (y * y)),
             scale: 0.5 / (PI * x * y),
             least_widening: LEAST_ALPHA / x.min(y),
-            missing: Missing::new(Distribution::Ggx, (x, y), multiscatter),
+            compensation: MultiScatter::new(Distribution::Ggx, (x, y), multiscatter),
         }
     }
 
@@ -117,11 +117,11 @@ impl Model for Ggx {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_o.zero();
         let mut value = self.single(pair);
         if self.multiscatter > 0.0 {
-            value = value + self.missing.f_cos(pair, Some(pair.widening));
+            value = value + self.compensation.f_cos(pair, Some(pair.alpha_scale));
         }
         value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
     }
@@ -130,7 +130,7 @@ impl Model for Ggx {
         Some(facets::distribution(Distribution::Ggx, half, widths(self.alpha, self.alpha_y)))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(facets::shadowing(Distribution::Ggx, pair, widths(self.alpha, self.alpha_y)))
     }
 }
@@ -141,9 +141,9 @@ impl Ggx {
     /// D is q² w² / (π αx αy) with q = |H|² / ((Hx/αx)² + (Hy/αy)² + w² Hz²), where w widens; G2 / (4 cosθo cosθi) is
     /// 1 / (2 (cosθi Lo + cosθo Li)) with L = √(cos² + w² α² sin²).
     #[inline(always)]
-    fn single<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn single<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let half = Half::new(pair);
-        let w2 = pair.widening.max(half.up2.lit(self.least_widening)).sqr();
+        let w2 = pair.alpha_scale.max(half.up2.lit(self.least_widening)).sqr();
         let q = half.length2 / (half.across2(pair, self.inverse2) + half.up2 * w2);
         let lo = (pair.cos_o.sqr() + w2 * stretched2(pair.cos_o, pair.tangent_o, self.squares)).sqrt();
         let li = (pair.cos_i.sqr() + w2 * stretched2(pair.cos_i, pair.tangent_i, self.squares)).sqrt();

@@ -21,7 +21,7 @@ fn a_single_reflection_is_the_product_of_its_terms() {
         for (wo, wi) in directions() {
             let g = smith_g2(lambda_ggx(wo, alpha), lambda_ggx(wi, alpha));
             let expected = d_ggx((wo + wi).normalized(), alpha) * g / (4.0 * wo.z);
-            let got = ggx(alpha.0, alpha.1, 0.0).f_cos(&Pair::new(wo, wi));
+            let got = ggx(alpha.0, alpha.1, 0.0).f_cos(&DirectionPair::new(wo, wi));
             assert!((got / expected - 1.0).abs() < 1e-11, "{alpha:?}: {got} for {expected}");
         }
     }
@@ -30,9 +30,9 @@ fn a_single_reflection_is_the_product_of_its_terms() {
 #[test]
 fn equal_widths_ask_for_no_tangent() {
     for (wo, wi) in directions() {
-        let bare = Pair::isotropic(wo.z, wi.z, wo.dot(wi));
+        let bare = DirectionPair::isotropic(wo.z, wi.z, wo.dot(wi));
         let (one, two) = (ggx(0.3, 0.0, 1.0), ggx(0.3, 0.3, 1.0));
-        assert_eq!(one.f_cos(&bare), one.f_cos(&Pair::new(wo, wi)));
+        assert_eq!(one.f_cos(&bare), one.f_cos(&DirectionPair::new(wo, wi)));
         assert_eq!(one.f_cos(&bare), two.f_cos(&bare));
         assert!(!one.is_anisotropic() && !two.is_anisotropic() && ggx(0.3, 0.2, 1.0).is_anisotropic());
     }
@@ -75,7 +75,7 @@ fn with_little_width_is_a_mirror() {
         let wo = Vec3::from_angles(degrees * PI / 180.0, 0.0);
         let single = albedo(&Shape::Ggx(ggx(0.001, 0.0, 0.0)), wo.z);
         assert!((single - 1.0).abs() < 1e-3, "{degrees}°: {single}");
-        let at = |angle: f64| ggx(0.01, 0.0, 1.0).f_cos(&Pair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
+        let at = |angle: f64| ggx(0.01, 0.0, 1.0).f_cos(&DirectionPair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
         assert!(at(degrees) > at(degrees + 0.5) && at(degrees) > at(degrees - 0.5));
     }
 }
@@ -83,12 +83,12 @@ fn with_little_width_is_a_mirror() {
 #[test]
 fn widening_multiplies_both_widths() {
     for (wo, wi) in directions() {
-        let mut pair = Pair::new(wo, wi);
+        let mut pair = DirectionPair::new(wo, wi);
         let expected = ggx(0.1, 0.04, 0.0).f_cos(&pair);
-        pair.widening = 0.2;
+        pair.alpha_scale = 0.2;
         let got = ggx(0.5, 0.2, 0.0).f_cos(&pair);
         assert!((got / expected - 1.0).abs() < 1e-11, "{got} for {expected}");
-        pair.widening = 0.0;
+        pair.alpha_scale = 0.0;
         assert!(ggx(0.5, 0.2, 1.0).f_cos(&pair).is_finite());
     }
 }

@@ -10,7 +10,7 @@ fn is_what_the_whole_lobe_has_beside_single_reflections() {
     let (whole, single) = (Ggx::from_params(&[0.6, 0.0, 1.0]), Ggx::from_params(&[0.6, 0.0, 0.0]));
     let multiple = GgxMultiple::from_params(&[0.6, 0.0]);
     for (cos_o, cos_i, cos_io) in [(0.3, 0.8, 0.2), (1.0, 0.5, 0.5), (0.1, 0.1, -0.9)] {
-        let pair = Pair::isotropic(cos_o, cos_i, cos_io);
+        let pair = DirectionPair::isotropic(cos_o, cos_i, cos_io);
         let rest: f64 = whole.f_cos(&pair) - single.f_cos(&pair);
         assert!((multiple.f_cos(&pair) - rest).abs() < 1e-14);
     }

@@ -11,7 +11,7 @@
 use glanz_math::{Real, Vec3};
 
 use crate::models::ggx::{ALPHA, Ggx};
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// GGX for light that passes a thin sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ impl Model for GgxThinTransmission {
         formula: "D · G2 / (4 cosθo) with the light mirrored at the sheet",
         source: "Khronos Group, glTF extension KHR_materials_transmission, 2021",
         params: &[ALPHA],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
@@ -44,12 +44,12 @@ impl Model for GgxThinTransmission {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         self.reflection.f_cos(&mirrored(pair))
     }
 
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         mirrored(pair).cos_view_half()
     }
 
@@ -57,16 +57,16 @@ impl Model for GgxThinTransmission {
         self.reflection.distribution(half)
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         self.reflection.shadowing(pair)
     }
 }
 
 /// The pair with the light mirrored at the surface.
 #[inline(always)]
-fn mirrored<R: Real>(pair: &Pair<R>) -> Pair<R> {
+fn mirrored<R: Real>(pair: &DirectionPair<R>) -> DirectionPair<R> {
     let height = pair.cos_o * pair.cos_i;
-    Pair { cos_i: -pair.cos_i, cos_io: pair.cos_io - height - height, ..*pair }
+    DirectionPair { cos_i: -pair.cos_i, cos_io: pair.cos_io - height - height, ..*pair }
 }
 
 #[cfg(test)]

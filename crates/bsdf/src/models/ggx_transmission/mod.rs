@@ -19,7 +19,7 @@ use glanz_math::{PI, Real, Vec3};
 use crate::models::ggx::{ALPHA, LEAST_ALPHA};
 use crate::models::refraction::ETA;
 use crate::terms::{Distribution, Refracted, bending, facets, refracted_cosine};
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Refraction by GGX slopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ impl Model for GgxTransmission {
         formula: "D · G1(wo) G1(wi) |wo·h| |wi·h| / (cosθo (wo·h + η wi·h)²)",
         source: "B. Walter, S. R. Marschner, H. Li and K. E. Torrance, Microfacet Models for Refraction through Rough Surfaces, 2007",
         params: &[ALPHA, ETA],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
@@ -64,16 +64,16 @@ impl Model for GgxTransmission {
     }
 
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         refracted_cosine(pair, self.bending)
     }
 
     /// With q = 1 / (|H|² − Hz² + w² α² Hz²), D (wo·h)(wi·h) / (wo·h + η wi·h)² is w² α² q² |wo·H| |wi·H| / π, where w
     /// widens.
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let (zero, half) = (pair.cos_o.zero(), Refracted::new(pair, self.bending));
-        let w = pair.widening.max(zero.lit(LEAST_ALPHA / self.alpha));
+        let w = pair.alpha_scale.max(zero.lit(LEAST_ALPHA / self.alpha));
         let width2 = w.sqr() * zero.lit(self.square);
         let q = zero.one() / ((half.length2 - half.up2) + width2 * half.up2).max(zero.lit(1e-15));
         // 2 cosθ / (cosθ + √(cos²θ + α² sin²θ)) is G1.
@@ -87,7 +87,7 @@ impl Model for GgxTransmission {
         Some(facets::distribution(Distribution::Ggx, half, (self.alpha, self.alpha)))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(facets::shadowing_apart(Distribution::Ggx, pair, (self.alpha, self.alpha)))
     }
 }

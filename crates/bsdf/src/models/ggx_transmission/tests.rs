@@ -23,9 +23,9 @@ fn is_the_product_of_its_terms() {
             let up = Vec3::new(wi.x, wi.y, -wi.z);
             let g = smith_g1(lambda_ggx(wo, alpha)) * smith_g1(lambda_ggx(up, alpha));
             let expected = d_ggx(h, alpha) * g * oh * -ih / (wo.z * (oh + eta * ih) * (oh + eta * ih));
-            let got = lobe(0.4, eta).f_cos(&Pair::new(wo, wi));
+            let got = lobe(0.4, eta).f_cos(&DirectionPair::new(wo, wi));
             assert!((got / expected - 1.0).abs() < 1e-11, "{got} for {expected}");
-            assert!((lobe(0.4, eta).tint_cosine(&Pair::new(wo, wi)) - oh).abs() < 1e-12);
+            assert!((lobe(0.4, eta).tint_cosine(&DirectionPair::new(wo, wi)) - oh).abs() < 1e-12);
         }
     }
 }
@@ -38,14 +38,14 @@ fn with_little_width_is_perfect_refraction() {
         assert!((got - 1.0).abs() < 2e-3, "{eta} at {degrees}°: {got}");
         let wo = Vec3::from_angles(degrees * PI / 180.0, 0.0);
         let bent = libm::asin(libm::sqrt(1.0 - cosine * cosine) / eta);
-        let at = |angle: f64| lobe(0.01, eta).f_cos(&Pair::new(wo, Vec3::from_angles(PI - angle, PI)));
+        let at = |angle: f64| lobe(0.01, eta).f_cos(&DirectionPair::new(wo, Vec3::from_angles(PI - angle, PI)));
         assert!(at(bent) > at(bent + 0.01) && at(bent) > at(bent - 0.01), "{eta} at {degrees}°");
     }
 }
 
 #[test]
 fn without_a_difference_of_indices_it_is_as_with_a_small_one() {
-    let pair = Pair::new(Vec3::from_angles(0.3, 0.0), Vec3::from_angles(PI - 0.3, PI));
+    let pair = DirectionPair::new(Vec3::from_angles(0.3, 0.0), Vec3::from_angles(PI - 0.3, PI));
     assert_eq!(lobe(0.3, 1.0).f_cos(&pair), lobe(0.3, 1.01).f_cos(&pair));
     assert!(lobe(0.3, 1.0).f_cos(&pair).is_finite());
 }

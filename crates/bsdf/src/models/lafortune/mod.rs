@@ -15,7 +15,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The generalised cosine lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ impl Model for Lafortune {
                 default: 32.0,
             },
         ],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -82,7 +82,7 @@ impl Model for Lafortune {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let [x, y, z] = self.direction.map(|c| zero.lit(c));
         let cosine = pair.tangent_o.0 * pair.tangent_i.0 * x

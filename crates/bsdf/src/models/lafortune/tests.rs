@@ -11,9 +11,9 @@ fn lobe(cx: f64, cy: f64, cz: f64, n: f64) -> Lafortune {
     Lafortune::from_params(&[cx, cy, cz, n])
 }
 
-fn pairs() -> Vec<Pair<f64>> {
+fn pairs() -> Vec<DirectionPair<f64>> {
     let angles = [(0.2, 0.1, 0.3, 3.0), (1.2, 0.4, 1.1, 3.5), (0.9, 2.0, 0.4, 2.2), (1.5, 0.0, 0.1, 1.0)];
-    let pair = |(to, po, ti, pi)| Pair::new(Vec3::from_angles(to, po), Vec3::from_angles(ti, pi));
+    let pair = |(to, po, ti, pi)| DirectionPair::new(Vec3::from_angles(to, po), Vec3::from_angles(ti, pi));
     angles.into_iter().map(pair).collect()
 }
 
@@ -39,7 +39,7 @@ fn with_exponent_0_is_lambert() {
 fn with_equal_weights_sends_light_back() {
     let back = lobe(1.0, 1.0, 1.0, 50.0);
     let wo = Vec3::from_angles(0.8, 0.3);
-    let at = |theta, phi| back.f_cos(&Pair::new(wo, Vec3::from_angles(theta, phi)));
+    let at = |theta, phi| back.f_cos(&DirectionPair::new(wo, Vec3::from_angles(theta, phi)));
     let peak = at(0.8, 0.3);
     assert!((peak - 52.0 / (2.0 * PI) * libm::cos(0.8)).abs() < 1e-12);
     assert!(at(0.8, 0.5) < peak && at(0.8, 0.3 + PI) < 1e-3 * peak);

@@ -9,7 +9,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The matte lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ impl Model for Lambert {
         formula: "cosθi / π",
         source: "J. H. Lambert, Photometria, 1760",
         params: &[],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -40,7 +40,7 @@ impl Model for Lambert {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_i.max(pair.cos_i.zero()) * pair.cos_i.lit(1.0 / PI)
     }
 }

@@ -10,7 +10,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Lambert's law for light from behind.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ impl Model for LambertTransmission {
         formula: "max(−cosθi, 0) / π",
         source: "J. H. Lambert, Photometria, 1760",
         params: &[],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
@@ -41,7 +41,7 @@ impl Model for LambertTransmission {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let value = -pair.cos_i * zero.lit(1.0 / PI);
         value.select(pair.cos_i.lt(zero) & zero.lt(pair.cos_o), zero)

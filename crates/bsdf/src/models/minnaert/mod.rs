@@ -14,7 +14,7 @@
 use glanz_math::{PI, Real};
 
 use crate::terms::above;
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// Minnaert's lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl Model for Minnaert {
             max: 10.0,
             default: 0.7,
         }],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -53,7 +53,7 @@ impl Model for Minnaert {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let power = (pair.cos_i * pair.cos_o).max(zero).pow(zero.lit(self.k));
         let value = power * zero.lit((self.k + 1.0) / (2.0 * PI)) / pair.cos_o.max(zero.lit(1e-20));

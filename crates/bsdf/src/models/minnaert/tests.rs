@@ -7,7 +7,7 @@ use crate::{Shape, albedo};
 #[test]
 fn with_exponent_1_is_lambert() {
     for (cos_o, cos_i) in [(1.0, 1.0), (0.3, 0.8), (0.01, 0.5)] {
-        let pair = Pair::isotropic(cos_o, cos_i, 0.2f64);
+        let pair = DirectionPair::isotropic(cos_o, cos_i, 0.2f64);
         let (got, expected) = (Minnaert { k: 1.0 }.f_cos(&pair), Lambert.f_cos(&pair));
         assert!((got - expected).abs() < 1e-15, "{got} for {expected}");
     }
@@ -26,6 +26,6 @@ fn has_a_power_of_the_view_for_its_albedo() {
 
 #[test]
 fn makes_a_full_moon_evenly_bright_with_exponent_one_half() {
-    let full = |cosine: f64| Minnaert { k: 0.5 }.f_cos(&Pair::isotropic(cosine, cosine, 1.0));
+    let full = |cosine: f64| Minnaert { k: 0.5 }.f_cos(&DirectionPair::isotropic(cosine, cosine, 1.0));
     assert!([0.9, 0.5, 0.05].iter().all(|cosine| (full(*cosine) - full(1.0)).abs() < 1e-14));
 }

@@ -9,7 +9,7 @@
 
 use glanz_math::Real;
 
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// A perfect mirror.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ impl Model for Mirror {
         formula: "0, but for the one direction with θi = θo on the other side of the normal",
         source: "Euclid, Catoptrics",
         params: &[],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: true,
@@ -40,13 +40,13 @@ impl Model for Mirror {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_o.zero()
     }
 
     /// The cosine of the view angle: the facet is the surface.
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_o.clamp(0.0, 1.0)
     }
 }

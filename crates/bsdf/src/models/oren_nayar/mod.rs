@@ -19,7 +19,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The roughness of both models of this paper, as files and command line name it.
 pub(crate) const SIGMA_DEG: ParamInfo = ParamInfo {
@@ -60,7 +60,7 @@ impl Model for OrenNayar {
         formula: "cosθi/π · max(0, C1 + C2 cosφ tanβ + (1 − |cosφ|) C3 tan((α+β)/2) + ρ L2)",
         source: "M. Oren and S. K. Nayar, Generalization of Lambert's Reflectance Model, SIGGRAPH 1994",
         params: &[SIGMA_DEG, RHO],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -80,7 +80,7 @@ impl Model for OrenNayar {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let (one, nothing) = (zero.one(), zero.lit(NOTHING));
         let [c1, c2, c3, l2] = self.c.map(|c| zero.lit(c));

@@ -21,8 +21,8 @@ fn printed(sigma_deg: f64, theta_i: f64, theta_o: f64, phi: f64) -> (f64, f64) {
     (c1 + cos_phi * c2 * libm::tan(beta) + sides, between)
 }
 
-fn pair(theta_i: f64, theta_o: f64, phi: f64) -> Pair<f64> {
-    Pair::new(Vec3::from_angles(theta_o, 0.0), Vec3::from_angles(theta_i, phi))
+fn pair(theta_i: f64, theta_o: f64, phi: f64) -> DirectionPair<f64> {
+    DirectionPair::new(Vec3::from_angles(theta_o, 0.0), Vec3::from_angles(theta_i, phi))
 }
 
 #[test]

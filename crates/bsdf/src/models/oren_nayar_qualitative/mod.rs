@@ -16,7 +16,7 @@
 use glanz_math::{PI, Real};
 
 use crate::models::oren_nayar::{SIGMA_DEG, variance};
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The short form of the rough matte lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl Model for OrenNayarQualitative {
         formula: "cosθi/π · (A + B max(0, cosφ) sinα tanβ)",
         source: "M. Oren and S. K. Nayar, Generalization of Lambert's Reflectance Model, SIGGRAPH 1994",
         params: &[SIGMA_DEG],
-        part: Part::Diffuse,
+        term: LightTerm::Diffuse,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -55,7 +55,7 @@ impl Model for OrenNayarQualitative {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let [a, b] = self.c.map(|c| zero.lit(c));
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));

@@ -6,8 +6,8 @@ use super::*;
 use crate::models::lambert::Lambert;
 use crate::{Shape, albedo};
 
-fn pair(theta_i: f64, theta_o: f64, phi: f64) -> Pair<f64> {
-    Pair::new(Vec3::from_angles(theta_o, 0.0), Vec3::from_angles(theta_i, phi))
+fn pair(theta_i: f64, theta_o: f64, phi: f64) -> DirectionPair<f64> {
+    DirectionPair::new(Vec3::from_angles(theta_o, 0.0), Vec3::from_angles(theta_i, phi))
 }
 
 fn seen(sigma_deg: f64, cos_o: f64) -> f64 {

@@ -14,7 +14,7 @@
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The exponent of the Phong and Blinn–Phong lobes, as files and command line name it.
 pub(crate) const SHININESS: ParamInfo = ParamInfo {
@@ -40,7 +40,7 @@ impl Model for Phong {
         formula: "max(R·wo, 0)ⁿ / π where cosθi > 0",
         source: "B. T. Phong, Illumination for Computer Generated Pictures, CACM 18(6), 1975",
         params: &[SHININESS],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -61,7 +61,7 @@ impl Model for Phong {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_mirror().max(zero);
         // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.

@@ -5,9 +5,9 @@ use glanz_math::Vec3;
 use super::*;
 
 /// Light 30° off the normal and a view this many degrees from its mirror direction, in one plane.
-fn beside_the_mirror(degrees: f64) -> Pair<f64> {
+fn beside_the_mirror(degrees: f64) -> DirectionPair<f64> {
     let radians = PI / 180.0;
-    Pair::new(Vec3::from_angles((30.0 + degrees) * radians, 0.0), Vec3::from_angles(30.0 * radians, PI))
+    DirectionPair::new(Vec3::from_angles((30.0 + degrees) * radians, 0.0), Vec3::from_angles(30.0 * radians, PI))
 }
 
 #[test]
@@ -38,9 +38,9 @@ fn has_its_peak_in_the_mirror_direction() {
 fn has_no_cosine_of_the_light() {
     // Grazing light gives the full highlight in its mirror direction, to the last bit before night.
     let lobe = Phong { shininess: 20.0 };
-    let grazing = Pair::isotropic(1e-6, 1e-6, 2e-12 - 1.0);
+    let grazing = DirectionPair::isotropic(1e-6, 1e-6, 2e-12 - 1.0);
     assert!((lobe.f_cos(&grazing) * PI - 1.0f64).abs() < 1e-9);
-    assert_eq!(lobe.f_cos(&Pair::isotropic(1e-6, -1e-6, -1.0)), 0.0);
+    assert_eq!(lobe.f_cos(&DirectionPair::isotropic(1e-6, -1e-6, -1.0)), 0.0);
 }
 
 #[test]

@@ -4,14 +4,14 @@
 //! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
 //! **Laws** reciprocal; keeps energy: the albedo is 1 along the normal for every n and less elsewhere.
 //! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind
-//! darkens towards grazing angles. Part of the lobe is below the horizon there and is lost as well.
+//! darkens towards grazing angles. LightTerm of the lobe is below the horizon there and is lost as well.
 //! **Source** R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994.
 //! **Cost** one power and three products.
 
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Model, ModelInfo, Pair, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// The Phong lobe scaled so that it keeps its energy whatever the exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Model for PhongNormalized {
         formula: "(n+2)/(2π) · max(R·wo, 0)ⁿ · cosθi",
         source: "R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994",
         params: &[SHININESS],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
@@ -48,7 +48,7 @@ impl Model for PhongNormalized {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let cosine = pair.cos_mirror().max(zero);
         // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.

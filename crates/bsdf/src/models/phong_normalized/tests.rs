@@ -23,14 +23,14 @@ fn has_the_albedo_of_lewis_for_exponent_2() {
 
 #[test]
 fn with_exponent_0_is_lambert() {
-    let pair = Pair::isotropic(0.4f64, 0.8, 0.1);
+    let pair = DirectionPair::isotropic(0.4f64, 0.8, 0.1);
     let (lobe, matte) = (PhongNormalized::from_params(&[0.0]), crate::models::lambert::Lambert);
     assert!((lobe.f_cos(&pair) - matte.f_cos(&pair)).abs() < 1e-15);
 }
 
 #[test]
 fn is_the_classic_lobe_times_cosine_and_factor() {
-    let pair = Pair::isotropic(0.9f64, 0.7, 0.5);
+    let pair = DirectionPair::isotropic(0.9f64, 0.7, 0.5);
     let classic = crate::models::phong::Phong { shininess: 8.0 }.f_cos(&pair);
     let value = PhongNormalized::from_params(&[8.0]).f_cos(&pair);
     assert!((value / (classic * 0.7 * 5.0) - 1.0).abs() < 1e-12);

@@ -12,7 +12,7 @@
 
 use glanz_math::Real;
 
-use crate::{Model, ModelInfo, Pair, ParamInfo, Part, Side};
+use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// The index below over the index above.
 pub const ETA: ParamInfo = ParamInfo {
@@ -38,7 +38,7 @@ impl Model for Refraction {
         formula: "0, but for the one direction with sinθt = sinθo / η",
         source: "W. Snellius, 1621",
         params: &[ETA],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: true,
@@ -56,7 +56,7 @@ impl Model for Refraction {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_o.zero()
     }
 
@@ -66,7 +66,7 @@ impl Model for Refraction {
 
     /// The cosine of the view angle: the facet is the surface.
     #[inline(always)]
-    fn tint_cosine<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_o.clamp(0.0, 1.0)
     }
 }

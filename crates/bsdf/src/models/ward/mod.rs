@@ -17,7 +17,7 @@
 use glanz_math::{Real, Vec3};
 
 use crate::terms::{ALPHA, ALPHA_Y, Widths, above, height_squared};
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Ward's highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Model for Ward {
         formula: "cosθi · exp(−[(hx/αx)² + (hy/αy)²] / hz²) / (4π αx αy √(cosθi cosθo))",
         source: "G. J. Ward, Measuring and Modeling Anisotropic Reflection, SIGGRAPH 1992",
         params: &[ALPHA, ALPHA_Y],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -51,7 +51,7 @@ impl Model for Ward {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let height = height_squared(pair);
         let root = (pair.cos_i * pair.cos_o).max(pair.cos_i.lit(1e-30)).sqrt();
         // One division gives both reciprocals.
@@ -65,7 +65,7 @@ impl Model for Ward {
         Some(self.widths.distribution(half))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(self.widths.in_place_of_g(self.f_cos(pair), pair))
     }
 }

@@ -14,7 +14,7 @@
 use glanz_math::{Real, Vec3};
 
 use crate::terms::{ALPHA, ALPHA_Y, Widths, above};
-use crate::{Law, Model, ModelInfo, Pair, Part, Side};
+use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// Ward's highlight with Dür's factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Model for WardDur {
         formula: "cosθi · exp(−[(hx/αx)² + (hy/αy)²] / hz²) / (4π αx αy cosθi cosθo)",
         source: "A. Dür, An Improved Normalization for the Ward Reflectance Model, JGT 11(1), 2006",
         params: &[ALPHA, ALPHA_Y],
-        part: Part::Specular,
+        term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
@@ -45,7 +45,7 @@ impl Model for WardDur {
     }
 
     #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &Pair<R>) -> R {
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let product = (pair.cos_i * pair.cos_o).max(pair.cos_i.lit(1e-30));
         let lobe = self.widths.highlight(pair);
         let value = pair.cos_i / product * lobe.gauss * product.lit(0.25 * self.widths.height);
@@ -56,7 +56,7 @@ impl Model for WardDur {
         Some(self.widths.distribution(half))
     }
 
-    fn shadowing(&self, pair: &Pair<f64>) -> Option<f64> {
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         Some(self.widths.in_place_of_g(self.f_cos(pair), pair))
     }
 }

@@ -2,7 +2,7 @@
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
-use crate::{Pair, Shape};
+use crate::{DirectionPair, Shape};
 
 /// Directions off the plane of mirroring and in it, steep and flat, as polar angle and azimuth in degrees.
 pub(crate) const DIRECTIONS: [[(f64, f64); 2]; 6] = [
@@ -37,7 +37,7 @@ pub(crate) fn printed_exponential(
 
 /// The value of the model for the widths, in both places.
 pub(crate) fn value(model: &str, (alpha, alpha_y): (f64, f64), wo: Vec3<f64>, wi: Vec3<f64>) -> f64 {
-    lobe(model, alpha, alpha_y).f_cos(&Pair::new(wo, wi))
+    lobe(model, alpha, alpha_y).f_cos(&DirectionPair::new(wo, wi))
 }
 
 /// The model with both widths.
@@ -51,7 +51,7 @@ pub(crate) fn albedo_in_angles(model: &str, degrees: f64) -> f64 {
     let (shape, rule) = (lobe(model, 0.2, 0.0), GaussLegendre::new(200));
     let wo = direction((degrees, 0.0));
     rule.integrate(0.0, PI / 2.0, |theta| {
-        let ring = rule.integrate(0.0, PI, |phi| shape.f_cos(&Pair::new(wo, Vec3::from_angles(theta, phi))));
+        let ring = rule.integrate(0.0, PI, |phi| shape.f_cos(&DirectionPair::new(wo, Vec3::from_angles(theta, phi))));
         2.0 * ring * libm::sin(theta)
     })
 }

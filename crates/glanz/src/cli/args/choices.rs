@@ -1,8 +1,8 @@
 //! Options with a fixed set of values, each under the name that scene files use too.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use glanz_bsdf::{MODELS, Part};
-use glanz_render::{Show, ToneMap};
+use glanz_bsdf::{MODELS, LightTerm};
+use glanz_render::{DebugView, ToneMap};
 use glanz_scene::file::{ShowName, ToneMapName};
 use glanz_scene::{Interpolation, Shading};
 
@@ -21,18 +21,18 @@ const INTERPOLATIONS: &[Choice<Interpolation>] = &[
     ("scanline", Interpolation::Scanline, "along polygon edges, then along scanlines, as in 1971"),
 ];
 
-const SHOWS: &[Choice<Show>] = &[
-    ("shaded", Show::Shaded, "light on surfaces"),
-    ("normals", Show::Normals, "shading normals in the world"),
-    ("depth", Show::Depth, "distance, near is bright"),
-    ("ids", Show::Ids, "a colour per object"),
-    ("facets", Show::Facets, "a colour per facet"),
-    ("wireframe", Show::Wireframe, "the edges over the shaded picture"),
-    ("ambient", Show::Ambient, "the ambient and emitted terms alone"),
-    ("diffuse", Show::Diffuse, "the diffuse terms alone"),
-    ("specular", Show::Specular, "the specular terms alone"),
-    ("uv", Show::Uv, "texture coordinates as red and green"),
-    ("lit", Show::Lit, "white where any light reaches the surface"),
+const SHOWS: &[Choice<DebugView>] = &[
+    ("shaded", DebugView::Shaded, "light on surfaces"),
+    ("normals", DebugView::Normals, "shading normals in the world"),
+    ("depth", DebugView::Depth, "distance, near is bright"),
+    ("ids", DebugView::Ids, "a colour per object"),
+    ("facets", DebugView::Facets, "a colour per facet"),
+    ("wireframe", DebugView::Wireframe, "the edges over the shaded picture"),
+    ("ambient", DebugView::Ambient, "the ambient and emitted terms alone"),
+    ("diffuse", DebugView::Diffuse, "the diffuse terms alone"),
+    ("specular", DebugView::Specular, "the specular terms alone"),
+    ("uv", DebugView::Uv, "texture coordinates as red and green"),
+    ("lit", DebugView::Lit, "white where any light reaches the surface"),
 ];
 
 const TONE_MAPS: &[Choice<ToneMap>] = &[
@@ -44,19 +44,19 @@ const TONE_MAPS: &[Choice<ToneMap>] = &[
 ];
 
 /// The view that a scene file asks for.
-pub fn show_of_scene(name: ShowName) -> Show {
+pub fn show_of_scene(name: ShowName) -> DebugView {
     match name {
-        ShowName::Shaded => Show::Shaded,
-        ShowName::Normals => Show::Normals,
-        ShowName::Depth => Show::Depth,
-        ShowName::Ids => Show::Ids,
-        ShowName::Facets => Show::Facets,
-        ShowName::Wireframe => Show::Wireframe,
-        ShowName::Ambient => Show::Ambient,
-        ShowName::Diffuse => Show::Diffuse,
-        ShowName::Specular => Show::Specular,
-        ShowName::Uv => Show::Uv,
-        ShowName::Lit => Show::Lit,
+        ShowName::Shaded => DebugView::Shaded,
+        ShowName::Normals => DebugView::Normals,
+        ShowName::Depth => DebugView::Depth,
+        ShowName::Ids => DebugView::Ids,
+        ShowName::Facets => DebugView::Facets,
+        ShowName::Wireframe => DebugView::Wireframe,
+        ShowName::Ambient => DebugView::Ambient,
+        ShowName::Diffuse => DebugView::Diffuse,
+        ShowName::Specular => DebugView::Specular,
+        ShowName::Uv => DebugView::Uv,
+        ShowName::Lit => DebugView::Lit,
     }
 }
 
@@ -97,7 +97,7 @@ pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
 }
 
 /// Parses the name of a view.
-pub fn show() -> impl TypedValueParser<Value = Show> {
+pub fn show() -> impl TypedValueParser<Value = DebugView> {
     parser(SHOWS)
 }
 
@@ -108,7 +108,7 @@ pub fn tone_map() -> impl TypedValueParser<Value = ToneMap> {
 
 /// Parses the name of a model of highlights.
 pub fn highlight_model() -> impl TypedValueParser<Value = String> {
-    let models = MODELS.iter().filter(|info| info.part == Part::Specular);
+    let models = MODELS.iter().filter(|info| info.term == LightTerm::Specular);
     PossibleValuesParser::new(models.map(|info| PossibleValue::new(info.name).help(info.title)))
 }
 

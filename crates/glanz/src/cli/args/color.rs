@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use glanz_render::{Observation, Show};
+use glanz_render::{Observation, DebugView};
 use glanz_scene::{ColorMode, Scene, White};
 
 use super::super::failure::Failure;
@@ -45,7 +45,7 @@ pub struct Look {
 
 impl ColorArgs {
     /// Observer, mode and white for a scene. Views that show no light know no colour mode.
-    pub fn resolve(&self, scene: &Scene, show: Show) -> Result<Look, Failure> {
+    pub fn resolve(&self, scene: &Scene, show: DebugView) -> Result<Look, Failure> {
         let white = self.white.unwrap_or(scene.render.white);
         let mode = self.mode.unwrap_or(scene.render.mode);
         if !show.is_light() {

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use glanz_math::simd_level;
-use glanz_render::{DrawOptions, Observation, PrepareOptions, Show};
+use glanz_render::{DrawOptions, Observation, PrepareOptions, DebugView};
 use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
 
 use super::super::failure::Failure;
@@ -34,7 +34,7 @@ pub struct LookArgs {
 
     /// What the picture shows [default: shaded]
     #[arg(long, value_name = "VIEW", value_parser = choices::show())]
-    pub show: Option<Show>,
+    pub show: Option<DebugView>,
 
     /// What is where nothing is: #rrggbb, linear r,g,b, or transparent
     #[arg(long, value_name = "COLOR", value_parser = values::background)]
@@ -70,7 +70,7 @@ impl LookArgs {
 
     /// How to draw this picture, on the instructions that `GLANZ_SIMD` names; `show` is the scene's
     /// own view.
-    pub fn draw_options(&self, image: &Image, show: Show) -> Result<DrawOptions, Failure> {
+    pub fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
         let asked = std::env::var("GLANZ_SIMD").ok();
         let level = simd_level(asked.as_deref()).map_err(|error| Failure::Usage(error.to_string()))?;
         Ok(DrawOptions {

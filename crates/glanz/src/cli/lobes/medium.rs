@@ -2,7 +2,7 @@
 
 use clap::Args;
 use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_polarized};
-use glanz_bsdf::{Pair, Shape};
+use glanz_bsdf::{DirectionPair, Shape};
 use glanz_color::{FIRST_NM, IorKind, LAST_NM, ior, iors};
 
 use crate::cli::failure::Failure;
@@ -126,7 +126,7 @@ impl FactorArgs {
 
 impl Factor {
     /// BSDF times cosine times factor.
-    pub fn f_cos(&self, shape: &Shape, pair: &Pair<f64>) -> f64 {
+    pub fn f_cos(&self, shape: &Shape, pair: &DirectionPair<f64>) -> f64 {
         let value = shape.f_cos(pair);
         match self {
             Self::One => value,
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn a_lobe_is_multiplied_with_the_reflectance_at_the_half_vector() {
         let shape = Shape::named("lambert", &[]).unwrap();
-        let pair = Pair::isotropic(0.5, 0.5, -0.5);
+        let pair = DirectionPair::isotropic(0.5, 0.5, -0.5);
         let glass = Factor::Fresnel(medium("1.5", 550.0).unwrap());
         // wo·wi = −1/2 is 120° between both, 60° to the half vector.
         let expected = shape.f_cos(&pair) * 0.089_187;

@@ -10,7 +10,7 @@ use super::Source;
 use super::container::load_uri;
 use super::json::{self, TextureInfo};
 use super::layers;
-use super::matter::{self, Matter};
+use super::pbr::{self, PbrMaterial};
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
 
 /// The most characters of a texture's name, which every use of its picture carries.
@@ -125,11 +125,11 @@ impl Reader<'_> {
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
         let metal = self.mean_metal(json, path, context)?;
-        let matter = matter::check(self.source, json, metal, path, context)?;
-        let mut material = Material::of_lobes(json.name.clone(), layers::lobes(&matter));
+        let pbr = pbr::check(self.source, json, metal, path, context)?;
+        let mut material = Material::of_lobes(json.name.clone(), layers::lobes(&pbr));
         material.aniso = json.extensions.anisotropy.anisotropy_rotation;
-        material.through = layers::through(&matter);
-        tell(json, &matter, context);
+        material.transmittance = layers::transmittance(&pbr);
+        tell(json, &pbr, context);
         Ok(material)
     }
 
@@ -267,35 +267,35 @@ impl Reader<'_> {
 }
 
 /// Notes what of a lit material is left out or cannot be had together.
-fn tell(json: &json::Material, matter: &Matter, context: &mut Context<'_>) {
+fn tell(json: &json::Material, pbr: &PbrMaterial, context: &mut Context<'_>) {
     let notes = &mut context.notes;
     for name in json.extensions.textures() {
         notes.add(&format!("glTF: {name} textures are ignored, the factors hold everywhere"));
     }
     let has_colors = json.pbr_metallic_roughness.base_color_texture.is_some();
-    let (open, iridescent) = (matter.open() > 0.0, matter.iridescence > 0.0);
-    let varies = matter.metal_varies;
-    let glows = matter.emission != [0.0; 3];
+    let (open, iridescent) = (pbr.open() > 0.0, pbr.iridescence > 0.0);
+    let varies = pbr.metal_varies;
+    let glows = pbr.emission != [0.0; 3];
     let all = [
         (
             iridescent,
             "glTF: thin films are calculated after Airy, over a base of the real index that its reflectance has",
         ),
         (
-            iridescent && has_colors && matter.metallic > 0.0,
+            iridescent && has_colors && pbr.metallic > 0.0,
             "glTF: base colour textures do not change metals under thin films",
         ),
         (open && json.extensions.volume.thickness_factor > 0.0, "glTF: volumes do not bend light"),
         (
-            open && (has_colors || (varies && matter.metallic > 0.0)),
+            open && (has_colors || (varies && pbr.metallic > 0.0)),
             "glTF: textures do not change what is seen through a surface",
         ),
-        (varies && matter.coat > 0.0, "glTF: roughness textures change the clear coat too"),
+        (varies && pbr.coat > 0.0, "glTF: roughness textures change the clear coat too"),
         (
-            varies && matter.anisotropy > 0.0,
+            varies && pbr.anisotropy > 0.0,
             "glTF: roughness textures multiply both widths of anisotropic highlights",
         ),
-        (glows && matter.coat > 0.0, "glTF: clear coats do not dim light of the surface itself"),
+        (glows && pbr.coat > 0.0, "glTF: clear coats do not dim light of the surface itself"),
     ];
     all.into_iter().filter(|(holds, _)| *holds).for_each(|(_, note)| notes.add(note));
 }

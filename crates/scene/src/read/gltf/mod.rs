@@ -54,7 +54,7 @@ mod extensions;
 mod json;
 mod layers;
 mod material;
-mod matter;
+mod pbr;
 mod nodes;
 mod primitive;
 

@@ -1,7 +1,7 @@
 //! `glanz bsdf albedo`: the part of the light that leaves.
 
 use clap::Args;
-use glanz_bsdf::{Part, albedo_with};
+use glanz_bsdf::{LightTerm, albedo_with};
 use serde_json::{Value, json};
 
 use super::{ModelArgs, line, params};
@@ -40,7 +40,7 @@ impl AlbedoArgs {
     pub fn run(&self) -> Result<(), Failure> {
         let shape = self.model.shape()?;
         let info = shape.info();
-        if matches!(info.part, Part::Ambient | Part::Emission) {
+        if matches!(info.term, LightTerm::Ambient | LightTerm::Emission) {
             let name = info.name;
             return Err(Failure::Usage(format!(
                 "'{name}' has no albedo: it answers to no light from a direction"

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use glanz_bsdf::{Pair, Shape, Side};
+use glanz_bsdf::{DirectionPair, Shape, Side};
 use glanz_math::Vec3;
 use serde_json::{Value, json};
 
@@ -108,7 +108,7 @@ impl EvalArgs {
 
 /// BSDF times cosine, and the BSDF where the light is on its side.
 fn values(shape: &Shape, factor: &Factor, wo: Vec3<f64>, wi: Vec3<f64>) -> (f64, Option<f64>) {
-    let f_cos = factor.f_cos(shape, &Pair::new(wo, wi));
+    let f_cos = factor.f_cos(shape, &DirectionPair::new(wo, wi));
     let cosine = if shape.info().side == Side::Transmission { -wi.z } else { wi.z };
     (f_cos, (cosine > LEAST_COSINE).then(|| f_cos / cosine))
 }

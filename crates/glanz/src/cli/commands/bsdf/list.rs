@@ -2,7 +2,7 @@
 
 use clap::Args;
 use glanz_bsdf::models::info_named;
-use glanz_bsdf::{Law, MODELS, ModelInfo, Part, Side};
+use glanz_bsdf::{Law, MODELS, ModelInfo, LightTerm, Side};
 use serde_json::{Value, json};
 
 use super::line;
@@ -30,7 +30,7 @@ impl ShowArgs {
         let mut text = String::new();
         line(&mut text, format_args!("{}: {}", info.name, info.title));
         line(&mut text, format_args!("  f_cos    {}", info.formula));
-        line(&mut text, format_args!("  part     {}", part_name(info.part)));
+        line(&mut text, format_args!("  part     {}", term_name(info.term)));
         for (is, what) in kinds(info) {
             if is {
                 line(&mut text, format_args!("  kind     {what}"));
@@ -57,12 +57,12 @@ impl ShowArgs {
     }
 }
 
-fn part_name(part: Part) -> &'static str {
-    match part {
-        Part::Ambient => "ambient",
-        Part::Diffuse => "diffuse",
-        Part::Specular => "specular",
-        Part::Emission => "emission",
+fn term_name(term: LightTerm) -> &'static str {
+    match term {
+        LightTerm::Ambient => "ambient",
+        LightTerm::Diffuse => "diffuse",
+        LightTerm::Specular => "specular",
+        LightTerm::Emission => "emission",
     }
 }
 
@@ -84,7 +84,7 @@ pub fn run(format: FormatArgs) -> Result<(), Failure> {
         let params = if params.is_empty() { "-" } else { &params };
         line(
             &mut text,
-            format_args!("{:<24} {:<9} {params:<12} {}", info.name, part_name(info.part), info.title),
+            format_args!("{:<24} {:<9} {params:<12} {}", info.name, term_name(info.term), info.title),
         );
     }
     print::text(&text)
@@ -108,7 +108,7 @@ fn describe(info: &ModelInfo) -> Value {
     });
     let exempt = info.exempt.iter().map(|(law, reason)| json!({ "law": law_name(*law), "reason": reason }));
     json!({
-        "name": info.name, "title": info.title, "part": part_name(info.part), "formula": info.formula,
+        "name": info.name, "title": info.title, "part": term_name(info.term), "formula": info.formula,
         "source": info.source, "transmission": info.side == Side::Transmission, "anisotropic": info.anisotropic,
         "delta": info.delta, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
     })

@@ -20,7 +20,7 @@ pub enum MaterialCommand {
     List(list::ListArgs),
     /// One material, as it is written in a scene file
     #[command(after_help = show::EXAMPLES)]
-    Show(show::ShowArgs),
+    DebugView(show::ShowArgs),
     /// Draw a sheet of balls of materials
     #[command(after_help = sheet::EXAMPLES)]
     Sheet(Box<sheet::SheetArgs>),
@@ -31,7 +31,7 @@ impl MaterialCommand {
     pub fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
-            Self::Show(_) => "show",
+            Self::DebugView(_) => "show",
             Self::Sheet(_) => "sheet",
         }
     }
@@ -40,7 +40,7 @@ impl MaterialCommand {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(args) => args.run(),
-            Self::Show(args) => args.run(),
+            Self::DebugView(args) => args.run(),
             Self::Sheet(args) => args.run(),
         }
     }

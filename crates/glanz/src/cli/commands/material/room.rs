@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3};
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;
-use glanz_render::{Show, ToneMap};
+use glanz_render::{DebugView, ToneMap};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
     Background, Camera, ColorMode, EnvironmentMap, Image, Light, LightColor, LightColors, LightKind, Lobe,
@@ -63,13 +63,13 @@ impl Room {
             render: RenderSettings { mode: ColorMode::Spectral, ..RenderSettings::default() },
             ..Scene::default()
         };
-        if material.through.is_some() {
+        if material.transmittance.is_some() {
             add_board(&mut scene);
         }
         scene.materials.insert(0, material);
         Input {
             scene,
-            show: Show::Shaded,
+            show: DebugView::Shaded,
             tone_map: ToneMap::KhronosNeutral,
             ev: EV,
             cameras: Vec::new(),

@@ -9,7 +9,7 @@ mod slice;
 mod terms;
 
 use clap::{Args, ValueEnum, ValueHint};
-use glanz_bsdf::{Pair, Part, Side};
+use glanz_bsdf::{DirectionPair, LightTerm, Side};
 use glanz_math::Vec3;
 
 use crate::cli::failure::Failure;
@@ -211,7 +211,7 @@ fn check_directional(cases: &[Case], kind: Kind) -> Result<(), Failure> {
     for case in cases {
         let info = case.shape.info();
         let name = info.name;
-        if matches!(info.part, Part::Ambient | Part::Emission) {
+        if matches!(info.term, LightTerm::Ambient | LightTerm::Emission) {
             return Err(Failure::Usage(format!(
                 "'{name}' has no lobe to plot: it answers to no light from a direction"
             )));
@@ -228,7 +228,7 @@ fn check_directional(cases: &[Case], kind: Kind) -> Result<(), Failure> {
 impl Request<'_> {
     /// The value for two directions.
     fn value(&self, case: &Case, wo: Vec3<f64>, wi: Vec3<f64>) -> f64 {
-        let f_cos = self.factor.f_cos(&case.shape, &Pair::new(wo, wi));
+        let f_cos = self.factor.f_cos(&case.shape, &DirectionPair::new(wo, wi));
         match self.quantity {
             Quantity::FCos => f_cos,
             Quantity::F if f_cos == 0.0 => 0.0,

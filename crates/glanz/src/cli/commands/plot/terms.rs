@@ -1,7 +1,7 @@
 //! The factors of models of facets.
 
 use glanz_bsdf::terms::fresnel_schlick;
-use glanz_bsdf::{Pair, Side};
+use glanz_bsdf::{DirectionPair, Side};
 use glanz_math::Vec3;
 
 use super::Request;
@@ -65,7 +65,7 @@ impl Request<'_> {
             let wo = Vec3::from_angles(theta, self.phi.to_radians());
             let below = case.shape.info().side == Side::Transmission;
             let wi = Vec3::new(-wo.x, -wo.y, if below { -wo.z } else { wo.z });
-            case.shape.shadowing(&Pair::new(wo, wi)).unwrap_or(f64::NAN)
+            case.shape.shadowing(&DirectionPair::new(wo, wi)).unwrap_or(f64::NAN)
         });
         let title = "G: facets seen by both".to_owned();
         let y = Axis::exact("G", (0.0, 1.0), 5);

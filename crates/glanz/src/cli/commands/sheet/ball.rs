@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
-use glanz_bsdf::{Part, Shape, Side};
+use glanz_bsdf::{LightTerm, Shape, Side};
 use glanz_color::{Ior, Rgb, ior};
-use glanz_render::{Show, ToneMap};
+use glanz_render::{DebugView, ToneMap};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
     Background, Camera, ColorMode, Image, Light, LightColor, LightColors, LightKind, Lobe, Material, Object,
@@ -105,7 +105,7 @@ impl Ball {
         };
         Ok(Input {
             scene,
-            show: Show::Shaded,
+            show: DebugView::Shaded,
             tone_map: ToneMap::KhronosNeutral,
             ev: 0.0,
             cameras: Vec::new(),
@@ -116,8 +116,8 @@ impl Ball {
     }
 
     fn lights(&self) -> Vec<Light> {
-        let lamps = match (self.shape.info().part, self.shape.info().side) {
-            (Part::Ambient | Part::Emission, _) => {
+        let lamps = match (self.shape.info().term, self.shape.info().side) {
+            (LightTerm::Ambient | LightTerm::Emission, _) => {
                 let colors = LightColors::ambient(self.light.scaled(AMBIENT));
                 return vec![Light { name: "ambient".to_owned(), ..Light::new(LightKind::Ambient, colors) }];
             }

@@ -2,14 +2,14 @@
 //! vector, the distribution and the visibility of the Khronos documents.
 
 use glanz_bsdf::terms::{fresnel_dielectric, fresnel_film, fresnel_slab};
-use glanz_bsdf::{Pair, Part, Side, Veil};
+use glanz_bsdf::{DirectionPair, LightTerm, Side, LayerWeight};
 use glanz_math::{PI, Vec3};
 use serde_json::{Value, json};
 
 use super::super::tests::{material, read};
 use super::{Albedo, FILM_TERMS, greatest_of_film};
 use crate::read::Model;
-use crate::{Material, Metalness, Through, Tint};
+use crate::{Material, Metalness, Transmittance, Tint};
 
 /// Tints are `f32`, which rounds to 6e-8; a few of them are multiplied.
 const RELATIVE: f64 = 1e-6;
@@ -28,24 +28,24 @@ fn model(metallic: f64, roughness: f64, extensions: Value) -> Model {
         "baseColorFactor": [r, g, b, 1], "metallicFactor": metallic, "roughnessFactor": roughness } })))
 }
 
-fn matter(metallic: f64, roughness: f64, extensions: Value) -> Material {
+fn pbr(metallic: f64, roughness: f64, extensions: Value) -> Material {
     model(metallic, roughness, extensions).materials.remove(0)
 }
 
 /// The BSDF times |n·l| of all lobes that lights touch, where the metal texture is 1.
 fn value(material: &Material, v: Direction, l: Direction) -> Color {
-    let pair = Pair::new(v, l);
+    let pair = DirectionPair::new(v, l);
     let mut sum = [0.0; 3];
     for lobe in &material.lobes {
-        if !matches!(lobe.shape.info().part, Part::Diffuse | Part::Specular) {
+        if !matches!(lobe.shape.info().term, LightTerm::Diffuse | LightTerm::Specular) {
             continue;
         }
-        let share = match lobe.share {
+        let share = match lobe.metalness {
             Metalness::Any => 1.0,
             Metalness::Metal { factor } => factor,
             Metalness::Dielectric { factor } => 1.0 - factor,
         };
-        let veils: f64 = lobe.veils.iter().map(|veil| veil.factor(&pair)).product();
+        let layers: f64 = lobe.layers.iter().map(|layer| layer.factor(&pair)).product();
         let tint = match &lobe.tint {
             Tint::Rgb(rgb) => rgb.0.map(f64::from),
             Tint::Film(film) => {
@@ -55,7 +55,7 @@ fn value(material: &Material, v: Direction, l: Direction) -> Color {
             }
             other => panic!("{other:?}"),
         };
-        let scale = lobe.shape.f_cos(&pair) * veils * share;
+        let scale = lobe.shape.f_cos(&pair) * layers * share;
         (0..3).for_each(|c| sum[c] += scale * tint[c]);
     }
     sum
@@ -140,9 +140,9 @@ fn base(roughness: f64, v: Direction, l: Direction) -> Color {
 #[test]
 fn dielectrics_metals_and_what_is_half_each_are_those_of_appendix_b() {
     for roughness in [0.25, 0.5, 1.0] {
-        compare(&matter(0.0, roughness, json!({})), |v, l| base(roughness, v, l));
-        compare(&matter(1.0, roughness, json!({})), |v, l| metal(isotropic(roughness), v, l));
-        compare(&matter(0.5, roughness, json!({})), |v, l| {
+        compare(&pbr(0.0, roughness, json!({})), |v, l| base(roughness, v, l));
+        compare(&pbr(1.0, roughness, json!({})), |v, l| metal(isotropic(roughness), v, l));
+        compare(&pbr(0.5, roughness, json!({})), |v, l| {
             mix(base(roughness, v, l), metal(isotropic(roughness), v, l), 0.5)
         });
     }
@@ -153,7 +153,7 @@ fn the_index_of_refraction_sets_the_reflectance() {
     // Diamond's index 2.42: (1.42 / 3.42)².
     for (ior, f0) in [(1.5, 0.04), (1.0, 0.0), (2.42, 0.172_394_924_934_167_75), (0.0, 1.0)] {
         let extensions = json!({ "KHR_materials_ior": { "ior": ior } });
-        compare(&matter(0.0, 0.5, extensions), |v, l| dielectric(isotropic(0.5), [f0; 3], 1.0, v, l));
+        compare(&pbr(0.0, 0.5, extensions), |v, l| dielectric(isotropic(0.5), [f0; 3], 1.0, v, l));
     }
 }
 
@@ -162,17 +162,17 @@ fn specular_colour_and_strength_change_the_dielectric_alone() {
     let extensions = json!({ "KHR_materials_specular": {
         "specularFactor": 0.5, "specularColorFactor": [2, 1, 0.25] } });
     let mirror = |v, l| dielectric(isotropic(0.5), [0.08, 0.04, 0.01], 0.5, v, l);
-    compare(&matter(0.0, 0.5, extensions.clone()), mirror);
-    compare(&matter(0.5, 0.5, extensions), |v, l| mix(mirror(v, l), metal(isotropic(0.5), v, l), 0.5));
+    compare(&pbr(0.0, 0.5, extensions.clone()), mirror);
+    compare(&pbr(0.5, 0.5, extensions), |v, l| mix(mirror(v, l), metal(isotropic(0.5), v, l), 0.5));
     let bright = json!({ "KHR_materials_specular": { "specularColorFactor": [50, 5, 0] } });
-    compare(&matter(0.0, 0.5, bright), |v, l| dielectric(isotropic(0.5), [1.0, 0.2, 0.0], 1.0, v, l));
+    compare(&pbr(0.0, 0.5, bright), |v, l| dielectric(isotropic(0.5), [1.0, 0.2, 0.0], 1.0, v, l));
 }
 
 #[test]
 fn a_clear_coat_reflects_and_takes_by_the_angle_of_view() {
     let extensions =
         json!({ "KHR_materials_clearcoat": { "clearcoatFactor": 0.75, "clearcoatRoughnessFactor": 0.25 } });
-    compare(&matter(0.5, 0.5, extensions), |v, l| {
+    compare(&pbr(0.5, 0.5, extensions), |v, l| {
         let below = mix(base(0.5, v, l), metal(isotropic(0.5), v, l), 0.5);
         mix(below, [specular(isotropic(0.25), v, l); 3], 0.75 * schlick(0.04, 1.0, v.z))
     });
@@ -201,7 +201,7 @@ fn a_sheen_lies_on_the_base_and_dims_it_by_its_albedo() {
     let extensions =
         json!({ "KHR_materials_sheen": { "sheenColorFactor": color, "sheenRoughnessFactor": 0.5 } });
     let albedo = Albedo::new(0.25);
-    compare(&matter(0.0, 0.5, extensions), |v, l| {
+    compare(&pbr(0.0, 0.5, extensions), |v, l| {
         if l.z <= 0.0 {
             return [0.0; 3];
         }
@@ -223,29 +223,29 @@ fn transmission_gives_the_diffuse_part_to_the_other_side() {
             body * (1.0 - f) + f * specular(isotropic(0.5), v, l)
         })
     };
-    compare(&matter(0.0, 0.5, extensions.clone()), open);
-    compare(&matter(0.5, 0.5, extensions), |v, l| mix(open(v, l), metal(isotropic(0.5), v, l), 0.5));
+    compare(&pbr(0.0, 0.5, extensions.clone()), open);
+    compare(&pbr(0.5, 0.5, extensions), |v, l| mix(open(v, l), metal(isotropic(0.5), v, l), 0.5));
 }
 
 #[test]
 fn anisotropy_widens_the_highlight_along_its_direction() {
     let extensions =
         json!({ "KHR_materials_anisotropy": { "anisotropyStrength": 0.5, "anisotropyRotation": 1.25 } });
-    let brushed = matter(0.5, 0.5, extensions);
+    let brushed = pbr(0.5, 0.5, extensions);
     // α = 0.25: along the tangent 0.25 · 0.75 + 1 · 0.25.
     let alpha = [0.4375, 0.25];
     compare(&brushed, |v, l| mix(dielectric(alpha, [0.04; 3], 1.0, v, l), metal(alpha, v, l), 0.5));
     assert_eq!(brushed.aniso, 1.25);
-    assert_eq!(matter(0.5, 0.0, json!({})).lobes[2].shape.params(), [0.001, 0.0, 0.0]);
+    assert_eq!(pbr(0.5, 0.0, json!({})).lobes[2].shape.params(), [0.001, 0.0, 0.0]);
 }
 
 #[test]
 fn a_film_of_the_bases_own_index_is_an_ordinary_boundary() {
     let extensions =
         json!({ "KHR_materials_iridescence": { "iridescenceFactor": 0.5, "iridescenceIor": 1.5 } });
-    let mut material = matter(0.0, 0.5, extensions);
+    let mut material = pbr(0.0, 0.5, extensions);
     // What is below is the matter of the next test.
-    material.lobes.retain(|lobe| lobe.shape.info().part == Part::Specular);
+    material.lobes.retain(|lobe| lobe.shape.info().term == LightTerm::Specular);
     compare(&material, |v, l| {
         let cosine = v.dot(half(v, l));
         let f = 0.5 * schlick(0.04, 1.0, cosine) + 0.5 * fresnel_dielectric(cosine, 1.5);
@@ -258,9 +258,9 @@ fn a_film_leaves_to_the_light_below_what_its_brightest_channel_does_not_take() {
     let extensions = json!({ "KHR_materials_iridescence": {
         "iridescenceFactor": 1, "iridescenceIor": 1.9, "iridescenceThicknessMinimum": 300,
         "iridescenceThicknessMaximum": 500, "iridescenceThicknessTexture": { "index": 0 } } });
-    let soap = matter(0.0, 0.5, extensions);
+    let soap = pbr(0.0, 0.5, extensions);
     let [lambert, gloss] = [1, 2].map(|i| &soap.lobes[i]);
-    let (Tint::Film(film), [Veil::Curve { factor, .. }]) = (&gloss.tint, &lambert.veils[..]) else {
+    let (Tint::Film(film), [LayerWeight::Series { factor, .. }]) = (&gloss.tint, &lambert.layers[..]) else {
         panic!("{soap:?}")
     };
     assert_eq!(film.thickness_nm, 400.0);
@@ -274,7 +274,7 @@ fn a_film_leaves_to_the_light_below_what_its_brightest_channel_does_not_take() {
 #[test]
 fn metals_under_films_have_a_base_of_their_reflectance() {
     let extensions = json!({ "KHR_materials_iridescence": { "iridescenceFactor": 1 } });
-    let metal = matter(1.0, 0.5, extensions);
+    let metal = pbr(1.0, 0.5, extensions);
     let Tint::Film(film) = &metal.lobes[0].tint else { panic!("{metal:?}") };
     let bare = film.base.eta.map(|eta| ((eta - 1.0) / (eta + 1.0)) * ((eta - 1.0) / (eta + 1.0)));
     for (got, expected) in glanz_color::rgb_spectra::rgb_of_reflectance(&bare).iter().zip(BASE) {
@@ -285,7 +285,7 @@ fn metals_under_films_have_a_base_of_their_reflectance() {
 
 /// What is seen straight through a material in the middle of the spectrum.
 fn seen(material: &Material) -> f64 {
-    let Some(Through::Pane(pane)) = &material.through else { panic!("{:?}", material.through) };
+    let Some(Transmittance::Pane(pane)) = &material.transmittance else { panic!("{:?}", material.transmittance) };
     let left = libm::exp(-pane.absorption[50] * pane.thickness);
     fresnel_slab(1.0, pane.ior.eta[50], left).1
 }
@@ -310,23 +310,23 @@ fn what_is_seen_through_is_what_one_boundary_a_volume_and_a_coat_leave() {
     assert!((seen(&glass(1.0, volume(0.0))) - 0.96).abs() < 1e-6);
     let coat = json!({ "KHR_materials_clearcoat": { "clearcoatFactor": 1 } });
     assert!((seen(&glass(1.0, coat)) - 0.96 * 0.96).abs() < 4e-4);
-    assert_eq!(matter(0.0, 0.5, json!({})).through, None);
+    assert_eq!(pbr(0.0, 0.5, json!({})).transmittance, None);
     let opaque = json!({ "KHR_materials_transmission": { "transmissionFactor": 1 } });
-    assert_eq!(matter(1.0, 0.5, opaque).through, None, "metals are opaque");
+    assert_eq!(pbr(1.0, 0.5, opaque).transmittance, None, "metals are opaque");
 }
 
 #[test]
 fn a_volume_of_two_faces_absorbs_half_at_each() {
     let volume = json!({ "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": {
         "thicknessFactor": 2, "attenuationDistance": 1, "attenuationColor": [0.5, 1, 0] } });
-    let material = matter(0.0, 0.5, volume);
-    let through = material.lobes.iter().find(|lobe| lobe.shape.info().side == Side::Transmission).unwrap();
-    assert_eq!(through.tint.rgb().unwrap().0.map(f64::from), [BASE[0] * 0.5, BASE[1], 0.0]);
+    let material = pbr(0.0, 0.5, volume);
+    let transmittance = material.lobes.iter().find(|lobe| lobe.shape.info().side == Side::Transmission).unwrap();
+    assert_eq!(transmittance.tint.rgb().unwrap().0.map(f64::from), [BASE[0] * 0.5, BASE[1], 0.0]);
 }
 
 #[test]
 fn ambient_light_sees_the_base_colour_but_for_what_passes() {
-    let first = |metallic, extensions| matter(metallic, 0.5, extensions).lobes.remove(0);
+    let first = |metallic, extensions| pbr(metallic, 0.5, extensions).lobes.remove(0);
     let ambient = |metallic, extensions| {
         let lobe = first(metallic, extensions);
         assert_eq!((lobe.shape.info().name, lobe.textured), ("ambient", true));

@@ -1,0 +1,291 @@
+//! What lies over a lobe: factors that dim it by the angles alone.
+//!
+//! A clear coat takes away what it reflects before the light gets to what is below; a dielectric does so
+//! with the light that it scatters inside. None of these knows a wavelength, so they belong to the shape.
+
+use glanz_math::{GaussLegendre, PI, Real, Vec3};
+
+use crate::albedo::directional;
+use crate::models::charlie;
+use crate::terms::{fresnel_dielectric, lambda_ggx};
+use crate::{DirectionPair, Chebyshev, Shape};
+
+/// The angle whose cosine a factor takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angle {
+    /// Between viewer and half vector.
+    Half,
+    /// Between viewer and the half vector to the light mirrored at the surface: for light that passes a thin sheet.
+    HalfThrough,
+    /// Between viewer and normal.
+    View,
+}
+
+impl Angle {
+    /// Its cosine, 0 … 1.
+    #[inline(always)]
+    fn cosine<R: Real>(self, pair: &DirectionPair<R>) -> R {
+        match self {
+            Self::Half => pair.cos_view_half(),
+            Self::HalfThrough => {
+                let height = pair.cos_o * pair.cos_i;
+                DirectionPair { cos_io: pair.cos_io - height - height, ..*pair }.cos_view_half()
+            }
+            Self::View => pair.cos_o.abs(),
+        }
+    }
+}
+
+/// A factor of a lobe.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LayerWeight {
+    /// The same for all directions.
+    Constant(f64),
+    /// `at_zero + (at_grazing − at_zero)(1 − cosθ)⁵`: Fresnel's law in the form of C. Schlick 1994, or what it
+    /// leaves over.
+    Schlick {
+        /// Which cosine.
+        angle: Angle,
+        /// The factor where the cosine is 1.
+        at_zero: f64,
+        /// The factor where the cosine is 0.
+        at_grazing: f64,
+    },
+    /// Any function of one cosine.
+    Series {
+        /// Which cosine.
+        angle: Angle,
+        /// The factor over it.
+        factor: Chebyshev,
+    },
+    /// A clear layer that light crosses on its way in and out: (1 − E(θo))(1 − E(θi)) · `gain`, E being what the
+    /// layer reflects.
+    Coat {
+        /// 1 − E over the cosine.
+        transmittance: Chebyshev,
+        /// What light that the layer throws back to the base adds; see [`LayerWeight::over_matte`].
+        gain: f64,
+    },
+    /// What a sheen layer leaves to the layers below (KHR_materials_sheen): 1 − strength · the greater of
+    /// the sheen's albedos towards viewer and light.
+    Sheen {
+        /// The greatest channel of the sheen's colour.
+        strength: f64,
+        /// The albedo of the sheen lobe.
+        albedo: charlie::Albedo,
+    },
+}
+
+impl LayerWeight {
+    /// A coat over a lobe that mirrors: what the coat throws back to it is lost.
+    pub fn over_glossy(coat: &CoatSurface) -> Self {
+        Self::Coat { transmittance: coat.transmittance.clone(), gain: 1.0 }
+    }
+
+    /// A coat over a matte base. Light that comes back from the base is partly reflected at the coat from
+    /// inside and gets a further chance; a base of reflectance 1 in the end gives everything back that the coat does
+    /// not reflect, and one of reflectance ρ the share [`CoatSurface::reflectance_of_coated`]. Source: J. L. Saunderson,
+    /// "Calculation of the color of pigmented plastics", JOSA 32, 1942; the angular part as in L. B. Wolff,
+    /// "Diffuse-reflectance model for smooth dielectric surfaces", JOSA A 11, 1994.
+    pub fn over_matte(coat: &CoatSurface) -> Self {
+        Self::Coat { transmittance: coat.transmittance.clone(), gain: 1.0 / (1.0 - coat.diffuse) }
+    }
+
+    /// The factor.
+    #[inline(always)]
+    pub fn factor<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+        let one = pair.cos_o.one();
+        match self {
+            Self::Constant(share) => one.lit(*share),
+            Self::Schlick { angle, at_zero, at_grazing } => {
+                let rest = (one - angle.cosine(pair)).clamp(0.0, 1.0);
+                one.lit(*at_zero) + one.lit(at_grazing - at_zero) * (rest.sqr().sqr() * rest)
+            }
+            Self::Series { angle, factor } => factor.at(angle.cosine(pair).min(one)),
+            Self::Coat { transmittance, gain } => {
+                let left = |cosine: R| transmittance.at(cosine.abs().min(one)).clamp(0.0, 1.0);
+                left(pair.cos_o) * left(pair.cos_i) * one.lit(*gain)
+            }
+            Self::Sheen { strength, albedo } => {
+                let taken = albedo.at(pair.cos_o.abs()).max(albedo.at(pair.cos_i.abs()));
+                (one - taken * one.lit(*strength)).max(one.zero())
+            }
+        }
+    }
+}
+
+/// Terms of what a coat lets through, over the cosine.
+const COAT_TERMS: usize = 24;
+
+/// Facets of a rough coat along each of two directions that its reflectance is the mean over.
+const FACETS: usize = 24;
+
+/// The surface of a clear coat: GGX facets that reflect by Fresnel's law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoatSurface {
+    eta: f64,
+    transmittance: Chebyshev,
+    /// What it reflects of light from everywhere outside.
+    diffuse: f64,
+}
+
+impl CoatSurface {
+    /// That of a coat with this index of refraction and width of its highlight.
+    pub fn new(eta: f64, alpha: f64) -> Self {
+        let transmittance = Chebyshev::interpolate(COAT_TERMS, |cosine| 1.0 - coat_reflectance(eta, alpha, cosine));
+        let diffuse = 1.0 - 2.0 * GaussLegendre::new(32).integrate(0.0, 1.0, |c| transmittance.at(c) * c);
+        Self { eta, transmittance, diffuse }
+    }
+
+    /// What it reflects of light from everywhere outside.
+    pub fn diffuse_reflectance(&self) -> f64 {
+        self.diffuse
+    }
+
+    /// The share that a matte base of reflectance `rho` gives back under it, of what one of reflectance 1
+    /// does: ρ(1 − K) / (1 − K ρ), K being what the coat reflects of diffuse light from inside.
+    pub fn reflectance_of_coated(&self, rho: f64) -> f64 {
+        let inside = 1.0 - (1.0 - self.diffuse) / (self.eta * self.eta);
+        rho * (1.0 - inside) / (1.0 - inside * rho)
+    }
+}
+
+/// What GGX facets with Fresnel's law reflect towards a viewer, without light that meets several: the mean of
+/// F · G2/G1 over the facets that the viewer sees. Source of their distribution: E. Heitz, "Sampling the GGX
+/// Distribution of Visible Normals", JCGT 7(4), 2018.
+fn coat_reflectance(eta: f64, alpha: f64, cos_o: f64) -> f64 {
+    let cos_o = cos_o.clamp(1e-4, 1.0);
+    let sin_o = libm::sqrt(1.0 - cos_o * cos_o);
+    let stretched = Vec3::new(alpha * sin_o, 0.0, cos_o).normalized();
+    let across = Vec3::new(0.0, 1.0, 0.0);
+    let along = stretched.cross(across);
+    let lambda = |w: Vec3<f64>| lambda_ggx(w, (alpha, alpha));
+    let wo = Vec3::new(sin_o, 0.0, cos_o);
+    let mut sum = 0.0;
+    for i in 0..FACETS * FACETS {
+        let step = |i: usize| (i as f64 + 0.5) / FACETS as f64;
+        // A disk seen from the stretched view, of which the lower half is foreshortened.
+        let (radius, turn) = (libm::sqrt(step(i % FACETS)), 2.0 * PI * step(i / FACETS));
+        let (sin, cos) = libm::sincos(turn);
+        let t1 = radius * cos;
+        let half = 0.5 * (1.0 + stretched.z);
+        let t2 = (1.0 - half) * libm::sqrt(1.0 - t1 * t1) + half * radius * sin;
+        let t3 = libm::sqrt((1.0 - t1 * t1 - t2 * t2).max(0.0));
+        let n = across * t1 + along * t2 + stretched * t3;
+        let h = Vec3::new(alpha * n.x, alpha * n.y, n.z.max(0.0)).normalized();
+        let wi = wo.reflected(h);
+        if wi.z > 0.0 {
+            let masked = (1.0 + lambda(wo)) / (1.0 + lambda(wo) + lambda(wi));
+            sum += fresnel_dielectric(wo.dot(h).clamp(0.0, 1.0), eta) * masked;
+        }
+    }
+    sum / (FACETS * FACETS) as f64
+}
+
+/// The directional albedo of a shape under veils.
+pub fn layered_albedo(shape: &Shape, layers: &[LayerWeight], cos_o: f64) -> f64 {
+    let layer = |pair: &DirectionPair<f64>| layers.iter().map(|layer| layer.factor(pair)).product::<f64>();
+    directional(shape.info(), shape.eta(), (cos_o, 0.0), |pair| shape.f_cos(pair) * layer(pair))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::albedo_with;
+
+    /// The least width that the coat's shape has: as good as smooth.
+    const SMOOTH: f64 = 0.001;
+
+    #[test]
+    fn a_smooth_coat_reflects_what_fresnel_says() {
+        for cosine in [1.0, 0.7, 0.3, 0.1] {
+            let (got, exact) = (coat_reflectance(1.5, SMOOTH, cosine), fresnel_dielectric(cosine, 1.5));
+            assert!((got - exact).abs() < 2e-4, "{cosine}: {got} for {exact}");
+        }
+        // G. Kortüm, Reflectance Spectroscopy, 1969, and many others: 0.092 from outside, 0.596 from inside.
+        let diffuse = CoatSurface::new(1.5, SMOOTH).diffuse_reflectance();
+        assert!((diffuse - 0.0918).abs() < 5e-4, "{diffuse}");
+        assert!((1.0 - (1.0 - diffuse) / 2.25 - 0.5964).abs() < 5e-4);
+    }
+
+    #[test]
+    fn a_rough_coat_reflects_the_integral_of_its_lobe() {
+        for (alpha, cosine) in [(0.2, 0.9), (0.5, 0.5), (1.0, 0.3)] {
+            let ggx = Shape::named("ggx", &[("alpha", alpha), ("multiscatter", 0.0)]).expect("ggx exists");
+            let lobe = |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), 1.5);
+            let exact = albedo_with(&ggx, cosine, 0.0, lobe);
+            let got = coat_reflectance(1.5, alpha, cosine);
+            assert!((got - exact).abs() < 2e-3, "{alpha}, {cosine}: {got} for {exact}");
+        }
+    }
+
+    #[test]
+    fn a_grey_base_is_darker_under_a_coat_and_black_and_white_stay() {
+        let coat = CoatSurface::new(1.5, SMOOTH);
+        assert_eq!(coat.reflectance_of_coated(0.0), 0.0);
+        assert!((coat.reflectance_of_coated(1.0) - 1.0).abs() < 1e-12);
+        let grey = coat.reflectance_of_coated(0.5);
+        assert!((grey - 0.5 * 0.4036 / (1.0 - 0.5964 * 0.5)).abs() < 1e-3, "{grey}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+        #[test]
+        fn a_coated_base_never_gives_more_than_it_gets(
+            eta in 1.05..3.0_f64,
+            alpha in 0.001..1.0_f64,
+            degrees in 0.0..85.0_f64,
+        ) {
+            let coat = CoatSurface::new(eta, alpha);
+            let cosine = libm::cos(degrees.to_radians());
+            let (lambert, ggx) = (
+                Shape::named("lambert", &[]).expect("lambert exists"),
+                Shape::named("ggx", &[("alpha", alpha), ("multiscatter", 0.0)]).expect("ggx exists"),
+            );
+            let matte = layered_albedo(&lambert, &[LayerWeight::over_matte(&coat)], cosine);
+            let glossy = layered_albedo(&ggx, &[LayerWeight::over_glossy(&coat)], cosine);
+            let gloss = |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), eta);
+            let top = albedo_with(&ggx, cosine, 0.0, gloss);
+            // The series, the mean over facets and both quadratures are each within 2e-3.
+            prop_assert!(top + matte < 1.005, "white matte: {top} + {matte}");
+            prop_assert!(top + matte > 0.99, "nothing is lost over white: {top} + {matte}");
+            prop_assert!(top + glossy < 1.005, "mirroring: {top} + {glossy}");
+        }
+    }
+
+    #[test]
+    fn schlick_runs_from_one_value_to_the_other() {
+        let layer = LayerWeight::Schlick { angle: Angle::View, at_zero: 0.04, at_grazing: 1.0 };
+        assert_eq!(layer.factor(&DirectionPair::isotropic(1.0, 0.5, 0.5)), 0.04_f64);
+        assert_eq!(layer.factor(&DirectionPair::isotropic(0.0, 0.5, 0.5)), 1.0_f64);
+        assert!((layer.factor(&DirectionPair::isotropic(0.5, 0.5, 0.5)) - 0.07_f64).abs() < 1e-12);
+    }
+
+    #[test]
+    fn light_through_a_thin_sheet_has_the_angle_of_its_mirror_image() {
+        let (above, below) =
+            (DirectionPair::isotropic(0.7, 0.4, 0.5), DirectionPair::isotropic(0.7, -0.4, 0.5 - 2.0 * 0.7 * 0.4));
+        let layer = |angle| LayerWeight::Schlick { angle, at_zero: 0.9, at_grazing: 0.0 };
+        let (expected, got): (f64, f64) =
+            (layer(Angle::Half).factor(&above), layer(Angle::HalfThrough).factor(&below));
+        assert!((got - expected).abs() < 1e-12, "{got} for {expected}");
+    }
+
+    #[test]
+    fn a_curve_is_taken_at_its_cosine() {
+        let layer = LayerWeight::Series { angle: Angle::View, factor: Chebyshev::interpolate(4, |c| 1.0 - 0.5 * c) };
+        assert!((layer.factor(&DirectionPair::isotropic(0.6, 0.5, 0.5)) - 0.7_f64).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_sheen_leaves_what_the_flatter_of_both_directions_does() {
+        let albedo = charlie::Albedo::new(0.25);
+        let layer = LayerWeight::Sheen { strength: 0.5, albedo };
+        for (cos_o, cos_i) in [(0.9, 0.1), (0.1, 0.9)] {
+            let got: f64 = layer.factor(&DirectionPair::isotropic(cos_o, cos_i, 0.5));
+            assert!((got - (1.0 - 0.5 * albedo.at(0.1_f64))).abs() < 1e-12, "{got}");
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Where things are in the workspace, and how its programs are run.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::{Failure, Result};
+
+/// The workspace that this program belongs to.
+pub struct Workspace {
+    root: PathBuf,
+}
+
+/// How the `glanz` command is built.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// As the tests build it.
+    Dev,
+    /// As it is used.
+    Release,
+}
+
+impl Workspace {
+    /// The workspace in whose `xtask` folder this program's source lies.
+    pub fn find() -> Self {
+        let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+        Self { root: here.parent().expect("xtask lies in the workspace's root").to_owned() }
+    }
+
+    /// A path below the root.
+    pub fn path(&self, below: impl AsRef<Path>) -> PathBuf {
+        self.root.join(below)
+    }
+
+    /// The folder of everything built.
+    pub fn target(&self) -> PathBuf {
+        match std::env::var_os("CARGO_TARGET_DIR") {
+            Some(folder) => self.root.join(folder),
+            None => self.root.join("target"),
+        }
+    }
+
+    /// A folder below the target folder, made if need be.
+    pub fn target_folder(&self, name: &str) -> Result<PathBuf> {
+        let folder = self.target().join(name);
+        std::fs::create_dir_all(&folder).map_err(Failure::during(folder.display()))?;
+        Ok(folder)
+    }
+
+    /// A program that will run in the root.
+    pub fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
+        let mut command = Command::new(program);
+        command.current_dir(&self.root).stdin(Stdio::null());
+        command
+    }
+
+    /// Cargo with these arguments, separated by blanks.
+    pub fn cargo(&self, args: &str) -> Command {
+        let mut command = self.command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        command.args(args.split_whitespace());
+        command
+    }
+
+    /// Builds the `glanz` command and tells where it is.
+    pub fn glanz(&self, profile: Profile) -> Result<PathBuf> {
+        let (args, folder) = match profile {
+            // The whole workspace at once, so that dependencies have the features of the test build
+            // and nothing is compiled twice.
+            Profile::Dev => ("build --workspace --exclude xtask --bins", "debug"),
+            Profile::Release => ("build --release --package glanz", "release"),
+        };
+        run(&mut self.cargo(args))?;
+        let program = self.target().join(folder).join(format!("glanz{}", std::env::consts::EXE_SUFFIX));
+        match program.is_file() {
+            true => Ok(program),
+            false => Err(Failure::new(format!("{} was not built", program.display()))),
+        }
+    }
+
+    /// All scene files in `examples/`, in order of their names.
+    pub fn examples(&self) -> Result<Vec<PathBuf>> {
+        let folder = self.path("examples");
+        let entries = std::fs::read_dir(&folder).map_err(Failure::during(folder.display()))?;
+        let mut scenes: Vec<PathBuf> = entries
+            .filter_map(|entry| Some(entry.ok()?.path()))
+            .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+            .collect();
+        scenes.sort();
+        match scenes.is_empty() {
+            true => Err(Failure::new(format!("{} holds no scene file", folder.display()))),
+            false => Ok(scenes),
+        }
+    }
+}
+
+/// Runs a program whose output goes to ours; fails if it does.
+pub fn run(command: &mut Command) -> Result<()> {
+    println!("$ {}", line(command));
+    let status = command.status().map_err(Failure::during(line(command)))?;
+    match status.success() {
+        true => Ok(()),
+        false => Err(Failure::new(format!("`{}` ended with {status}", line(command)))),
+    }
+}
+
+/// Runs a program quietly; fails with what it wrote on standard error if it does.
+pub fn run_quietly(command: &mut Command) -> Result<Vec<u8>> {
+    let output = command.output().map_err(Failure::during(line(command)))?;
+    if output.status.success() {
+        return Ok(output.stdout);
+    }
+    let said = String::from_utf8_lossy(&output.stderr);
+    Err(Failure::new(format!("`{}` ended with {}:\n{}", line(command), output.status, said.trim_end())))
+}
+
+/// Whether a program can be started and ends well.
+pub fn works(command: &mut Command) -> bool {
+    command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+}
+
+/// The command as a person would type it, without the folders of programs.
+fn line(command: &Command) -> String {
+    let program = Path::new(command.get_program());
+    let name = program.file_name().unwrap_or(program.as_os_str());
+    let args = command.get_args().map(|arg| arg.to_string_lossy());
+    std::iter::once(name.to_string_lossy()).chain(args).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_holds_the_workspace() {
+        assert!(Workspace::find().path("Cargo.toml").is_file());
+        assert!(Workspace::find().path("crates/math").is_dir());
+    }
+
+    #[test]
+    fn a_failing_program_is_a_failure() {
+        let workspace = Workspace::find();
+        assert!(run_quietly(&mut workspace.cargo("no-such-subcommand-of-cargo")).is_err());
+        assert!(!works(&mut workspace.command("no-such-program-anywhere")));
+    }
+}
