@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use glanz_render::compare::decode_picture;
+use glanz_picture::compare::decode_picture;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| match decode_picture(bytes, "file") {

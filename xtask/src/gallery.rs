@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// The README's picture, its scene and the options that it is drawn with.
@@ -43,7 +43,13 @@ pub fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
 }
 
 /// Draws a scene into a folder and tells the picture's path.
-fn draw(workspace: &Workspace, glanz: &Path, scene: &Path, folder: &Path, options: &[&str]) -> Result<PathBuf> {
+fn draw(
+    workspace: &Workspace,
+    glanz: &Path,
+    scene: &Path,
+    folder: &Path,
+    options: &[&str],
+) -> Result<PathBuf> {
     let name = scene.file_stem().expect("a scene file has a name");
     let path = folder.join(name).with_extension("png");
     let mut command = workspace.command(glanz);

@@ -5,8 +5,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Which paths are compared with the gold pictures.
@@ -106,7 +106,12 @@ impl<'a> Studio<'a> {
         let list = workspace.path("tests/golden/list.txt");
         let text = std::fs::read_to_string(&list).map_err(Failure::during(list.display()))?;
         let golds = parse(&text)?;
-        Ok(Self { workspace, glanz: workspace.glanz(Profile::Dev)?, folder: workspace.target_folder("golden")?, golds })
+        Ok(Self {
+            workspace,
+            glanz: workspace.glanz(Profile::Dev)?,
+            folder: workspace.target_folder("golden")?,
+            golds,
+        })
     }
 
     fn kept(&self, gold: &Gold) -> PathBuf {

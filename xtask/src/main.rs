@@ -7,20 +7,20 @@ mod data;
 mod failure;
 mod gallery;
 mod golden;
-mod workspace;
 mod picture;
 mod reference;
 mod steps;
 mod test;
 mod tour;
 mod wasm;
+mod workspace;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
 use failure::{Failure, Result};
-use workspace::Workspace;
 use lexopt::prelude::*;
+use workspace::Workspace;
 
 const HELP: &str = "\
 The chores of the Glanz workspace.

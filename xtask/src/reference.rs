@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use crate::workspace::{Workspace, Profile, run_quietly};
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Compares the page with the schema that `glanz schema` prints.

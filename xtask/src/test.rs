@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::workspace::{Workspace, Profile, run, works};
 use crate::steps::{Outcome, Steps};
+use crate::workspace::{Profile, Workspace, run, works};
 use crate::{Result, data, gallery, golden, reference, tour, wasm};
 
 /// How much is checked.
@@ -25,7 +25,8 @@ pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
 fn checks(workspace: &Workspace, options: &Options) -> Steps {
     let mut steps = Steps::new(options.keep_going, options.only.clone());
     steps.run("format", || format(workspace));
-    steps.run("lint", || run(&mut workspace.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
+    steps
+        .run("lint", || run(&mut workspace.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
     steps.run("unit and integration tests", || tests(workspace));
     if options.quick {
         steps.run("gold pictures, narrowest path", || golden::compare(workspace, golden::Paths::Narrowest));
@@ -42,7 +43,12 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
         oracle(workspace, |workspace| {
             run(&mut workspace.cargo("build --quiet --package glanz-bsdf --example eval"))?;
             let eval = format!("debug/examples/eval{}", std::env::consts::EXE_SUFFIX);
-            compare(workspace, "models", "requirements-models.txt", ("GLANZ_EVAL", &workspace.target().join(eval)))
+            compare(
+                workspace,
+                "models",
+                "requirements-models.txt",
+                ("GLANZ_EVAL", &workspace.target().join(eval)),
+            )
         })
     });
     steps.run("examples", || gallery::try_examples(workspace));
@@ -75,9 +81,17 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
 }
 
 /// Runs `tests/python/test_….py` with the packages of a file beside it and the path of a program of ours.
-fn compare(workspace: &Workspace, what: &str, requirements: &str, (variable, ours): (&str, &Path)) -> Result<()> {
-    let python =
-        data::python_with(workspace, &format!("oracle-python-{what}"), &format!("tests/python/{requirements}"))?;
+fn compare(
+    workspace: &Workspace,
+    what: &str,
+    requirements: &str,
+    (variable, ours): (&str, &Path),
+) -> Result<()> {
+    let python = data::python_with(
+        workspace,
+        &format!("oracle-python-{what}"),
+        &format!("tests/python/{requirements}"),
+    )?;
     let test = format!("tests/python/test_{what}.py");
     run(workspace.command(python).args(["-W", "ignore", "-m", "unittest", &test]).env(variable, ours))
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::workspace::{Workspace, Profile, run_quietly};
 use crate::picture::Picture;
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Values that would take long, and what is tried instead.

@@ -2,11 +2,12 @@
 
 use std::process::Command;
 
-use crate::workspace::{Workspace, run, run_quietly, works};
 use crate::steps::Outcome;
+use crate::workspace::{Workspace, run, run_quietly, works};
 
 /// The crates that know no window and no terminal.
-const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-scene -p glanz-render";
+const LIBRARIES: &str =
+    "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-scene -p glanz-render -p glanz";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 

@@ -66,7 +66,7 @@ impl Workspace {
             // The whole workspace at once, so that dependencies have the features of the test build
             // and nothing is compiled twice.
             Profile::Dev => ("build --workspace --exclude xtask --bins", "debug"),
-            Profile::Release => ("build --release --package glanz", "release"),
+            Profile::Release => ("build --release --package glanz-cli", "release"),
         };
         run(&mut self.cargo(args))?;
         let program = self.target().join(folder).join(format!("glanz{}", std::env::consts::EXE_SUFFIX));

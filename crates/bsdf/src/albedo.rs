@@ -2,7 +2,7 @@
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
-use crate::{ModelInfo, DirectionPair, Shape, Side};
+use crate::{DirectionPair, ModelInfo, Shape, Side};
 
 /// Halvings of the cells towards the mirror direction: the finest are π/2 · 2^-13 = 0.0002 rad wide,
 /// a fifteenth of a Phong lobe with the greatest exponent allowed, 10⁵.
@@ -50,7 +50,12 @@ pub fn albedo_at(shape: &Shape, cos_o: f64, azimuth: f64) -> f64 {
 
 /// [`albedo_at`] of a shape with any factor: ∫ `f_cos` dωi by the shape's own quadrature, where `f_cos` is about as
 /// narrow as the shape.
-pub fn albedo_with(shape: &Shape, cos_o: f64, azimuth: f64, f_cos: impl Fn(&DirectionPair<f64>) -> f64) -> f64 {
+pub fn albedo_with(
+    shape: &Shape,
+    cos_o: f64,
+    azimuth: f64,
+    f_cos: impl Fn(&DirectionPair<f64>) -> f64,
+) -> f64 {
     directional(shape.info(), shape.eta(), (cos_o, azimuth), f_cos)
 }
 

@@ -6,7 +6,7 @@
 use glanz_math::{Lanes, PI, Real, Vec3, at_level, simd_level};
 
 use crate::albedo::directional;
-use crate::{Law, Model, DirectionPair, ParamInfo, LightTerm, Shape, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ParamInfo, Shape, Side};
 
 /// How far both sides of the law of reciprocity may differ, in parts of the greater one: a few
 /// units of the last place, since the same products are formed in another order.
@@ -306,8 +306,10 @@ pub(crate) fn is_dark_where_the_light_is_on_the_wrong_side<M: Model>() {
     let mut seen = 0;
     for model in instances::<M>() {
         for (wo, wi) in pairs().into_iter().filter(|(_, wi)| !right_side::<M>(wi.z)) {
-            let values =
-                [model.f_cos(&DirectionPair::new(wo, wi)), f64::from(model.f_cos(&DirectionPair::new(short(wo), short(wi))))];
+            let values = [
+                model.f_cos(&DirectionPair::new(wo, wi)),
+                f64::from(model.f_cos(&DirectionPair::new(short(wo), short(wi)))),
+            ];
             if is_lit::<M>() {
                 assert_eq!(values, [0.0; 2], "{:?} for {wo:?} and {wi:?}", model.params());
             } else {

@@ -8,7 +8,7 @@ use glanz_math::{GaussLegendre, PI, Real, Vec3};
 use crate::albedo::directional;
 use crate::models::charlie;
 use crate::terms::{fresnel_dielectric, lambda_ggx};
-use crate::{DirectionPair, Chebyshev, Shape};
+use crate::{Chebyshev, DirectionPair, Shape};
 
 /// The angle whose cosine a factor takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,7 +132,8 @@ pub struct CoatSurface {
 impl CoatSurface {
     /// That of a coat with this index of refraction and width of its highlight.
     pub fn new(eta: f64, alpha: f64) -> Self {
-        let transmittance = Chebyshev::interpolate(COAT_TERMS, |cosine| 1.0 - coat_reflectance(eta, alpha, cosine));
+        let transmittance =
+            Chebyshev::interpolate(COAT_TERMS, |cosine| 1.0 - coat_reflectance(eta, alpha, cosine));
         let diffuse = 1.0 - 2.0 * GaussLegendre::new(32).integrate(0.0, 1.0, |c| transmittance.at(c) * c);
         Self { eta, transmittance, diffuse }
     }
@@ -214,7 +215,8 @@ mod tests {
     fn a_rough_coat_reflects_the_integral_of_its_lobe() {
         for (alpha, cosine) in [(0.2, 0.9), (0.5, 0.5), (1.0, 0.3)] {
             let ggx = Shape::named("ggx", &[("alpha", alpha), ("multiscatter", 0.0)]).expect("ggx exists");
-            let lobe = |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), 1.5);
+            let lobe =
+                |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), 1.5);
             let exact = albedo_with(&ggx, cosine, 0.0, lobe);
             let got = coat_reflectance(1.5, alpha, cosine);
             assert!((got - exact).abs() < 2e-3, "{alpha}, {cosine}: {got} for {exact}");
@@ -265,8 +267,10 @@ mod tests {
 
     #[test]
     fn light_through_a_thin_sheet_has_the_angle_of_its_mirror_image() {
-        let (above, below) =
-            (DirectionPair::isotropic(0.7, 0.4, 0.5), DirectionPair::isotropic(0.7, -0.4, 0.5 - 2.0 * 0.7 * 0.4));
+        let (above, below) = (
+            DirectionPair::isotropic(0.7, 0.4, 0.5),
+            DirectionPair::isotropic(0.7, -0.4, 0.5 - 2.0 * 0.7 * 0.4),
+        );
         let layer = |angle| LayerWeight::Schlick { angle, at_zero: 0.9, at_grazing: 0.0 };
         let (expected, got): (f64, f64) =
             (layer(Angle::Half).factor(&above), layer(Angle::HalfThrough).factor(&below));
@@ -275,7 +279,8 @@ mod tests {
 
     #[test]
     fn a_curve_is_taken_at_its_cosine() {
-        let layer = LayerWeight::Series { angle: Angle::View, factor: Chebyshev::interpolate(4, |c| 1.0 - 0.5 * c) };
+        let layer =
+            LayerWeight::Series { angle: Angle::View, factor: Chebyshev::interpolate(4, |c| 1.0 - 0.5 * c) };
         assert!((layer.factor(&DirectionPair::isotropic(0.6, 0.5, 0.5)) - 0.7_f64).abs() < 1e-12);
     }
 

@@ -20,11 +20,11 @@ pub mod models;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
-pub use info::{Law, ModelInfo, ParamError, ParamInfo, LightTerm, Side};
-pub use models::{MODELS, Shape};
 pub use direction_pair::DirectionPair;
 pub use glanz_math::Chebyshev;
+pub use info::{Law, LightTerm, ModelInfo, ParamError, ParamInfo, Side};
 pub use layers::{Angle, CoatSurface, LayerWeight, layered_albedo};
+pub use models::{MODELS, Shape};
 
 use glanz_math::{Real, Vec3};
 

@@ -2,7 +2,7 @@
 
 use glanz_math::{Real, Vec3};
 
-use crate::{Model, ModelInfo, DirectionPair, ParamError};
+use crate::{DirectionPair, Model, ModelInfo, ParamError};
 
 macro_rules! models {
     ($($id:literal => $module:ident::$model:ident),+ $(,)?) => {

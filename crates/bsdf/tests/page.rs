@@ -1,6 +1,6 @@
 //! The page of models in the docs, written from what the models tell about themselves.
 
-use glanz_bsdf::{Law, MODELS, ModelInfo, LightTerm, Shape, Side, albedo};
+use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, Shape, Side, albedo};
 
 /// View angles of the albedos on the page, in degrees.
 const ANGLES: [f64; 5] = [0.0, 45.0, 60.0, 75.0, 89.0];

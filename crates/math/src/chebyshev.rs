@@ -15,19 +15,16 @@ pub struct Chebyshev<T = f64, const C: usize = 1> {
 
 /// The places in 0 … 1 at which a function must be known for a sum of so many terms.
 pub fn chebyshev_nodes(count: usize) -> impl Iterator<Item = f64> {
-    (0..count).map(move |j| 0.5 * (1.0 + libm::cos(angle(j, count))))
-}
-
-/// The angle of a node.
-fn angle(j: usize, count: usize) -> f64 {
-    PI * (j as f64 + 0.5) / count as f64
+    (0..count).map(move |j| 0.5 * (1.0 + libm::cos(PI * (j as f64 + 0.5) / count as f64)))
 }
 
 /// The coefficients of the sum through values at [`chebyshev_nodes`], as many as there are values.
 fn coefficients<const C: usize>(values: &[[f64; C]]) -> Vec<[f64; C]> {
     let count = values.len();
     let coefficient = |k: usize, c: usize| {
-        let term = |(j, value): (usize, &[f64; C])| value[c] * libm::cos(k as f64 * angle(j, count));
+        let term = |(j, value): (usize, &[f64; C])| {
+            value[c] * libm::cos(PI * k as f64 * (j as f64 + 0.5) / count as f64)
+        };
         let sum: f64 = values.iter().enumerate().map(term).sum();
         sum * if k == 0 { 1.0 } else { 2.0 } / count as f64
     };

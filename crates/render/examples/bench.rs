@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use fearless_simd::{Level, Simd};
 use glam::{DMat4, DVec3};
-use glanz_bsdf::{MODELS, ModelInfo, DirectionPair, LightTerm, Shape};
+use glanz_bsdf::{DirectionPair, LightTerm, MODELS, ModelInfo, Shape};
 use glanz_color::Rgb;
 use glanz_math::{Lanes, at_level};
 use glanz_render::cpu::Renderer;
@@ -242,7 +242,8 @@ fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: Lev
 /// Shading throughput per model, beside the limit: the same lobe alone, on numbers in cache, with 16
 /// lanes and with one.
 fn models(quick: bool, level: Level) {
-    let answers = |info: &&ModelInfo| matches!(info.term, LightTerm::Diffuse | LightTerm::Specular) && !info.delta;
+    let answers =
+        |info: &&ModelInfo| matches!(info.term, LightTerm::Diffuse | LightTerm::Specular) && !info.delta;
     for info in MODELS.iter().filter(answers) {
         let mut scene = sphere_scene(64, 32, 1, Shading::Phong);
         let shape = Shape::named(info.name, &[]).expect("a name from the list");

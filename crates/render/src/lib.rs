@@ -4,22 +4,17 @@
 //! tint tables, in which all colour work is done. [`draw`] turns those into a [`Frame`] of linear
 //! channels, [`develop()`] turns a frame into display codes, [`output`] writes picture files.
 
-pub mod compare;
 pub mod cpu;
-mod develop;
 mod draw;
-mod frame;
 mod observe;
-pub mod output;
 mod parallel;
 mod prepare;
 mod view;
 
-pub use develop::{
-    Develop, DevelopKernel, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
+pub use draw::{Aovs, DebugView, DrawOptions, draw, draw_rgba8};
+pub use glanz_picture::{
+    Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
-pub use draw::{DrawOptions, Aovs, DebugView, draw, draw_rgba8};
-pub use frame::Frame;
 pub use observe::draw_observed;
 pub use prepare::{
     Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2, prepare,

@@ -7,7 +7,7 @@ mod reference;
 
 use glanz_scene::{Background, ColorMode, Scene};
 
-use crate::{DrawOptions, Frame, Aovs, PrepareError, PrepareOptions, Prepared, View, draw};
+use crate::{Aovs, DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw};
 
 /// Draws every channel of `options.observation`; the first three are the frame's `rgb`, the others its
 /// `more`.
@@ -35,11 +35,8 @@ pub fn draw_observed(
         let own = PrepareOptions { first_channel: first, ..options.clone() };
         let next = prepared.refilled(scene, &own)?;
         // A background of three numbers says nothing of further channels.
-        let bare = DrawOptions {
-            background: bare(draw_options.background),
-            aovs: Aovs::default(),
-            ..*draw_options
-        };
+        let bare =
+            DrawOptions { background: bare(draw_options.background), aovs: Aovs::default(), ..*draw_options };
         let planes = draw(&next, view, &bare).rgb;
         frame.more.extend(planes.into_iter().take(count - first));
     }

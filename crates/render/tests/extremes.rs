@@ -8,7 +8,7 @@ use common::{
 };
 use glam::{DMat4, DVec3, Vec3};
 use glanz_color::Rgb;
-use glanz_render::{DrawOptions, DebugView, View, ViewError};
+use glanz_render::{DebugView, DrawOptions, View, ViewError};
 use glanz_scene::{
     AlphaMode, Attenuation, Background, Camera, Interpolation, LightKind, Projection, Scene, Shading,
 };

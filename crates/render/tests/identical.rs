@@ -13,13 +13,13 @@ use glanz_bsdf::Shape;
 use glanz_color::{Ior, Rgb, Spectrum};
 use glanz_math::simd_level;
 use glanz_render::{
-    Develop, DrawOptions, Frame, PrepareOptions, Prepared, DebugView, ToneMap, View, develop, draw, draw_rgba8,
-    prepare,
+    DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, ToneMap, View, develop, draw,
+    draw_rgba8, prepare,
 };
 use glanz_scene::{
     AlphaMode, AreaShape, Attenuation, Background, Builtin, Coat, EnvironmentMap, Interpolation, LightKind,
-    Lobe, Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse,
-    Through, Tint,
+    Lobe, Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse, Tint,
+    Transmittance,
 };
 
 const WIDTH: u32 = 150;
@@ -90,7 +90,7 @@ fn matter(shading: Shading) -> Scene {
         "window",
         vec![Lobe::new(shape("mirror", &[]), Tint::Pane(Arc::new(pane.clone())))],
     );
-    window.through = Some(Through::Pane(Arc::new(pane)));
+    window.transmittance = Some(Transmittance::Pane(Arc::new(pane)));
     let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
     add(&mut scene, sphere(24, 12), grain, at(-0.9, 0.1, 0.0));
     add(&mut scene, sphere(24, 12), coated, at(0.9, 0.0, -0.4));
@@ -189,7 +189,7 @@ fn prepared(scene: &Scene) -> Prepared {
 /// Every way of drawing that is to be compared.
 fn variants() -> Vec<(String, Scene, DrawOptions)> {
     let color = Background::Color(Rgb([0.05, 0.1, 0.2]));
-    let base = DrawOptions { layers: ALL_LAYERS, ..DrawOptions::new(color) };
+    let base = DrawOptions { aovs: ALL_LAYERS, ..DrawOptions::new(color) };
     let mut variants = Vec::new();
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
         variants.push((format!("{shading:?}"), scene(shading, Interpolation::Perspective), base));

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{CoatSurface, ParamError, LightTerm, Shape, Side, LayerWeight};
+use glanz_bsdf::{CoatSurface, LayerWeight, LightTerm, ParamError, Shape, Side};
 use glanz_color::{Ior, Rgb, Spectrum};
 
 use crate::{Absorption, Lobe, Material, Tint};
@@ -47,10 +47,12 @@ impl Coat {
 
     /// What becomes of a lobe below it.
     fn over(surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
-        let is_matte = lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection;
+        let is_matte =
+            lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection;
         // What comes back to the base from below the coat depends on its colour: where a texture darkens it further,
         // this is a little too bright.
-        let layer = if is_matte { LayerWeight::over_matte(surface) } else { LayerWeight::over_glossy(surface) };
+        let layer =
+            if is_matte { LayerWeight::over_matte(surface) } else { LayerWeight::over_glossy(surface) };
         let tint = if is_matte { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
         Lobe { tint, absorption: absorption.clone(), ..lobe }.under(layer)
     }
@@ -88,7 +90,11 @@ impl Material {
                 lobes.push(lobe.clone().under(LayerWeight::Constant(1.0 - coat.weight)));
             }
             let covered = Coat::over(&surface, lobe, &absorption);
-            lobes.push(if coat.weight < 1.0 { covered.under(LayerWeight::Constant(coat.weight)) } else { covered });
+            lobes.push(if coat.weight < 1.0 {
+                covered.under(LayerWeight::Constant(coat.weight))
+            } else {
+                covered
+            });
         }
         let gloss = Lobe::new(shape, Tint::Ior(Arc::new(coat.ior.clone())));
         lobes.push(if coat.weight < 1.0 { gloss.under(LayerWeight::Constant(coat.weight)) } else { gloss });
@@ -118,7 +124,10 @@ mod tests {
         let half = base().under_coat(&Coat { weight: 0.5, ..Coat::default() }).expect("the coat is fine");
         assert_eq!(half.lobes.len(), 3);
         assert_eq!(half.lobes[0].layers, [LayerWeight::Constant(0.5)]);
-        assert_eq!(half.lobes[1].layers, [LayerWeight::over_matte(&CoatSurface::new(1.5, 0.03)), LayerWeight::Constant(0.5)]);
+        assert_eq!(
+            half.lobes[1].layers,
+            [LayerWeight::over_matte(&CoatSurface::new(1.5, 0.03)), LayerWeight::Constant(0.5)]
+        );
     }
 
     #[test]

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{ParamError, LightTerm, Shape, LayerWeight};
+use glanz_bsdf::{LayerWeight, LightTerm, ParamError, Shape};
 use glanz_color::Rgb;
 
-use crate::{Absorption, Transmittance, Tint};
+use crate::{Absorption, Tint, Transmittance};
 
 /// One term of a material: a shape times a tint.
 #[derive(Clone, Debug, PartialEq)]

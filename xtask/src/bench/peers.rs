@@ -45,7 +45,14 @@ fn python(workspace: &Workspace) -> Result<PathBuf> {
     let python = folder.join("bin/python");
     if !works(workspace.command(&python).args(["-c", "import moderngl, numpy"])) {
         run(workspace.command("python3").args(["-m", "venv"]).arg(&folder))?;
-        run(workspace.command(&python).args(["-m", "pip", "install", "--quiet", "moderngl==5.13.0", "numpy"]))?;
+        run(workspace.command(&python).args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "moderngl==5.13.0",
+            "numpy",
+        ]))?;
     }
     Ok(python)
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use crate::workspace::{Workspace, Profile, run_quietly};
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// The benchmark's sphere as a scene file: that of the peers, with one light.

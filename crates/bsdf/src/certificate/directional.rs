@@ -3,7 +3,7 @@
 use glanz_math::{GaussLegendre, PI, Vec3};
 
 use crate::albedo::directional;
-use crate::{ModelInfo, DirectionPair, Side};
+use crate::{DirectionPair, ModelInfo, Side};
 
 /// Halvings of the cells towards the peak: the finest are 1.5e-9 rad wide. A lobe of width 0.001 that is seen at
 /// 89.999° is 2e-8 rad narrow in azimuth.
@@ -18,7 +18,12 @@ const POINTS: usize = 6;
 ///
 /// As `albedo::directional`, but for the plain highlight its grid is finer: there the integral is right up to the
 /// horizon.
-pub(super) fn albedo_by(info: &ModelInfo, eta: f64, wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
+pub(super) fn albedo_by(
+    info: &ModelInfo,
+    eta: f64,
+    wo: Vec3<f64>,
+    f_cos: &dyn Fn(&DirectionPair<f64>) -> f64,
+) -> f64 {
     let phi_o = libm::atan2(wo.y, wo.x);
     if info.anisotropic || info.side == Side::Transmission {
         return directional(info, eta, (wo.z, phi_o), f_cos);

@@ -77,8 +77,9 @@ fn narrow(subject: &dyn Subject) -> Finding {
 /// How far all light comes from one direction (the length of the mean direction, 1 if it does), and which.
 fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
     let wo = direction(VIEW, 0.0);
-    let moment =
-        |weight: &dyn Fn(&DirectionPair<f64>) -> f64| subject.integral(wo, &|pair| subject.long(pair) * weight(pair));
+    let moment = |weight: &dyn Fn(&DirectionPair<f64>) -> f64| {
+        subject.integral(wo, &|pair| subject.long(pair) * weight(pair))
+    };
     let all = moment(&|_| 1.0);
     let sum = Vec3::new(
         moment(&|pair| pair.tangent_i.0),

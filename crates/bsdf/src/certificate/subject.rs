@@ -3,7 +3,7 @@
 use glanz_math::Vec3;
 
 use super::directional::albedo_by;
-use crate::{ModelInfo, DirectionPair, LightTerm, Shape, Side};
+use crate::{DirectionPair, LightTerm, ModelInfo, Shape, Side};
 
 /// Why lobes without a light's direction keep no laws.
 pub(super) const NO_DIRECTION: &str = "it answers to no light from a direction";

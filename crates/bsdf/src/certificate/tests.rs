@@ -3,7 +3,7 @@
 use glanz_math::{PI, Real, Vec3};
 
 use super::*;
-use crate::{Law, MODELS, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, MODELS, ModelInfo, ParamInfo, Side};
 
 /// What is wrong with a lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]

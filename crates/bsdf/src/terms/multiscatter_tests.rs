@@ -49,8 +49,10 @@ fn an_elongated_surface_makes_no_energy_and_loses_a_few_percent_at_most() {
 
 #[test]
 fn a_widened_surface_is_the_one_of_that_width() {
-    let (wide, narrow) =
-        (MultiScatter::new(Distribution::Ggx, (0.8, 0.8), 1.0), MultiScatter::new(Distribution::Ggx, (0.2, 0.2), 1.0));
+    let (wide, narrow) = (
+        MultiScatter::new(Distribution::Ggx, (0.8, 0.8), 1.0),
+        MultiScatter::new(Distribution::Ggx, (0.2, 0.2), 1.0),
+    );
     for (wo, wi) in [(0.3, 0.8), (1.0, 0.1), (0.05, 0.05)] {
         let mut pair = DirectionPair::isotropic(wo, wi, 0.2);
         let expected = narrow.f_cos(&pair, Some(pair.alpha_scale));

@@ -101,7 +101,11 @@ impl Widths {
 
     /// [`Widths::highlight`] for a caller that has 1 / Hz² (see [`height_squared`]).
     #[inline(always)]
-    pub(crate) fn highlight_with<R: Real>(&self, pair: &DirectionPair<R>, per_height_squared: R) -> Highlight<R> {
+    pub(crate) fn highlight_with<R: Real>(
+        &self,
+        pair: &DirectionPair<R>,
+        per_height_squared: R,
+    ) -> Highlight<R> {
         let x2 = (pair.tangent_o.0 + pair.tangent_i.0).sqr();
         let y2 = (pair.tangent_o.1 + pair.tangent_i.1).sqr();
         let weighed = x2 * x2.lit(self.steepness.0) + y2 * y2.lit(self.steepness.1);

@@ -77,7 +77,12 @@ impl<const C: usize> CoverageLayers<C> {
     pub fn note(&mut self, runs: &[Run], weights: &Weights<C>) {
         for run in runs {
             let at = self.seen.iter().position(|seen| seen.setup == run.setup).unwrap_or_else(|| {
-                self.seen.push(CoveredTriangle { setup: run.setup, bits: 0, weights: [[0.0; 16]; C], placed: false });
+                self.seen.push(CoveredTriangle {
+                    setup: run.setup,
+                    bits: 0,
+                    weights: [[0.0; 16]; C],
+                    placed: false,
+                });
                 self.seen.len() - 1
             });
             let seen = &mut self.seen[at];
@@ -95,7 +100,8 @@ impl<const C: usize> CoverageLayers<C> {
     pub fn pack(&mut self) {
         while self.seen.iter().any(|seen| !seen.placed) {
             let start = self.runs.len();
-            let mut layer = CoverageLayer { runs: start..start, bits: 0, weights: [[0.0; 16]; C], at: CENTER };
+            let mut layer =
+                CoverageLayer { runs: start..start, bits: 0, weights: [[0.0; 16]; C], at: CENTER };
             for seen in self.seen.iter_mut().filter(|seen| !seen.placed) {
                 if seen.bits & layer.bits != 0 {
                     continue;

@@ -3,10 +3,10 @@
 use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
 
-use super::shade_block::{ShadeBlock, Place};
 use super::inlined;
-use super::triangle_setup::GROUP;
+use super::shade_block::{Place, ShadeBlock};
 use super::texturing::SurfaceAttributes;
+use super::triangle_setup::GROUP;
 use crate::DebugView;
 
 /// Half the width of wireframe lines, in pixels.
@@ -35,7 +35,11 @@ pub(crate) fn replace<S: Simd>(
         }
         DebugView::Normals => {
             let half = shade_block.px.lit(0.5);
-            let n = if shade_block.object.shading == glanz_scene::Shading::Phong { normal } else { facing(shade_block) };
+            let n = if shade_block.object.shading == glanz_scene::Shading::Phong {
+                normal
+            } else {
+                facing(shade_block)
+            };
             [n.x * half + half, n.y * half + half, n.z * half + half]
         }
         DebugView::Depth => [depth(shade_block, place); 3],
@@ -79,13 +83,17 @@ fn facing<S: Simd>(shade_block: &ShadeBlock<S>) -> Vec3<Lanes<S>> {
 fn depth<S: Simd>(shade_block: &ShadeBlock<S>, place: &Place<S>) -> Lanes<S> {
     let [near, far] = shade_block.frame.camera.range;
     let span = (far - near).max(1e-30);
-    let value = (shade_block.px.lit(f64::from(far)) - place.distance) * shade_block.px.lit(f64::from(1.0 / span));
+    let value =
+        (shade_block.px.lit(f64::from(far)) - place.distance) * shade_block.px.lit(f64::from(1.0 / span));
     value.clamp(0.0, 1.0) * shade_block.px.lit(0.95) + shade_block.px.lit(0.05)
 }
 
 /// A value for each pixel from its record.
 #[inline(always)]
-fn per_run<S: Simd>(shade_block: &ShadeBlock<S>, value: impl Fn(&super::triangle_setup::TriangleSetup) -> [f32; 3]) -> [Lanes<S>; 3] {
+fn per_run<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    value: impl Fn(&super::triangle_setup::TriangleSetup) -> [f32; 3],
+) -> [Lanes<S>; 3] {
     let mut lanes = [shade_block.px.zero(); 3];
     for run in shade_block.runs {
         let mask = LanesMask::from_bits(shade_block.simd, run.bits);
@@ -109,7 +117,12 @@ fn hashed(number: u32) -> [f32; 3] {
 /// Darkens pixels near an edge of a facet. Edges inside a facet, which only its triangulation has, do
 /// not count.
 #[inline(always)]
-fn wireframe<S: Simd>(shade_block: &ShadeBlock<S>, place: &Place<S>, rows: &[Lanes<S>; GROUP], rgb: &mut [Lanes<S>; 3]) {
+fn wireframe<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    place: &Place<S>,
+    rows: &[Lanes<S>; GROUP],
+    rgb: &mut [Lanes<S>; 3],
+) {
     let [x0, y0, ux, uy, vx, vy, ..] = *rows;
     let one = place.u.one();
     let (dx, dy) = (shade_block.px - x0, shade_block.py - y0);

@@ -9,9 +9,10 @@ use super::lights::ViewLights;
 use super::polygons::PolygonView;
 use super::samples;
 use crate::prepare::{
-    Attributes, TintSeries, DirectLobe, LobeIntegrals, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
+    Attributes, DirectLobe, LobeIntegrals, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
+    TintSeries,
 };
-use crate::{DrawOptions, Prepared, DebugView, View};
+use crate::{DebugView, DrawOptions, Prepared, View};
 
 /// How a triangle of an object takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +94,12 @@ impl FrameView<'_> {
     /// What is where nothing is.
     #[inline(always)]
     pub fn background(&self) -> ViewBackground<'_> {
-        ViewBackground::new(self.options.background, &self.camera, &self.lights, self.prepared.environment_tint)
+        ViewBackground::new(
+            self.options.background,
+            &self.camera,
+            &self.lights,
+            self.prepared.environment_tint,
+        )
     }
 }
 

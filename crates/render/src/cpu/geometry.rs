@@ -4,8 +4,8 @@ use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
 use glanz_math::{Lanes, Real};
 
 use super::bins::Bins;
-use super::clip::ClippedTriangle;
 use super::camera::ViewCamera;
+use super::clip::ClippedTriangle;
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::{self, VertexLight};
 use super::inlined;

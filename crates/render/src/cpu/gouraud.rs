@@ -91,7 +91,8 @@ impl<S: Simd> VertexBlock<'_, S> {
     #[inline(always)]
     fn reflect(&self) -> (Parts<S>, Option<Parts<S>>) {
         let material = &self.frame.materials[self.view.material];
-        let transmittance = |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
+        let transmittance =
+            |texel| reflect_lanes(self.simd, &self.frame.lights, material, &self.point, texel);
         let one = self.point.position.x.one();
         let zero = one.zero();
         let [r, g, b] = self.colors.map_or([one; 3], |colors| columns(self.simd, colors));

@@ -6,7 +6,7 @@ use glanz_scene::{AreaShape, Space};
 
 use super::camera::ViewCamera;
 use crate::prepare::{
-    Falloff, LightShape, Bvh, PreparedLight, PreparedLuminaire, IntensityGrid, EnvironmentLight,
+    Bvh, EnvironmentLight, Falloff, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire,
 };
 use crate::{DrawOptions, Prepared};
 
@@ -132,10 +132,11 @@ impl<'a> ViewLight<'a> {
             Space::Camera => direction(p),
         };
         let array = |v: DVec3| v.as_vec3().to_array();
-        let luminaire = light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| ViewLuminaire {
-            intensities,
-            frame: [frame.x_axis, frame.y_axis, frame.z_axis].map(|axis| array(direction(axis))),
-        });
+        let luminaire =
+            light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| ViewLuminaire {
+                intensities,
+                frame: [frame.x_axis, frame.y_axis, frame.z_axis].map(|axis| array(direction(axis))),
+            });
         match &light.shape {
             LightShape::Directional { towards } => Self::Directional { towards: array(direction(*towards)) },
             LightShape::Point { position, falloff } => Self::Point {

@@ -15,33 +15,33 @@
 
 mod background;
 mod bins;
-mod transparency;
 mod block;
-mod clip;
-mod triangle_batch;
 mod camera;
+mod clip;
+mod coverage_layers;
+mod debug_view;
 mod frame;
+mod general;
 mod geometry;
 mod gouraud;
-mod shade_block;
-mod multi_sample;
 mod lights;
 mod micro_triangles;
+mod multi_sample;
 mod polygons;
 mod raster;
-mod triangle_setup;
 mod reflect;
 mod renderer;
-mod coverage_layers;
 mod samples;
-mod debug_view;
+mod shade_block;
 mod single_sample;
 mod sort;
 mod target;
 mod texturing;
 mod tile;
+mod transparency;
+mod triangle_batch;
+mod triangle_setup;
 mod visible;
-mod general;
 
 pub use renderer::Renderer;
 

@@ -5,9 +5,9 @@ use glanz_math::{Lanes, LanesMask, Real};
 
 use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
-use super::shade_block::{self, Shaded};
 use super::coverage_layers::{CoverageLayers, Weights};
 use super::samples::SUBPIXEL;
+use super::shade_block::{self, Shaded};
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
 use super::visible::Owners;
@@ -65,7 +65,9 @@ fn find_layers<S: Simd, const C: usize>(
         let mut weights = [[0.0; BLOCK]; C];
         for (channel, weights) in weights.iter_mut().enumerate() {
             match tile.blended {
-                true => (Lanes::load(simd, transparency.transmittance(channel, place)) * share).store(weights),
+                true => {
+                    (Lanes::load(simd, transparency.transmittance(channel, place)) * share).store(weights)
+                }
                 false => share.store(weights),
             }
         }

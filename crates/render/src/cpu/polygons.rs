@@ -48,7 +48,9 @@ impl PolygonView {
         let has_texels = object.attributes.uv && material.base_color.is_some();
         let values = [1.0, if material.two_sided { -1.0 } else { 0.0 }].map(|side| {
             (0..count)
-                .map(|i| corner(polygons, i, at(i), side, object.shading, camera, lights, material, has_texels))
+                .map(|i| {
+                    corner(polygons, i, at(i), side, object.shading, camera, lights, material, has_texels)
+                })
                 .collect()
         });
         Self { polygons: Arc::clone(polygons), screen, values }
@@ -95,7 +97,10 @@ fn project(camera: &ViewCamera, p: Vec3<f32>) -> Option<[f32; 2]> {
         return None;
     }
     let factor = if camera.perspective { camera.scale / distance } else { camera.scale };
-    Some([camera.center[0] + p.dot(axis(&camera.right)) * factor, camera.center[1] - p.dot(axis(&camera.up)) * factor])
+    Some([
+        camera.center[0] + p.dot(axis(&camera.right)) * factor,
+        camera.center[1] - p.dot(axis(&camera.up)) * factor,
+    ])
 }
 
 #[expect(clippy::too_many_arguments, reason = "a corner is where everything meets")]

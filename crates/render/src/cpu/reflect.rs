@@ -8,8 +8,8 @@ use glanz_bsdf::DirectionPair;
 use glanz_math::{Lanes, Real, Vec3};
 
 use super::lights::{ViewCone, ViewFalloff, ViewLight, ViewLights, splat, turned};
-use super::{inlined, three, general};
-use crate::prepare::{TintCoordinate, PreparedMaterial};
+use super::{general, inlined, three};
+use crate::prepare::{PreparedMaterial, TintCoordinate};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
@@ -111,7 +111,9 @@ pub(crate) fn reflect_classic<R: Real>(
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
             let value = lobe.shape.f_cos_in_place(&pair) * attenuation;
             let tint = match &mix {
-                _ if lobe.coordinate == TintCoordinate::HalfAngle => material.series[first + k].at(pair.cos_view_half()),
+                _ if lobe.coordinate == TintCoordinate::HalfAngle => {
+                    material.series[first + k].at(pair.cos_view_half())
+                }
                 Some((mix, texel)) if lobe.textured => mixed(&mix.tints[first + k], texel),
                 _ => literal(like, tint),
             };

@@ -9,11 +9,11 @@ use super::bins::{TILE_HEIGHT, TILE_WIDTH};
 use super::frame::FrameView;
 use super::geometry::{self, ChunkOutput, Screen};
 use super::gouraud::{Lit, VertexLight};
-use super::triangle_setup::Projected;
 use super::target::{Band, Codes, PlaneBand, empty_block};
 use super::tile::{self, TilePlace, TileScratch};
-use crate::develop::DevelopKernel;
+use super::triangle_setup::Projected;
 use crate::{Develop, DrawOptions, Frame, Prepared, View};
+use glanz_picture::DevelopKernel;
 use glanz_scene::Background;
 
 /// Draws frames, and keeps its working memory from one to the next.

@@ -4,13 +4,13 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
 use glanz_scene::{Interpolation, Shading};
 
+use super::coverage_layers::Run;
 use super::frame::{FrameView, ObjectView};
 use super::gouraud::unit;
+use super::reflect::{Reflected, ShadingPoint, mixed, reflect_lanes};
 use super::triangle_setup::{GROUP, TriangleSetup, TriangleSetups};
-use super::reflect::{ShadingPoint, Reflected, mixed, reflect_lanes};
-use super::coverage_layers::Run;
-use super::{inlined, nine, three};
 use super::{debug_view, texturing};
+use super::{inlined, nine, three};
 use crate::DebugView;
 use crate::prepare::PreparedMaterial;
 
@@ -242,7 +242,8 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         let material = &self.frame.materials[self.object.material];
         if is_simple(self.object, self.frame.options.show) {
             let lights = &self.frame.lights;
-            let light = |point: &ShadingPoint<Lanes<S>>| reflect_lanes(self.simd, lights, material, point, None);
+            let light =
+                |point: &ShadingPoint<Lanes<S>>| reflect_lanes(self.simd, lights, material, point, None);
             let (rgb, normal) = self.simple(material, &place, values[0], light);
             let alpha = self.px.lit(f64::from(material.alpha));
             let transmittance = self.transmittance(material, &place, normal);
@@ -363,7 +364,8 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         normal: Vec3<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
         let zero = self.px.zero();
-        let Some(series) = material.transmittance.as_ref().filter(|_| self.frame.options.show == DebugView::Shaded)
+        let Some(series) =
+            material.transmittance.as_ref().filter(|_| self.frame.options.show == DebugView::Shaded)
         else {
             return [zero; 3];
         };

@@ -4,13 +4,13 @@ use fearless_simd::Simd;
 use glanz_math::Lanes;
 
 use super::block;
-use super::triangle_batch;
-use super::shade_block::{self, ShadeBlock, Shaded, is_simple};
-use super::reflect::{reflect_classic, reflect_lanes};
 use super::coverage_layers::Run;
+use super::reflect::{reflect_classic, reflect_lanes};
+use super::shade_block::{self, ShadeBlock, Shaded, is_simple};
 use super::target::Codes;
 use super::three;
 use super::tile::{Tile, TileScratch, keep_planes};
+use super::triangle_batch;
 use super::visible::Owners;
 
 /// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.

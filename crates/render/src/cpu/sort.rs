@@ -62,7 +62,8 @@ pub(crate) fn sort<S: Simd>(
             let Boxes { area, first, last, .. } = boxes;
             let steps = [last[0] - first[0], last[1] - first[1]];
             let depth = depths(simd, screen, sixteen);
-            MicroTriangles { x, y, area, first, steps, depth, name: first_name }.scatter(simd, frame, tiny, points);
+            MicroTriangles { x, y, area, first, steps, depth, name: first_name }
+                .scatter(simd, frame, tiny, points);
         }
         if kept != 0 {
             let (first, last) = (stored(boxes.first), stored(boxes.last));

@@ -9,7 +9,7 @@ use super::block::{self, BLOCK, SIDE};
 use super::inlined;
 use super::raster::Grid;
 use crate::Develop;
-use crate::develop::DevelopKernel;
+use glanz_picture::DevelopKernel;
 
 /// The pixels of a tile, block by block: linear colour, coverage, and the planes that were asked for.
 ///

@@ -6,10 +6,10 @@ use glanz_scene::{AlphaMode, TextureUse};
 
 use super::frame::Layout;
 use super::gouraud::unit;
-use super::shade_block::{ShadeBlock, Place};
 use super::polygons::{CORNER, PolygonView};
-use super::triangle_setup::GROUP;
 use super::reflect::ShadingPoint;
+use super::shade_block::{Place, ShadeBlock};
+use super::triangle_setup::GROUP;
 use super::{inlined, three};
 use crate::prepare::{Mipmap, PreparedMaterial};
 
@@ -216,7 +216,8 @@ pub(crate) fn scanline<S: Simd>(
     if !flat {
         values[0] = three([0, 1, 2], |c| {
             let whole = lanes(c, first[c]);
-            let separate = layout.plain.is_some() || shade_block.object.shading == glanz_scene::Shading::Phong;
+            let separate =
+                layout.plain.is_some() || shade_block.object.shading == glanz_scene::Shading::Phong;
             if separate { whole } else { (whole + lanes(3 + c, whole.zero())).select(mask, first[c]) }
         });
         if layout.plain.is_some() {

@@ -4,16 +4,16 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real};
 
 use super::bins::{TILE_HEIGHT, TILE_WIDTH};
-use super::transparency::TransparencyBuffer;
 use super::block::BLOCK;
-use super::triangle_batch::TriangleBatch;
-use super::frame::FrameView;
-use super::shade_block::Shaded;
-use super::raster::Grid;
-use super::triangle_setup::{Projected, TriangleSetups};
 use super::coverage_layers::{CoverageLayers, Run};
+use super::frame::FrameView;
+use super::raster::Grid;
 use super::samples::SUBPIXEL;
+use super::shade_block::Shaded;
 use super::target::{Band, Slot, TilePixels};
+use super::transparency::TransparencyBuffer;
+use super::triangle_batch::TriangleBatch;
+use super::triangle_setup::{Projected, TriangleSetups};
 use super::visible::Visible;
 use super::{multi_sample, single_sample};
 use crate::Aovs;
@@ -51,8 +51,10 @@ pub(crate) struct Tile<'a> {
 impl TilePlace {
     fn grid(self, frame: &FrameView) -> Grid {
         let origin = [self.column * TILE_WIDTH, self.row * TILE_HEIGHT];
-        let size =
-            [TILE_WIDTH.min(frame.camera.width - origin[0]), TILE_HEIGHT.min(frame.camera.height - origin[1])];
+        let size = [
+            TILE_WIDTH.min(frame.camera.width - origin[0]),
+            TILE_HEIGHT.min(frame.camera.height - origin[1]),
+        ];
         Grid { origin, size, sample: [SUBPIXEL / 2; 2] }
     }
 }

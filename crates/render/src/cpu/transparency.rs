@@ -10,12 +10,12 @@ use glanz_math::{Lanes, Real};
 
 use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
-use super::frame::FrameView;
-use super::shade_block::{self, Shaded};
-use super::raster::{Grid, cover};
-use super::triangle_setup::{Projected, TriangleSetups};
 use super::coverage_layers::Run;
+use super::frame::FrameView;
+use super::raster::{Grid, cover};
 use super::samples::SUBPIXEL;
+use super::shade_block::{self, Shaded};
+use super::triangle_setup::{Projected, TriangleSetups};
 use super::visible::{Visible, object_of, triangle};
 
 /// A triangle at a pixel, or at one of its samples: what is shaded once.

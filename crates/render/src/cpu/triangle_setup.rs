@@ -12,7 +12,7 @@ use super::frame::{FrameView, Layout};
 use super::geometry::{ChunkOutput, Screen};
 use super::gouraud::{Lit, unit};
 use super::raster::Triangle;
-use super::reflect::{ShadingPoint, Reflected, reflect};
+use super::reflect::{Reflected, ShadingPoint, reflect};
 use super::{inlined, three};
 use crate::prepare::PreparedMaterial;
 

@@ -7,12 +7,12 @@ use glanz_scene::AlphaMode;
 use super::bins::TILE_PIXELS;
 use super::block::{self, BLOCK};
 use super::clip::EXTRA;
+use super::coverage_layers::Run;
 use super::frame::{FrameView, Pass};
-use super::shade_block::{self, Shaded};
 use super::micro_triangles::MicroSample;
 use super::raster::{Grid, Triangle, cover};
+use super::shade_block::{self, Shaded};
 use super::triangle_setup::{Projected, TriangleSetups};
-use super::coverage_layers::Run;
 use super::{inlined, three};
 
 /// No triangle.

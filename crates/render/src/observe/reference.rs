@@ -12,7 +12,7 @@ use glanz_color::{SAMPLES, STEP_NM, Spectrum, rgb_spectra};
 use glanz_scene::{Background, Light, LightColor, LightColors, Scene, Tint};
 
 use crate::prepare::Observation;
-use crate::{DrawOptions, Frame, Aovs, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
+use crate::{Aovs, DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
 
 /// Channels that a picture has.
 const AT_ONCE: usize = 3;

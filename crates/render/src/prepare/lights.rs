@@ -6,9 +6,9 @@ use glam::{DMat3, DVec3};
 use glanz_scene::{AreaShape, Attenuation, Light, LightKind, Luminaire, Scene, Space};
 
 use super::PrepareError;
-use super::irradiance::Irradiance;
-use super::intensity_grid::IntensityGrid;
 use super::environment_map::EnvironmentMap;
+use super::intensity_grid::IntensityGrid;
+use super::irradiance::Irradiance;
 
 /// How the reach of a point or spot light falls with distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -218,7 +218,10 @@ fn area(
     Ok(LightShape::Area { form, position: finite(position)?, axes, two_sided })
 }
 
-fn environment(map: &Option<Arc<glanz_scene::EnvironmentMap>>, rotation: DMat3) -> Result<EnvironmentLight, &'static str> {
+fn environment(
+    map: &Option<Arc<glanz_scene::EnvironmentMap>>,
+    rotation: DMat3,
+) -> Result<EnvironmentLight, &'static str> {
     if !rotation.is_finite() {
         return Err("the rotation must be finite numbers");
     }

@@ -3,13 +3,13 @@
 use core::cell::OnceCell;
 use std::sync::Arc;
 
-use glanz_bsdf::{LightTerm, Chebyshev, Shape, Side, LayerWeight};
+use glanz_bsdf::{Chebyshev, LayerWeight, LightTerm, Shape, Side};
 
-use super::ltc::{self, LtcTable};
-use super::prefilter::{self, Pyramid};
-use super::lights::{LightShape, PreparedLight};
-use super::materials::{DirectLobe, PreparedMaterial};
 use super::environment_map::EnvironmentMap;
+use super::lights::{LightShape, PreparedLight};
+use super::ltc::{self, LtcTable};
+use super::materials::{DirectLobe, PreparedMaterial};
+use super::prefilter::{self, Pyramid};
 
 /// Terms of the albedo over the cosine.
 const TERMS: usize = 16;

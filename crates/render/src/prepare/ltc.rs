@@ -5,7 +5,7 @@
 //! D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed LtcTable", SIGGRAPH 2016. The maps
 //! are fitted here, for the lobes of the scene, when it is prepared; `tests/surroundings` states the error.
 
-use glanz_bsdf::{DirectionPair, Shape, Side, LayerWeight};
+use glanz_bsdf::{DirectionPair, LayerWeight, Shape, Side};
 use glanz_math::{PI, Real, Vec3};
 
 use super::simplex;

@@ -1,11 +1,11 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{LightTerm, Shape, Side, LayerWeight};
+use glanz_bsdf::{LayerWeight, LightTerm, Shape, Side};
 use glanz_scene::{AlphaMode, Lobe, Material, Metalness, TextureUse, Tint};
 
+use super::lobe_integrals::LobeIntegrals;
 use super::tint_coordinate::TintCoordinate;
 use super::tint_series::TintSeries;
-use super::lobe_integrals::LobeIntegrals;
 use super::tint_table::{Entry, Table, term_of};
 use super::{PrepareError, with_model};
 
@@ -130,7 +130,10 @@ pub(super) fn prepare(
         emission_map: material.emission_map,
         metal_rough_map: material.metal_rough_map,
         aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
-        transmittance: material.transmittance.as_ref().map(|transmittance| table.transmittance(transmittance)),
+        transmittance: material
+            .transmittance
+            .as_ref()
+            .map(|transmittance| table.transmittance(transmittance)),
         alpha: material.alpha,
         alpha_mode: material.alpha_mode,
     })
@@ -173,7 +176,15 @@ impl DirectLobe {
     /// A bare lobe.
     pub fn new(shape: Shape) -> Self {
         let (term, coordinate) = (shape.info().term, TintCoordinate::None);
-        Self { shape, term, textured: false, coordinate, layers: Vec::new(), metalness: Metalness::Any, repeats: false }
+        Self {
+            shape,
+            term,
+            textured: false,
+            coordinate,
+            layers: Vec::new(),
+            metalness: Metalness::Any,
+            repeats: false,
+        }
     }
 
     fn is_classic(&self) -> bool {

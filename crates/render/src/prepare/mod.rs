@@ -2,26 +2,26 @@
 //!
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
-mod tint_coordinate;
-mod closed;
-mod ltc;
-mod tint_series;
-mod facets;
-mod lobe_integrals;
-mod geometry;
-mod prefilter;
-mod irradiance;
-mod lights;
-mod materials;
-mod observation;
 mod bvh;
-mod polygons;
-mod quadrature;
+mod closed;
+mod environment_map;
+mod facets;
+mod geometry;
 mod intensity_grid;
 mod interfaces;
-mod simplex;
-mod environment_map;
+mod irradiance;
+mod lights;
+mod lobe_integrals;
+mod ltc;
+mod materials;
 mod mipmap;
+mod observation;
+mod polygons;
+mod prefilter;
+mod quadrature;
+mod simplex;
+mod tint_coordinate;
+mod tint_series;
 mod tint_table;
 
 use std::sync::Arc;
@@ -31,22 +31,22 @@ use glanz_bsdf::{MODELS, ParamError, Shape};
 use glanz_scene::{Background, Interpolation, LightKind, Mesh, Scene, Shading};
 use thiserror::Error;
 
-pub use tint_coordinate::TintCoordinate;
-pub use ltc::LtcTable;
-pub use tint_series::TintSeries;
+pub use bvh::Bvh;
+pub use environment_map::EnvironmentMap;
 pub use facets::Facets;
+pub use geometry::{Cluster, Geometry};
+pub use intensity_grid::IntensityGrid;
+pub use lights::{EnvironmentLight, Falloff, LightShape, PreparedLight, PreparedLuminaire};
 pub use lobe_integrals::LobeIntegrals;
 pub(crate) use lobe_integrals::is_cosine;
-pub use geometry::{Cluster, Geometry};
-pub use lights::{Falloff, LightShape, PreparedLight, PreparedLuminaire, EnvironmentLight};
+pub use ltc::LtcTable;
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
+pub use mipmap::Mipmap;
 pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
-pub use bvh::Bvh;
 pub use polygons::Polygons;
 use quadrature::Sampling;
-pub use intensity_grid::IntensityGrid;
-pub use environment_map::EnvironmentMap;
-pub use mipmap::Mipmap;
+pub use tint_coordinate::TintCoordinate;
+pub use tint_series::TintSeries;
 
 /// What to change of a scene on the way.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -8,7 +8,7 @@ use glanz_scene::{ColorMode, LightColor, LightKind, Scene, White};
 use thiserror::Error;
 
 use super::quadrature::{Channels, Row, Sampling, Surface};
-use crate::develop::ToScreen;
+use glanz_picture::ToScreen;
 
 /// The luminance that a screen shows as its white when light is in cd/m²: that of the reference
 /// display of IEC 61966-2-1 (sRGB).

@@ -7,10 +7,10 @@
 use glanz_bsdf::terms::fresnel_schlick;
 use glanz_color::meyer::{self, MeyerSamples, NODES_NM};
 use glanz_color::{Reradiation, SAMPLES, STEP_NM, Spectrum, lambda_nm, rgb_spectra};
-use glanz_scene::{ColorMode, LightColor, Transmittance, Tint};
+use glanz_scene::{ColorMode, LightColor, Tint, Transmittance};
 
-use super::observation::Observation;
 use super::interfaces;
+use super::observation::Observation;
 
 /// A row of numbers, one per node.
 pub(crate) type Row = Vec<f64>;
@@ -158,7 +158,9 @@ impl Sampling {
         let primaries = self.nodes == Nodes::Primaries;
         match tint {
             Tint::Rgb(rgb) if primaries => Surface::Reflectance(rgb.0.map(f64::from).to_vec()),
-            Tint::Rgb(rgb) => Surface::Reflectance(self.at_nodes(&rgb_spectra::spectrum_of_reflectance(*rgb))),
+            Tint::Rgb(rgb) => {
+                Surface::Reflectance(self.at_nodes(&rgb_spectra::spectrum_of_reflectance(*rgb)))
+            }
             Tint::Spectrum(spectrum) => Surface::Reflectance(self.reflectance(spectrum)),
             Tint::Ior(ior) => Surface::Reflectance(self.reflectance(&interfaces::boundary(ior, cosine))),
             Tint::Polarized(ior, polarization) => {
@@ -207,9 +209,9 @@ impl Sampling {
     fn reradiation(&self, matrix: &Reradiation) -> Surface {
         match &self.nodes {
             // RGB knows no other light than D65 to excite with.
-            Nodes::Primaries => {
-                Surface::Reflectance(rgb_spectra::rgb_of_light(&matrix.apply(&rgb_spectra::daylight())).to_vec())
-            }
+            Nodes::Primaries => Surface::Reflectance(
+                rgb_spectra::rgb_of_light(&matrix.apply(&rgb_spectra::daylight())).to_vec(),
+            ),
             Nodes::Grid => {
                 let row = |out| (0..SAMPLES).map(|input| matrix.get(out, input)).collect();
                 Surface::Matrix((0..SAMPLES).map(row).collect())

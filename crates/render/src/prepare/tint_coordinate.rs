@@ -4,8 +4,8 @@ use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
 use glanz_math::Real;
 use glanz_scene::Lobe;
 
-use super::quadrature::{Sampling, Surface};
 use super::interfaces::cosine_inside;
+use super::quadrature::{Sampling, Surface};
 
 /// The coordinate, 0 … 1, along which a lobe's tint is a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]

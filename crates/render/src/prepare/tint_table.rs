@@ -2,11 +2,11 @@
 
 use glanz_bsdf::LightTerm;
 use glanz_math::PI;
-use glanz_scene::{Light, LightKind, Lobe, Scene, Transmittance, Tint};
+use glanz_scene::{Light, LightKind, Lobe, Scene, Tint, Transmittance};
 
+use super::quadrature::{Channels, Response, Row, Sampling, Surface};
 use super::tint_coordinate::{self, TintCoordinate};
 use super::tint_series::{self, TintSeries};
-use super::quadrature::{Channels, Response, Row, Sampling, Surface};
 use crate::prepare::lights;
 
 /// A light at the nodes of the colour mode, for the three kinds of lobe; times π for lamps, whose value 1 is
@@ -46,7 +46,10 @@ impl<'a> Table<'a> {
     /// lobes are multiplied with.
     pub fn direct(&self, lobes: &[&Lobe], basis: Option<usize>) -> Vec<Entry> {
         let response = |lobe: &&Lobe| {
-            self.sampling.response(&tint_coordinate::surface(self.sampling, lobe, TintCoordinate::of(lobe), 1.0), basis)
+            self.sampling.response(
+                &tint_coordinate::surface(self.sampling, lobe, TintCoordinate::of(lobe), 1.0),
+                basis,
+            )
         };
         let responses: Vec<Response> = lobes.iter().map(response).collect();
         let entry = |light: &LightRows, i: usize| short(responses[i].under(light.of(term_of(lobes[i]))));
@@ -110,7 +113,8 @@ impl<'a> Table<'a> {
     /// Of a lobe whose tint is a curve: at each coordinate that the curve goes through.
     fn responses(&self, lobe: &Lobe) -> Vec<Response> {
         let coordinate = TintCoordinate::of(lobe);
-        let at = |x| self.sampling.response(&tint_coordinate::surface(self.sampling, lobe, coordinate, x), None);
+        let at =
+            |x| self.sampling.response(&tint_coordinate::surface(self.sampling, lobe, coordinate, x), None);
         if coordinate == TintCoordinate::None { Vec::new() } else { tint_series::nodes().map(at).collect() }
     }
 
@@ -129,7 +133,10 @@ impl<'a> Table<'a> {
         let everything = Surface::Reflectance(vec![1.0; white.len()]);
         let whole = self.sampling.response(&everything, None).under(&white);
         let share = |cosine| {
-            let seen = self.sampling.response(&self.sampling.transmittance(transmittance, cosine), None).under(&white);
+            let seen = self
+                .sampling
+                .response(&self.sampling.transmittance(transmittance, cosine), None)
+                .under(&white);
             core::array::from_fn(|c| if whole[c] == 0.0 { 0.0 } else { seen[c] / whole[c] })
         };
         TintSeries::fit(&tint_series::nodes().map(share).collect::<Vec<_>>())

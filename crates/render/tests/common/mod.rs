@@ -5,7 +5,7 @@
 use glam::{DMat4, DVec3, Vec2, Vec3};
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;
-use glanz_render::{DrawOptions, Frame, Aovs, PrepareOptions, View, draw, prepare};
+use glanz_render::{Aovs, DrawOptions, Frame, PrepareOptions, View, draw, prepare};
 use glanz_scene::{
     Background, Builtin, Camera, ClassicMaterial, Interpolation, Light, LightColors, LightKind, Lobe,
     Material, Mesh, Object, Projection, Scene, Shading,

@@ -14,7 +14,7 @@ mod scenes;
 mod shelf;
 
 use glanz_math::{NARROWEST_LEVEL, simd_level};
-use glanz_render::{DrawOptions, Frame, Aovs, Observation, PrepareOptions, View, draw, prepare};
+use glanz_render::{Aovs, DrawOptions, Frame, Observation, PrepareOptions, View, draw, prepare};
 use glanz_scene::{Background, Scene};
 
 /// A frame and what a screen shows of it.
@@ -40,12 +40,12 @@ fn drawn(scene: &Scene) -> Drawn {
     if let (Background::Color(color), Some(to_screen)) = (background, &to_screen) {
         background = Background::Color(glanz_color::Rgb(to_screen.channels_of(color.0)));
     }
-    let layers = Aovs { depth: true, normal: true, object: true };
+    let aovs = Aovs { depth: true, normal: true, object: true };
     let path = |level: &str, threads: usize| {
         let options = DrawOptions {
             samples: scene.image.samples,
             supersample: scene.image.supersample,
-            layers,
+            aovs,
             level: simd_level(Some(level)).unwrap(),
             ..DrawOptions::new(background)
         };
@@ -54,7 +54,10 @@ fn drawn(scene: &Scene) -> Drawn {
     };
     let frame = path(NARROWEST_LEVEL, 1);
     for level in WIDER.iter().chain([&NARROWEST_LEVEL]).filter(|name| simd_level(Some(name)).is_ok()) {
-        assert!(hash::of(&path(level, 3)) == hash::of(&frame), "level {level} with 3 threads gives other bits");
+        assert!(
+            hash::of(&path(level, 3)) == hash::of(&frame),
+            "level {level} with 3 threads gives other bits"
+        );
     }
     let screen = match &to_screen {
         Some(to_screen) => frame.clone().on_screen(to_screen),

@@ -16,7 +16,8 @@ fn every_scene_draws_its_gold_picture() {
     assert!(scenes.len() >= 8, "the scenes are in {}", folder.display());
     let pictures = scenes.iter().map(|path| {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let scene = load(path, &LoadOptions::default()).unwrap_or_else(|error| panic!("{name}: {error}")).scene;
+        let scene =
+            load(path, &LoadOptions::default()).unwrap_or_else(|error| panic!("{name}: {error}")).scene;
         let drawn = drawn(&scene);
         let size = [scene.image.width as usize, scene.image.height as usize];
         (name, size, drawn.rgba, hash::of(&drawn.frame))

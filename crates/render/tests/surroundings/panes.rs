@@ -6,7 +6,7 @@ use common::{glow, pixel_camera, sampled};
 use glanz_bsdf::terms::fresnel_slab;
 use glanz_color::{Ior, Spectrum, rgb_spectra};
 use glanz_render::{DrawOptions, Frame};
-use glanz_scene::{Background, Pane, Through};
+use glanz_scene::{Background, Pane, Transmittance};
 
 use super::*;
 
@@ -15,7 +15,10 @@ fn glass(mm: f64) -> Material {
     let mut per_m = rgb_spectra::spectrum_of_reflectance(Rgb([0.2, 0.9, 0.3]));
     per_m = per_m.map(|left| -(left.max(1e-3).ln()) * 100.0);
     let pane = Pane { ior: Ior::constant(1.5), thickness: mm * 1e-3, absorption: per_m };
-    Material { through: Some(Through::Pane(Arc::new(pane))), ..Material::of_lobes("glass", Vec::new()) }
+    Material {
+        transmittance: Some(Transmittance::Pane(Arc::new(pane))),
+        ..Material::of_lobes("glass", Vec::new())
+    }
 }
 
 /// A glowing wall behind panes at these depths, added to the scene in this order.
@@ -35,8 +38,10 @@ fn middle(frame: &Frame) -> [f32; 3] {
 #[test]
 fn clear_glass_lets_through_what_it_does_not_reflect() {
     let pane = Pane { ior: Ior::constant(1.5), thickness: 0.004, absorption: Spectrum::ZERO };
-    let clear =
-        Material { through: Some(Through::Pane(Arc::new(pane))), ..Material::of_lobes("glass", Vec::new()) };
+    let clear = Material {
+        transmittance: Some(Transmittance::Pane(Arc::new(pane))),
+        ..Material::of_lobes("glass", Vec::new())
+    };
     let expected = fresnel_slab(1.0, 1.5, 1.0).1;
     for (got, wall) in middle(&wall_behind(&[(0.0, clear)], 1)).iter().zip([0.8, 0.6, 0.4]) {
         assert!((f64::from(*got) - wall * expected).abs() < 1e-5, "{got}");
@@ -62,7 +67,10 @@ fn thickness_absorbs_as_beer_and_lambert_say() {
     let gray = |mm: f64| {
         let pane =
             Pane { ior: Ior::constant(1.5), thickness: mm * 1e-3, absorption: Spectrum::constant(150.0) };
-        Material { through: Some(Through::Pane(Arc::new(pane))), ..Material::of_lobes("gray", Vec::new()) }
+        Material {
+            transmittance: Some(Transmittance::Pane(Arc::new(pane))),
+            ..Material::of_lobes("gray", Vec::new())
+        }
     };
     for mm in [0.0, 2.0, 5.0] {
         let expected = fresnel_slab(1.0, 1.5, f64::exp(-0.15 * mm)).1;
@@ -77,7 +85,7 @@ fn thickness_absorbs_as_beer_and_lambert_say() {
 #[test]
 fn a_tint_lets_through_its_share_of_each_channel() {
     let mut tinted = Material::of_lobes("foil", Vec::new());
-    tinted.through = Some(Through::Share(Rgb([0.5, 0.25, 1.0]).into()));
+    tinted.transmittance = Some(Transmittance::Constant(Rgb([0.5, 0.25, 1.0]).into()));
     for samples in [1, 4] {
         let seen = middle(&wall_behind(&[(0.0, tinted.clone())], samples));
         for (got, expected) in seen.iter().zip([0.4, 0.15, 0.4]) {
@@ -90,7 +98,7 @@ fn a_tint_lets_through_its_share_of_each_channel() {
 fn behind_glass_nothing_but_the_background_is_covered_partly() {
     let mut scene = empty(pixel_camera(4, 4));
     let mut half = Material::of_lobes("foil", Vec::new());
-    half.through = Some(Through::Share(Rgb([0.25, 0.5, 0.75]).into()));
+    half.transmittance = Some(Transmittance::Constant(Rgb([0.25, 0.5, 0.75]).into()));
     add(&mut scene, rectangle([0.0, 0.0, 4.0, 4.0], 0.0), half, DMat4::IDENTITY);
     for samples in [1, 4] {
         let frame = picture(&scene, 4, 4, &sampled(samples));
@@ -105,8 +113,8 @@ fn behind_glass_nothing_but_the_background_is_covered_partly() {
 #[test]
 fn over_an_opaque_background_coloured_panes_leave_no_hole() {
     let foil = |rgb: [f32; 3]| {
-        let through = Some(Through::Share(Rgb(rgb).into()));
-        Material { through, ..Material::of_lobes("foil", Vec::new()) }
+        let transmittance = Some(Transmittance::Constant(Rgb(rgb).into()));
+        Material { transmittance, ..Material::of_lobes("foil", Vec::new()) }
     };
     let mut scene = empty(pixel_camera(8, 8));
     // The greatest channel is another behind each: coverage must not be counted channel by channel.

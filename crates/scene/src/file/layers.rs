@@ -13,7 +13,7 @@ use super::colors::{ColorValue, IorValue};
 use super::error::Problem;
 use super::spectra::medium;
 use super::values::{Amount, At, Fraction};
-use crate::{Coat, Lobe, Material, Pane, Transmittance, Tint};
+use crate::{Coat, Lobe, Material, Pane, Tint, Transmittance};
 
 /// The width of a pane's highlight where nothing else is said: that of polished glass, hardly to be seen.
 const POLISHED: f64 = 0.01;

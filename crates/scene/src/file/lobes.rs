@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use glanz_bsdf::{MODELS, ParamError, LightTerm, Shape, Side, LayerWeight};
+use glanz_bsdf::{LayerWeight, LightTerm, MODELS, ParamError, Shape, Side};
 use glanz_color::Rgb;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, MapAccess, Visitor};
@@ -16,7 +16,7 @@ use super::colors::ColorValue;
 use super::error::Problem;
 use super::near::{did_you_mean, list};
 use super::types::names;
-use super::values::{At, Number, Fraction};
+use super::values::{At, Fraction, Number};
 use crate::{Lobe, Tint};
 
 names! {
@@ -117,7 +117,8 @@ impl LobeTable {
         let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
         let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
         // Document 003's textures and vertex colours are surface colours: not light, not highlights.
-        let textured = self.textured.unwrap_or(matches!(shape.info().term, LightTerm::Ambient | LightTerm::Diffuse));
+        let textured =
+            self.textured.unwrap_or(matches!(shape.info().term, LightTerm::Ambient | LightTerm::Diffuse));
         let tint = match &self.tint {
             None => Rgb::WHITE.into(),
             Some(color) if shape.info().term == LightTerm::Emission => builder.emission(color)?,

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
-use glanz_bsdf::{MODELS, ParamError, LightTerm};
+use glanz_bsdf::{LightTerm, MODELS, ParamError};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
@@ -18,7 +18,7 @@ use super::lobes::LobeTable;
 use super::near::{did_you_mean, list};
 use super::table;
 use super::types::names;
-use super::values::{Amount, At, Exponent, Number, Fraction};
+use super::values::{Amount, At, Exponent, Fraction, Number};
 use crate::{AlphaMode, ClassicMaterial, Material, Tint};
 
 /// A material: the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`, `emission`; colours

@@ -51,7 +51,8 @@ pub(crate) fn albedo_in_angles(model: &str, degrees: f64) -> f64 {
     let (shape, rule) = (lobe(model, 0.2, 0.0), GaussLegendre::new(200));
     let wo = direction((degrees, 0.0));
     rule.integrate(0.0, PI / 2.0, |theta| {
-        let ring = rule.integrate(0.0, PI, |phi| shape.f_cos(&DirectionPair::new(wo, Vec3::from_angles(theta, phi))));
+        let ring = rule
+            .integrate(0.0, PI, |phi| shape.f_cos(&DirectionPair::new(wo, Vec3::from_angles(theta, phi))));
         2.0 * ring * libm::sin(theta)
     })
 }

@@ -8,8 +8,8 @@ use glanz_scene::AreaShape;
 use super::super::lights::{ViewArea, ViewLights, splat};
 use super::super::{inlined, three};
 use super::form_factor::{above_horizon, form_factor};
-use super::{LightSum, apart, is_transmitting, shadow, shape_value, layered};
-use crate::prepare::{LtcTable, DirectLobe, is_cosine};
+use super::{LightSum, apart, is_transmitting, layered, shadow, shape_value};
+use crate::prepare::{DirectLobe, LtcTable, is_cosine};
 
 /// Corners of the polygon that stands for a disk, or for what is seen of a sphere.
 const ROUND: usize = 16;

@@ -5,7 +5,7 @@ use glanz_math::{Real, Vec3};
 
 use super::super::lights::turned;
 use super::{LightSum, apart, is_transmitting, layered};
-use crate::prepare::{DirectLobe, LobeIntegrals, EnvironmentLight};
+use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals};
 
 /// Adds what surroundings give; they are the three lights of the table from `row` on.
 #[inline(always)]

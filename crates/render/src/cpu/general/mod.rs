@@ -7,18 +7,18 @@
 //! the compiler would take minutes, and each is long enough to be worth a call.
 
 mod area;
-mod punctual;
-mod form_factor;
-mod shadow;
 mod environment;
+mod form_factor;
+mod punctual;
+mod shadow;
 
 use glanz_bsdf::{DirectionPair, Side};
 use glanz_math::{Frame, Real, Vec3};
 use glanz_scene::Metalness;
 
 use super::lights::{ViewLight, ViewLights};
-use super::reflect::{ShadingPoint, Reflected, add, literal, mixed};
-use crate::prepare::{TintCoordinate, DirectLobe, MixTints, PreparedMaterial};
+use super::reflect::{Reflected, ShadingPoint, add, literal, mixed};
+use crate::prepare::{DirectLobe, MixTints, PreparedMaterial, TintCoordinate};
 
 /// The least cosine of the view angle: interpolated normals may turn further away than the surface that is seen.
 const LEAST_COS_O: f64 = 1e-4;
@@ -185,7 +185,9 @@ impl<'a, R: Real> LightSum<'a, R> {
         let entry = row * material.lobes.len() + lobe;
         let lobe = &material.lobes[lobe];
         let tint = match &self.mix {
-            _ if lobe.coordinate != TintCoordinate::None => material.series[entry].at(lobe.coordinate.at(&lobe.shape, pair)),
+            _ if lobe.coordinate != TintCoordinate::None => {
+                material.series[entry].at(lobe.coordinate.at(&lobe.shape, pair))
+            }
             Some((mix, texel)) if lobe.textured => mixed(&mix.tints[entry], texel),
             _ => literal(value, &material.tints[entry]),
         };

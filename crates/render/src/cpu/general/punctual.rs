@@ -4,7 +4,7 @@ use glanz_math::Real;
 
 use super::super::lights::{ViewLight, ViewLights};
 use super::super::reflect::{add as add_light, arrive, literal, mixed};
-use super::{LightSum, is_transmitting, shadow, shape_value, layered};
+use super::{LightSum, is_transmitting, layered, shadow, shape_value};
 
 /// Adds what a lamp gives.
 #[inline(always)]

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use glanz_bsdf::models::charlie::Albedo;
 use glanz_bsdf::models::ggx::LEAST_ALPHA;
 use glanz_bsdf::terms::fresnel_film;
-use glanz_bsdf::{Angle, Chebyshev, Shape, LayerWeight};
+use glanz_bsdf::{Angle, Chebyshev, LayerWeight, Shape};
 use glanz_color::{Ior, Rgb, Spectrum, lambda_nm, rgb_spectra};
 
 use super::pbr::{PbrMaterial, greatest};
-use crate::{Film, Lobe, Metalness, Pane, Transmittance, Tint};
+use crate::{Film, Lobe, Metalness, Pane, Tint, Transmittance};
 
 /// Reflectance of the clear coat at normal incidence: its index is 1.5.
 const COAT_F0: f64 = 0.04;

@@ -54,8 +54,8 @@ mod extensions;
 mod json;
 mod layers;
 mod material;
-mod pbr;
 mod nodes;
+mod pbr;
 mod primitive;
 
 use super::{Context, Model, Place, ReadError};

@@ -2,14 +2,14 @@
 //! vector, the distribution and the visibility of the Khronos documents.
 
 use glanz_bsdf::terms::{fresnel_dielectric, fresnel_film, fresnel_slab};
-use glanz_bsdf::{DirectionPair, LightTerm, Side, LayerWeight};
+use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Side};
 use glanz_math::{PI, Vec3};
 use serde_json::{Value, json};
 
 use super::super::tests::{material, read};
 use super::{Albedo, FILM_TERMS, greatest_of_film};
 use crate::read::Model;
-use crate::{Material, Metalness, Transmittance, Tint};
+use crate::{Material, Metalness, Tint, Transmittance};
 
 /// Tints are `f32`, which rounds to 6e-8; a few of them are multiplied.
 const RELATIVE: f64 = 1e-6;
@@ -285,7 +285,9 @@ fn metals_under_films_have_a_base_of_their_reflectance() {
 
 /// What is seen straight through a material in the middle of the spectrum.
 fn seen(material: &Material) -> f64 {
-    let Some(Transmittance::Pane(pane)) = &material.transmittance else { panic!("{:?}", material.transmittance) };
+    let Some(Transmittance::Pane(pane)) = &material.transmittance else {
+        panic!("{:?}", material.transmittance)
+    };
     let left = libm::exp(-pane.absorption[50] * pane.thickness);
     fresnel_slab(1.0, pane.ior.eta[50], left).1
 }
@@ -320,7 +322,8 @@ fn a_volume_of_two_faces_absorbs_half_at_each() {
     let volume = json!({ "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": {
         "thicknessFactor": 2, "attenuationDistance": 1, "attenuationColor": [0.5, 1, 0] } });
     let material = pbr(0.0, 0.5, volume);
-    let transmittance = material.lobes.iter().find(|lobe| lobe.shape.info().side == Side::Transmission).unwrap();
+    let transmittance =
+        material.lobes.iter().find(|lobe| lobe.shape.info().side == Side::Transmission).unwrap();
     assert_eq!(transmittance.tint.rgb().unwrap().0.map(f64::from), [BASE[0] * 0.5, BASE[1], 0.0]);
 }
 

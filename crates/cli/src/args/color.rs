@@ -1,0 +1,66 @@
+//! How colour is treated, and who looks.
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use glanz_render::{DebugView, Observation};
+use glanz_scene::{ColorMode, Scene, White};
+
+use super::super::failure::Failure;
+use super::super::spectra::observer_source;
+
+/// Colour otherwise than the scene says.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Colour")]
+pub struct ColorArgs {
+    /// How colour is treated: rgb, spectral, meyer, meyer-adapted, sampled:N (N wavelengths), or
+    /// reference (slow) [default: the scene's, else rgb]
+    #[arg(long, value_name = "MODE", value_parser = |text: &str| text.parse::<ColorMode>())]
+    pub mode: Option<ColorMode>,
+
+    /// Who looks, in spectral modes: a name from `glanz color list observers`, or a CSV file with the
+    /// curves of a sensor [default: the scene's, else cie1931]
+    #[arg(long, value_name = "NAME")]
+    pub observer: Option<String>,
+
+    /// The white that becomes the white of the screen, in spectral modes [default: the scene's, else
+    /// D65]
+    #[arg(long, value_name = "WHITE", value_parser = white())]
+    pub white: Option<White>,
+}
+
+fn white() -> impl TypedValueParser<Value = White> {
+    let names = White::ALL.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    PossibleValuesParser::new(names)
+        .map(|name| name.parse().expect("the parser lets only known names through"))
+}
+
+/// How a scene is seen.
+#[derive(Clone, Debug)]
+pub struct Look {
+    /// Observer and colour mode.
+    pub observation: Observation,
+    /// The white of the screen.
+    pub white: White,
+}
+
+impl ColorArgs {
+    /// Observer, mode and white for a scene. Views that show no light know no colour mode.
+    pub fn resolve(&self, scene: &Scene, show: DebugView) -> Result<Look, Failure> {
+        let white = self.white.unwrap_or(scene.render.white);
+        let mode = self.mode.unwrap_or(scene.render.mode);
+        if !show.is_light() {
+            return Ok(Look { observation: Observation::rgb(), white });
+        }
+        if mode == ColorMode::Rgb && self.observer.is_none() && self.mode.is_some() {
+            // The scene's own observer belongs to its own mode.
+            return Ok(Look { observation: Observation::rgb(), white });
+        }
+        let chosen = match &self.observer {
+            Some(name) => Some(observer_source(name)?),
+            None => scene.observer.clone(),
+        };
+        let observation =
+            Observation::new(mode, chosen).map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(Look { observation, white })
+    }
+}

@@ -1,0 +1,84 @@
+//! How it is drawn.
+
+use clap::Args;
+use glanz_math::simd_level;
+use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions};
+use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
+
+use super::super::failure::Failure;
+use super::{ColorArgs, choices, values};
+
+/// What to draw otherwise than the scene says.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Picture")]
+pub struct LookArgs {
+    /// Samples per pixel for smooth edges [default: the scene's, else 4]
+    #[arg(long, value_name = "N", value_parser = choices::samples())]
+    pub samples: Option<u32>,
+
+    /// Shade every sample, not once per pixel and surface
+    #[arg(long)]
+    pub supersample: bool,
+
+    /// Where light is computed, for all objects
+    #[arg(long, value_name = "SHADING", value_parser = choices::shading())]
+    pub shading: Option<Shading>,
+
+    /// How values between vertices are found, for all objects
+    #[arg(long, value_name = "SCHEME", value_parser = choices::interpolation())]
+    pub interpolation: Option<Interpolation>,
+
+    /// The model of all highlights
+    #[arg(long, value_name = "MODEL", value_parser = choices::highlight_model())]
+    pub model: Option<String>,
+
+    /// What the picture shows [default: shaded]
+    #[arg(long, value_name = "VIEW", value_parser = choices::show())]
+    pub show: Option<DebugView>,
+
+    /// What is where nothing is: #rrggbb, linear r,g,b, or transparent
+    #[arg(long, value_name = "COLOR", value_parser = values::background)]
+    pub background: Option<Background>,
+
+    #[command(flatten)]
+    pub color: ColorArgs,
+}
+
+impl LookArgs {
+    /// The picture to be made of this scene, in this size if not in its own.
+    pub fn image(&self, scene: &Scene, size: Option<(u32, u32)>) -> Image {
+        let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
+        Image {
+            width,
+            height,
+            samples: self.samples.unwrap_or(scene.image.samples),
+            supersample: self.supersample || scene.image.supersample,
+            background: self.background.unwrap_or(scene.image.background),
+        }
+    }
+
+    /// What to change of the scene before it is drawn.
+    pub fn prepare_options(&self, observation: Observation) -> PrepareOptions {
+        PrepareOptions {
+            shading: self.shading,
+            interpolation: self.interpolation,
+            model: self.model.clone(),
+            observation,
+            first_channel: 0,
+        }
+    }
+
+    /// How to draw this picture, on the instructions that `GLANZ_SIMD` names; `show` is the scene's
+    /// own view.
+    pub fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
+        let asked = std::env::var("GLANZ_SIMD").ok();
+        let level = simd_level(asked.as_deref()).map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(DrawOptions {
+            samples: image.samples,
+            supersample: image.supersample,
+            show: self.show.unwrap_or(show),
+            level,
+            ..DrawOptions::new(image.background)
+        })
+    }
+}

@@ -1,0 +1,115 @@
+//! `glanz bsdf list` and `glanz bsdf show`.
+
+use clap::Args;
+use glanz_bsdf::models::info_named;
+use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, Side};
+use serde_json::{Value, json};
+
+use super::line;
+use crate::failure::Failure;
+use crate::lobes::model_names;
+use crate::print::{self, Format, FormatArgs, number};
+
+/// Options of `glanz bsdf show`.
+#[derive(Args, Debug)]
+pub struct ShowArgs {
+    /// The model's name, from `glanz bsdf list`
+    #[arg(value_name = "NAME", value_parser = model_names())]
+    name: String,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl ShowArgs {
+    /// Prints what is known of the model.
+    pub fn run(&self) -> Result<(), Failure> {
+        let info = info_named(&self.name).map_err(|error| Failure::Usage(error.to_string()))?;
+        if self.format.format == Format::Json {
+            return print::json(&describe(info));
+        }
+        let mut text = String::new();
+        line(&mut text, format_args!("{}: {}", info.name, info.title));
+        line(&mut text, format_args!("  f_cos    {}", info.formula));
+        line(&mut text, format_args!("  part     {}", term_name(info.term)));
+        for (is, what) in kinds(info) {
+            if is {
+                line(&mut text, format_args!("  kind     {what}"));
+            }
+        }
+        for param in info.params {
+            let (min, max, default) = (number(param.min), number(param.max), number(param.default));
+            line(
+                &mut text,
+                format_args!(
+                    "  --set {}=…  ({}) {}; {min} to {max}, default {default}",
+                    param.name, param.symbol, param.doc
+                ),
+            );
+        }
+        for law in [Law::Reciprocity, Law::Energy] {
+            match info.exempt.iter().find(|(exempt, _)| *exempt == law) {
+                Some((_, reason)) => line(&mut text, format_args!("  {:<12} no: {reason}", law_name(law))),
+                None => line(&mut text, format_args!("  {:<12} yes", law_name(law))),
+            }
+        }
+        line(&mut text, format_args!("  source   {}", info.source));
+        print::text(&text)
+    }
+}
+
+fn term_name(term: LightTerm) -> &'static str {
+    match term {
+        LightTerm::Ambient => "ambient",
+        LightTerm::Diffuse => "diffuse",
+        LightTerm::Specular => "specular",
+        LightTerm::Emission => "emission",
+    }
+}
+
+fn law_name(law: Law) -> &'static str {
+    match law {
+        Law::Reciprocity => "reciprocity",
+        Law::Energy => "energy",
+    }
+}
+
+/// Prints all models.
+pub fn run(format: FormatArgs) -> Result<(), Failure> {
+    if format.format == Format::Json {
+        return print::json(&MODELS.iter().map(describe).collect());
+    }
+    let mut text = format!("{:<24} {:<9} {:<12} {}\n", "name", "part", "parameters", "title");
+    for info in MODELS {
+        let params = info.params.iter().map(|param| param.name).collect::<Vec<_>>().join(",");
+        let params = if params.is_empty() { "-" } else { &params };
+        line(
+            &mut text,
+            format_args!("{:<24} {:<9} {params:<12} {}", info.name, term_name(info.term), info.title),
+        );
+    }
+    print::text(&text)
+}
+
+/// What distinguishes models, and in what words.
+fn kinds(info: &ModelInfo) -> [(bool, &'static str); 3] {
+    [
+        (info.side == Side::Transmission, "light passes through: it comes from below the surface"),
+        (info.anisotropic, "it has a grain: values depend on the azimuth"),
+        (info.delta, "light goes into a single direction: f_cos is 0"),
+    ]
+}
+
+fn describe(info: &ModelInfo) -> Value {
+    let params = info.params.iter().map(|param| {
+        json!({
+            "name": param.name, "symbol": param.symbol, "doc": param.doc,
+            "min": param.min, "max": param.max, "default": param.default,
+        })
+    });
+    let exempt = info.exempt.iter().map(|(law, reason)| json!({ "law": law_name(*law), "reason": reason }));
+    json!({
+        "name": info.name, "title": info.title, "part": term_name(info.term), "formula": info.formula,
+        "source": info.source, "transmission": info.side == Side::Transmission, "anisotropic": info.anisotropic,
+        "delta": info.delta, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
+    })
+}

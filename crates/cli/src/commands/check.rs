@@ -1,0 +1,147 @@
+//! `glanz check`: the health certificate of models.
+
+use std::fmt::Write;
+
+use clap::Args;
+use glanz_bsdf::MODELS;
+use glanz_bsdf::certificate::{Certificate, Finding, Verdict, certify};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::args::MachineArgs;
+use crate::failure::{Failure, Report};
+use crate::lobes::{Case, SetArgs, model_names};
+use crate::print::{self, FormatArgs};
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz check phong
+  glanz check phong blinn-phong --set shininess=8,32
+  glanz check --all --format json
+
+Looked at are reciprocity, energy (the greatest albedo and where), positivity, finiteness up to
+89.999°, the normalisation of the distribution of facets, limits, and single against double
+precision. The exit code is 1 where a law fails, even if the model is known to break it.";
+
+/// Options of `glanz check`.
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// Names of models, from `glanz bsdf list`
+    #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true,
+          required_unless_present = "all")]
+    models: Vec<String>,
+
+    /// Check every model of the list
+    #[arg(long, conflicts_with = "models")]
+    all: bool,
+
+    #[command(flatten)]
+    set: SetArgs,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl CheckArgs {
+    /// Looks at every combination, and prints what is found.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        let cases = match self.all {
+            true => self.set.cases(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
+            false => self.set.cases(&self.models)?,
+        };
+        let certificates: Vec<_> = cases.par_iter().map(|case| certify(&case.shape)).collect();
+        match self.format.is_json() {
+            true => print::json(&certificates.iter().map(describe).collect())?,
+            false => print::text(&table(&cases, &certificates))?,
+        }
+        verdict(&cases, &certificates)
+    }
+}
+
+fn verdict_name(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "holds",
+        Verdict::Broken { known: None } => "FAILS",
+        Verdict::Broken { known: Some(_) } => "FAILS, known",
+        Verdict::NotApplicable(_) => "-",
+    }
+}
+
+/// A block of lines per certificate.
+fn table(cases: &[Case], certificates: &[Certificate]) -> String {
+    let mut text = String::new();
+    for (index, (case, certificate)) in cases.iter().zip(certificates).enumerate() {
+        let gap = if index == 0 { "" } else { "\n" };
+        line(&mut text, format_args!("{gap}{}", case.label));
+        for Finding { check, verdict, detail, .. } in &certificate.findings {
+            let words = match verdict {
+                Verdict::NotApplicable(reason) => reason,
+                _ => detail.as_str(),
+            };
+            line(&mut text, format_args!("  {:<13}  {:<12}  {words}", check.name(), verdict_name(*verdict)));
+            if let Verdict::Broken { known: Some(reason) } = verdict {
+                line(&mut text, format_args!("  {:<13}  {:<12}  {reason}", "", ""));
+            }
+        }
+    }
+    text
+}
+
+fn describe(certificate: &Certificate) -> Value {
+    let finding = |finding: &Finding| {
+        let (verdict, reason) = match finding.verdict {
+            Verdict::Holds => ("holds", None),
+            Verdict::Broken { known } => ("fails", known),
+            Verdict::NotApplicable(reason) => ("not applicable", Some(reason)),
+        };
+        let known = matches!(finding.verdict, Verdict::Broken { known: Some(_) });
+        // JSON has no infinity; the verdict tells it.
+        let value = finding.value.filter(|value| value.is_finite());
+        json!({
+            "check": finding.check.name(), "verdict": verdict, "known": known, "reason": reason,
+            "value": value, "detail": finding.detail,
+        })
+    };
+    let params: serde_json::Map<_, _> =
+        certificate.params.iter().map(|(name, value)| ((*name).to_owned(), Value::from(*value))).collect();
+    json!({
+        "model": certificate.model, "params": params, "healthy": certificate.is_healthy(),
+        "findings": certificate.findings.iter().map(finding).collect::<Vec<_>>(),
+    })
+}
+
+/// The failure that names what is broken, if anything is.
+fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> {
+    let broken: Vec<_> = cases
+        .iter()
+        .zip(certificates)
+        .flat_map(|(case, certificate)| {
+            let findings = certificate.findings.iter().filter(|finding| finding.is_broken());
+            findings.map(move |finding| (case, finding))
+        })
+        .collect();
+    if broken.is_empty() {
+        return Ok(());
+    }
+    let unknown = |finding: &Finding| matches!(finding.verdict, Verdict::Broken { known: None });
+    let names: Vec<_> = broken
+        .iter()
+        .map(|(case, finding)| {
+            let known = if unknown(finding) { "" } else { " (known)" };
+            format!("{} of {}{known}", finding.check.name(), case.label)
+        })
+        .collect();
+    let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };
+    let report = Report::new(format_args!("{} {laws}: {}", broken.len(), names.join("; ")));
+    Err(match broken.iter().all(|(_, finding)| !unknown(finding)) {
+        true => report.help("each is a fault that its model is known to have").into(),
+        false => report.into(),
+    })
+}
+
+fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
+    writeln!(text, "{line}").expect("a string takes everything");
+}

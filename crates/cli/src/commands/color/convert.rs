@@ -1,0 +1,120 @@
+//! `glanz color convert`: one colour in another model.
+
+use std::fmt::Write;
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use glanz_color::models::{Channel, Limit, Model, convert};
+use serde_json::json;
+
+use crate::args;
+use crate::failure::Failure;
+use crate::print::{self, FormatArgs, number};
+
+/// Shown below the help.
+pub const EXAMPLES: &str = "Examples:
+  glanz color convert --from hls --to ac1c2 210,0.4,0.8
+  glanz color convert --from srgb --to lab 1,0.5,0
+  glanz color convert --from lab --to oklch --format json -- 50,-20,30
+
+White is D65 in all models, and XYZ of white has Y = 1. 'glanz color list models' tells the
+numbers of each model and their ranges. A colour that a model cannot hold is an error, never
+another colour.";
+
+/// Options of `glanz color convert`.
+#[derive(Args, Debug)]
+pub struct ConvertArgs {
+    /// The model of the numbers
+    #[arg(long, value_name = "MODEL", value_parser = models())]
+    from: String,
+
+    /// The model asked for
+    #[arg(long, value_name = "MODEL", value_parser = models())]
+    to: String,
+
+    /// The colour: its numbers in order, between commas
+    #[arg(value_name = "NUMBERS", value_parser = numbers, allow_hyphen_values = true)]
+    values: Values,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// The numbers of a colour.
+#[derive(Clone, Debug)]
+struct Values(Vec<f64>);
+
+fn numbers(text: &str) -> Result<Values, String> {
+    args::numbers(text).map(Values)
+}
+
+/// Parses the name of a model.
+fn models() -> PossibleValuesParser {
+    PossibleValuesParser::new(Model::ALL.iter().map(|model| {
+        let info = model.info();
+        PossibleValue::new(info.name).help(info.title)
+    }))
+}
+
+impl ConvertArgs {
+    /// Converts the colour.
+    pub fn run(&self) -> Result<(), Failure> {
+        let usage = |error: &dyn std::fmt::Display| Failure::Usage(error.to_string());
+        let found = convert(&self.from, &self.to, &self.values.0).map_err(|error| usage(&error))?;
+        let model = Model::from_name(&self.to).map_err(|error| usage(&error))?;
+        let channels = model.info().channels;
+        let found = settled(channels, found);
+        note_outside(&self.to, channels, &found);
+        if self.format.is_json() {
+            let named: serde_json::Map<_, _> =
+                channels.iter().zip(&found).map(|(c, value)| (c.name.to_owned(), json!(value))).collect();
+            return print::json(&json!({
+                "from": self.from, "to": self.to, "input": self.values.0, "values": found, "channels": named,
+            }));
+        }
+        let mut text = String::new();
+        for (channel, value) in channels.iter().zip(&found) {
+            writeln!(text, "{:<4} {}", channel.name, number(*value)).expect("a string takes everything");
+        }
+        print::text(&text)
+    }
+}
+
+/// Numbers below this part of a channel's range are the rounding of matrices, which have some ten digits.
+const ROUNDING: f64 = 1e-9;
+/// Chroma and saturation below this are those of a grey, whose hue means nothing: the matrices of OKLab give
+/// greys up to 1e-7.
+const GREY: f64 = 1e-6;
+/// How far outside of its range a channel may lie without a remark, by the rounding of printed numbers.
+const OUTSIDE: f64 = 1e-6;
+
+/// The numbers without the noise of rounding: 0 where they are next to it, no hue where there is no chroma.
+fn settled(channels: &[Channel], mut values: Vec<f64>) -> Vec<f64> {
+    let span = |channel: &Channel| channel.range[1].min(100.0) - channel.range[0].max(-100.0);
+    let is_grey = channels.iter().zip(&values).any(|(channel, value)| {
+        let tells_hue = matches!(channel.name, "C" | "C*" | "S");
+        tells_hue && value.abs() <= GREY * if channel.name == "C*" { 100.0 } else { 1.0 }
+    });
+    let has_hue = channels.iter().any(|channel| channel.limit == Limit::Cyclic);
+    for (channel, value) in channels.iter().zip(&mut values) {
+        let is_of_grey = has_hue
+            && is_grey
+            && (channel.limit == Limit::Cyclic || matches!(channel.name, "C" | "C*" | "S"));
+        let rounding = if matches!(channel.name, "a" | "b") { GREY } else { ROUNDING * span(channel) };
+        if is_of_grey || value.abs() <= rounding {
+            *value = 0.0;
+        }
+    }
+    values
+}
+
+/// Says where a colour lies outside of what a device of the model shows.
+fn note_outside(model: &str, channels: &[Channel], values: &[f64]) {
+    let is_device = channels.iter().all(|c| c.range == [0.0, 1.0]) && !matches!(model, "xyy" | "lms");
+    let outside = channels.iter().zip(values).filter(|(_, v)| !(-OUTSIDE..=1.0 + OUTSIDE).contains(*v));
+    let outside: Vec<_> = outside.map(|(c, value)| format!("{} {}", c.name, number(*value))).collect();
+    if is_device && !outside.is_empty() {
+        let list = outside.join(", ");
+        print::note(format_args!("note: {model} cannot show this colour: {list} outside of 0 to 1"));
+    }
+}

@@ -1,0 +1,208 @@
+//! `glanz color fluorescence`: what a fluorescent material makes of light.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use glanz_color::chromaticity::Chromaticity;
+use glanz_color::difference::ciede2000;
+use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
+use serde_json::json;
+
+use crate::args::check_folder;
+use crate::csv::save_csv;
+use crate::failure::Failure;
+use crate::judge::{decimals, finite, lab, relative_xyz};
+use crate::plot::{NamedCurve, PlotFile, plot_file, reradiation};
+use crate::print::{self, FormatArgs, number};
+use crate::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source, words};
+
+/// Shown below the help.
+pub const EXAMPLES: &str = "Examples:
+  glanz color fluorescence paper-note-pink --under D65,A,UV365
+  glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
+
+XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is
+hardly seen, as that of a black light, they grow very large, and the chromaticity tells the
+colour. 'reflected' is the diagonal of the matrix alone: the same material without its glow. The
+total radiance factor is the light that leaves over the light that arrives, by wavelength. Files:
+Labsphere .BFC, CSV with wavelengths of incidence in the first line and of emission in the first
+column, and bispectral OpenEXR pictures, of which the pixel in the middle is taken.";
+
+/// The scale of X, Y, Z that are printed: Y of the perfect diffuser.
+const WHITE_Y: f64 = 100.0;
+
+/// Where a light has less than this part of its greatest power per nm, light leaving over light arriving says
+/// more of rounding than of the material.
+const LEAST_POWER: f64 = 1e-3;
+
+/// Options of `glanz color fluorescence`.
+#[derive(Args, Debug)]
+pub struct FluorescenceArgs {
+    /// A material from `glanz color list fluorescent`, or a file
+    #[arg(value_name = "NAME|FILE")]
+    material: String,
+
+    /// Lights between commas: names or files
+    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,UV365")]
+    under: String,
+
+    /// Who looks: an observer that has X, Y and Z
+    #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
+    observer: String,
+
+    /// Draw the matrix and the total radiance factors; .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    plot: Option<PlotFile>,
+
+    /// Write the total radiance factor under each light, from 300 to 780 nm by 5 nm
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    csv: Option<PathBuf>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// The material under one light.
+struct Row {
+    light: String,
+    total: Seen,
+    reflected: Seen,
+    de2000: f64,
+    factor: Spectrum,
+    /// Whether the light has power enough everywhere for the factor to be drawn.
+    is_broad: bool,
+}
+
+/// What is seen of light.
+struct Seen {
+    xyz: [f64; 3],
+    xy: Option<Chromaticity>,
+}
+
+impl FluorescenceArgs {
+    /// Tells what the material makes of each light.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        self.csv.as_deref().map_or(Ok(()), check_folder)?;
+        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let material = fluorescent_source(&self.material)?;
+        let observer = observer_source(&self.observer)?;
+        if observer.kind != ObserverKind::Xyz {
+            return Err(Failure::Usage(format!("'{}' has no X, Y, Z, which are told here", observer.name)));
+        }
+        let rows = lights
+            .iter()
+            .map(|word| row(&material.matrix, &light_source(word)?, &observer))
+            .collect::<Result<Vec<_>, _>>()?;
+        self.write_files(&material, &rows)?;
+        let energy = material.matrix.energy();
+        match self.format.is_json() {
+            true => print::json(&json(&material, &observer, &rows, &energy)),
+            false => print::text(&table(&material, &rows, &energy)),
+        }
+    }
+
+    fn write_files(&self, material: &FluorescentSource, rows: &[Row]) -> Result<(), Failure> {
+        if let Some(path) = &self.csv {
+            let columns: Vec<_> = rows.iter().map(|row| (row.light.as_str(), &row.factor)).collect();
+            save_csv(path, &columns)?;
+        }
+        let Some(file) = &self.plot else { return Ok(()) };
+        let (broad, narrow): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.is_broad);
+        if !narrow.is_empty() {
+            let names: Vec<_> = narrow.iter().map(|row| row.light.as_str()).collect();
+            print::note(format_args!(
+                "note: no total radiance factor is drawn for {}, which has next to no power at some wavelengths",
+                names.join(", ")
+            ));
+        }
+        let factors: Vec<_> =
+            broad.iter().map(|row| NamedCurve { name: row.light.clone(), spectrum: row.factor }).collect();
+        file.save(&reradiation(&material.name, &material.matrix, &factors))?;
+        print::note(format_args!("wrote {}", file.path().display()));
+        Ok(())
+    }
+}
+
+fn row(matrix: &Reradiation, light: &Source, observer: &Observer) -> Result<Row, Failure> {
+    let unseen = || Failure::Usage(format!("the observer does not see the light '{}'", light.name));
+    let light_spectrum = &light.spectrum;
+    let white = relative_xyz(light_spectrum, light_spectrum, observer).ok_or_else(unseen)?;
+    let leaving = matrix.apply(light_spectrum);
+    let reflected = matrix.without_reradiation().apply(light_spectrum);
+    let seen = |spectrum: &Spectrum| {
+        let xyz = relative_xyz(spectrum, light_spectrum, observer).ok_or_else(unseen)?;
+        Ok::<_, Failure>(Seen { xyz, xy: Chromaticity::of_xyz(xyz) })
+    };
+    let (total, reflected) = (seen(&leaving)?, seen(&reflected)?);
+    let seen_values = light_spectrum.points().filter(|(nm, _)| *nm >= 400.0 && *nm <= 700.0);
+    let least = seen_values.map(|(_, value)| value).fold(f64::INFINITY, f64::min);
+    Ok(Row {
+        light: light.name.clone(),
+        de2000: ciede2000(lab(total.xyz, white), lab(reflected.xyz, white)),
+        total,
+        reflected,
+        factor: matrix.total_radiance_factor(light_spectrum),
+        is_broad: least >= LEAST_POWER * light_spectrum.max(),
+    })
+}
+
+fn json(
+    material: &FluorescentSource,
+    observer: &Observer,
+    rows: &[Row],
+    energy: &EnergyReport,
+) -> serde_json::Value {
+    let seen = |seen: &Seen| {
+        json!({
+            "xyz": seen.xyz.map(|v| finite(WHITE_Y * v)),
+            "xy": seen.xy.map(|xy| [xy.x, xy.y]),
+        })
+    };
+    let lights = rows.iter().map(|row| {
+        json!({
+            "light": row.light, "total": seen(&row.total), "reflected": seen(&row.reflected),
+            "de2000": row.de2000, "total_radiance_factor": row.factor.0.map(finite).to_vec(),
+        })
+    });
+    json!({
+        "name": material.name, "title": material.title, "observer": observer.name,
+        "energy": {
+            "ok": energy.ok, "max_column_sum": energy.max_column_sum, "at_nm": energy.at_nm,
+            "max_photon_sum": energy.max_photon_sum, "photons_at_nm": energy.photons_at_nm,
+            "up_conversion": energy.up_conversion,
+        },
+        "lights": lights.collect::<Vec<_>>(),
+    })
+}
+
+fn table(material: &FluorescentSource, rows: &[Row], energy: &EnergyReport) -> String {
+    let mut text = format!("{}: {}\n", material.name, material.title);
+    let mut line = |line: String| writeln!(text, "{}", line.trim_end()).expect("a string takes everything");
+    let verdict = if energy.ok { "possible" } else { "NOT possible" };
+    line(format!(
+        "energy {verdict}: of light at {} nm {} leaves, the greatest share; of photons at {} nm {}; \
+         at shorter wavelengths {}",
+        energy.at_nm,
+        number(energy.max_column_sum),
+        energy.photons_at_nm,
+        number(energy.max_photon_sum),
+        number(energy.up_conversion)
+    ));
+    let width = rows.iter().map(|row| row.light.chars().count()).max().unwrap_or(0).max(5);
+    line(format!("{:<width$}  {:<9}  {:<28}  {:<13}  {:>7}", "light", "part", "XYZ", "xy", "ΔE00"));
+    for row in rows {
+        let parts = [("total", &row.total), ("reflected", &row.reflected)];
+        for (index, (name, seen)) in parts.into_iter().enumerate() {
+            let xyz = decimals(&seen.xyz.map(|v| WHITE_Y * v), 2);
+            let xy = seen.xy.map_or("-".to_owned(), |xy| decimals(&[xy.x, xy.y], 4));
+            let (light, error) = match index {
+                0 => (row.light.as_str(), format!("{:.2}", row.de2000)),
+                _ => ("", String::new()),
+            };
+            line(format!("{light:<width$}  {name:<9}  {xyz:<28}  {xy:<13}  {error:>7}"));
+        }
+    }
+    text
+}

@@ -1,0 +1,179 @@
+//! `glanz color metamers`: pairs that match under one light and part under another.
+
+use std::fmt::Write;
+
+use clap::Args;
+use glanz_color::difference::{cie76, ciede2000};
+use glanz_color::{Observer, ObserverKind};
+use serde_json::json;
+
+use crate::failure::Failure;
+use crate::judge::{Screen, lab, relative_xyz};
+use crate::plot::{NamedCurve, PlotFile, plot_file, spectra};
+use crate::print::{self, FormatArgs};
+use crate::spectra::{Kind, Source, light_source, observer_source, source, words};
+
+/// Shown below the help.
+pub const EXAMPLES: &str = "Examples:
+  glanz color metamers a.csv b.csv --under D65,A,FL11
+  glanz color metamers pairs.csv:1 pairs.csv:2 --observer cie1964 --format json
+
+The index is the special metamerism index, change of illuminant, of CIE 15: the first light is the
+reference, and the index of another light is the ΔE*ab (CIE 1976) of the pair under it. If the
+pair does not match under the reference, X, Y and Z of the second surface under the other light
+are first multiplied by X1/X2, Y1/Y2 and Z1/Z2 of the reference, so that nothing but the change
+counts. The same with ΔE00 stands beside it.";
+
+/// Options of `glanz color metamers`.
+#[derive(Args, Debug)]
+pub struct MetamersArgs {
+    /// The first surface: a name from `glanz color list`, or a file
+    #[arg(value_name = "FIRST")]
+    first: String,
+
+    /// The second surface
+    #[arg(value_name = "SECOND")]
+    second: String,
+
+    /// Lights between commas, the reference first: names or files
+    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,FL11")]
+    under: String,
+
+    /// Who looks: an observer that has X, Y and Z
+    #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
+    observer: String,
+
+    /// Draw both spectra; .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    plot: Option<PlotFile>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// The pair under one light.
+struct Row {
+    light: String,
+    xyz: [[f64; 3]; 2],
+    codes: [String; 2],
+    de2000: f64,
+    de76: f64,
+    index: Option<f64>,
+    index_de2000: Option<f64>,
+}
+
+impl MetamersArgs {
+    /// Compares the pair under each light.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let mut pair = [surface(&self.first)?, surface(&self.second)?];
+        if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
+            pair[0].name = self.first.clone();
+            pair[1].name = self.second.clone();
+        }
+        let observer = observer_source(&self.observer)?;
+        if observer.kind != ObserverKind::Xyz {
+            let name = &observer.name;
+            return Err(Failure::Usage(format!("'{name}' has no X, Y, Z, which differences are made of")));
+        }
+        let mut rows: Vec<Row> = Vec::new();
+        for word in &lights {
+            let light = light_source(word)?;
+            let reference = rows.first().map(|row| row.xyz);
+            rows.push(row(&pair, &light, &observer, reference)?);
+        }
+        if let Some(file) = &self.plot {
+            let curves = pair.each_ref().map(|s| NamedCurve { name: s.name.clone(), spectrum: s.spectrum });
+            let subtitle = format!("{} and {}", pair[0].name, pair[1].name);
+            file.save(&spectra("Two surfaces", &subtitle, "reflectance", &curves))?;
+            print::note(format_args!("wrote {}", file.path().display()));
+        }
+        match self.format.is_json() {
+            true => print::json(&self.json(&pair, &observer, &rows)),
+            false => print::text(&table(&pair, &rows)),
+        }
+    }
+
+    fn json(&self, pair: &[Source; 2], observer: &Observer, rows: &[Row]) -> serde_json::Value {
+        let lights = rows.iter().map(|row| {
+            json!({
+                "light": row.light, "xyz": row.xyz.map(|xyz| xyz.map(|v| 100.0 * v)), "srgb": row.codes,
+                "de2000": row.de2000, "de76": row.de76,
+                "metamerism_index": row.index, "metamerism_index_de2000": row.index_de2000,
+            })
+        });
+        json!({
+            "first": pair[0].name, "second": pair[1].name, "observer": observer.name,
+            "reference": rows[0].light, "lights": lights.collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// Whether a name, as a column of a table has it, says nothing of which surface it is.
+fn is_generic(name: &str) -> bool {
+    const WORDS: [&str; 9] =
+        ["spectral", "reflectance", "transmittance", "factor", "value", "values", "r", "sample", "data"];
+    let name = name.to_lowercase();
+    name.split(|c: char| !c.is_alphanumeric()).all(|word| word.is_empty() || WORDS.contains(&word))
+}
+
+/// A surface by name or file.
+fn surface(word: &str) -> Result<Source, Failure> {
+    let source = source(word, None)?;
+    match source.kind {
+        Kind::Surface => Ok(source),
+        Kind::Light => Err(Failure::Usage(format!("'{word}' is a light; a pair of surfaces is compared"))),
+    }
+}
+
+fn row(
+    pair: &[Source; 2],
+    light: &Source,
+    observer: &Observer,
+    reference: Option<[[f64; 3]; 2]>,
+) -> Result<Row, Failure> {
+    let unseen = || Failure::Usage(format!("the observer does not see the light '{}'", light.name));
+    let relative = |s: &Source| relative_xyz(&(s.spectrum * light.spectrum), &light.spectrum, observer);
+    let white = relative_xyz(&light.spectrum, &light.spectrum, observer).ok_or_else(unseen)?;
+    let first = relative(&pair[0]).ok_or_else(unseen)?;
+    let second = relative(&pair[1]).ok_or_else(unseen)?;
+    let code = |xyz| Screen::adapted(xyz, white).map_or(String::new(), Screen::hex);
+    let (lab1, lab2) = (lab(first, white), lab(second, white));
+    // A surface that is black under the reference cannot be brought to match there.
+    let corrected = reference.map(|[one, two]| core::array::from_fn(|i| second[i] * one[i] / two[i]));
+    let corrected = corrected.filter(|xyz: &[f64; 3]| xyz.iter().all(|v| v.is_finite()));
+    Ok(Row {
+        light: light.name.clone(),
+        xyz: [first, second],
+        codes: [code(first), code(second)],
+        de2000: ciede2000(lab1, lab2),
+        de76: cie76(lab1, lab2),
+        index: corrected.map(|xyz| cie76(lab1, lab(xyz, white))),
+        index_de2000: corrected.map(|xyz| ciede2000(lab1, lab(xyz, white))),
+    })
+}
+
+fn table(pair: &[Source; 2], rows: &[Row]) -> String {
+    let width = rows.iter().map(|row| row.light.chars().count()).max().unwrap_or(0).max(5);
+    let mut text = format!("{} and {}\n", pair[0].name, pair[1].name);
+    let mut line = |line: String| writeln!(text, "{}", line.trim_end()).expect("a string takes everything");
+    line(format!(
+        "{:<width$}  first    second   {:>7}  {:>7}  {:>7}  {:>11}",
+        "light", "ΔE00", "ΔE*ab", "index", "index ΔE00"
+    ));
+    for row in rows {
+        let index = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.3}"));
+        line(format!(
+            "{:<width$}  {:<7}  {:<7}  {:>7.3}  {:>7.3}  {:>7}  {:>11}",
+            row.light,
+            row.codes[0],
+            row.codes[1],
+            row.de2000,
+            row.de76,
+            index(row.index),
+            index(row.index_de2000)
+        ));
+    }
+    text
+}

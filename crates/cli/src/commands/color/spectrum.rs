@@ -1,0 +1,286 @@
+//! `glanz color spectrum`: the colour numbers of a light or a surface.
+
+use std::fmt::Write;
+
+use clap::Args;
+use glanz_color::chromaticity::Chromaticity;
+use glanz_color::cri::color_rendering;
+use glanz_color::models::Lab;
+use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
+use glanz_color::temperature::{MOST_DUV, color_temperature};
+use glanz_color::{Observer, ObserverKind, Spectrum};
+use serde_json::{Map, Value, json};
+
+use crate::args::check_folder;
+use crate::csv::save_csv;
+use crate::failure::Failure;
+use crate::judge::{Screen, decimals, finite, fixed, hue, lab, relative_xyz, wavelength};
+use crate::plot::{NamedCurve, PlotFile, plot_file, spectra};
+use crate::print::{self, FormatArgs, number};
+use crate::spectra::{Kind, Source, light_source, observer_source, source};
+
+/// Shown below the help.
+pub const EXAMPLES: &str = "Examples:
+  glanz color spectrum D65
+  glanz color spectrum gold --under A
+  glanz color spectrum sample.csv --observer cie1964 --plot sample.svg
+  glanz color spectrum 'blackbody(2700)' --csv lamp.csv --format json
+
+XYZ are relative: a light, and the perfect diffuser under --under, have Y = 100. Lab of a surface
+is relative to the light, that of a light to D65. sRGB of a surface is adapted from the light to
+D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
+colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
+for a surface, equal energy for a light. Files: CSV and other text tables, .spdx (IES TM-27),
+CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.";
+
+/// The scale of X, Y, Z that are printed: Y of the white.
+const WHITE_Y: f64 = 100.0;
+
+/// Options of `glanz color spectrum`.
+#[derive(Args, Debug)]
+pub struct SpectrumArgs {
+    /// A light, a reflectance, a metal or a medium from `glanz color list`, or a file
+    #[arg(value_name = "NAME|FILE")]
+    spectrum: String,
+
+    /// The light that falls on a surface: a name or a file
+    #[arg(long, value_name = "LIGHT", default_value = "D65")]
+    under: String,
+
+    /// Who looks: a name, or a file with a column for each channel of a sensor
+    #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
+    observer: String,
+
+    /// What a file's spectrum is of, where the file does not say it or is wrong
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    kind: Option<Kind>,
+
+    /// Draw the spectrum; .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    plot: Option<PlotFile>,
+
+    /// Write the spectrum from 300 to 780 nm by 5 nm, as it is used
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    csv: Option<std::path::PathBuf>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// What is told: a line each for people, a value each for programs.
+#[derive(Default)]
+struct Facts {
+    lines: Vec<(&'static str, String)>,
+    json: Map<String, Value>,
+}
+
+impl Facts {
+    fn line(&mut self, label: &'static str, text: impl Into<String>) {
+        self.lines.push((label, text.into()));
+    }
+
+    fn value(&mut self, key: &str, value: impl Into<Value>) {
+        self.json.insert(key.to_owned(), value.into());
+    }
+}
+
+impl SpectrumArgs {
+    /// Tells the numbers, and draws and writes what is asked for.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        self.csv.as_deref().map_or(Ok(()), check_folder)?;
+        let source = source(&self.spectrum, self.kind)?;
+        if self.kind.is_some_and(|kind| kind != source.kind) {
+            let message = "is known by its name; --as tells what a file's spectrum is of";
+            return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
+        }
+        let observer = observer_source(&self.observer)?;
+        let mut facts = Facts::default();
+        facts.value("name", source.name.as_str());
+        facts.value("title", source.title.as_str());
+        facts.value("observer", observer.name.as_str());
+        facts.line("observer", format!("{}, {}", observer.name, observer.title));
+        match source.kind {
+            Kind::Light => light_facts(&mut facts, &source, &observer),
+            Kind::Surface => surface_facts(&mut facts, &source, &light_source(&self.under)?, &observer),
+        }
+        facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
+        facts.value("values", source.spectrum.0.map(finite).to_vec());
+        self.write_files(&source)?;
+        if self.format.is_json() {
+            return print::json(&Value::Object(facts.json));
+        }
+        let mut text = format!("{}: {}\n", source.name, source.title);
+        for (label, line) in facts.lines {
+            writeln!(text, "  {label:<14} {line}").expect("a string takes everything");
+        }
+        print::text(&text)
+    }
+
+    fn write_files(&self, source: &Source) -> Result<(), Failure> {
+        if let Some(path) = &self.csv {
+            save_csv(path, &[(&source.name, &source.spectrum)])?;
+        }
+        let Some(file) = &self.plot else { return Ok(()) };
+        let label = match source.kind {
+            Kind::Light if source.unit.is_empty() => "relative power per nm".to_owned(),
+            Kind::Light => source.unit.clone(),
+            Kind::Surface => "reflectance".to_owned(),
+        };
+        let curve = NamedCurve { name: source.name.clone(), spectrum: source.spectrum };
+        file.save(&spectra(&source.name, &source.title, &label, &[curve]))?;
+        print::note(format_args!("wrote {}", file.path().display()));
+        Ok(())
+    }
+}
+
+/// X, Y, Z and what follows from them; `white` is on the same scale.
+fn color_facts(facts: &mut Facts, xyz: [f64; 3], white: [f64; 3]) {
+    let Lab(lab) = lab(xyz, white);
+    facts.value("xyz", xyz.map(|v| v * WHITE_Y).to_vec());
+    facts.line("XYZ", decimals(&xyz.map(|v| v * WHITE_Y), 3));
+    if let Some(xy) = Chromaticity::of_xyz(xyz) {
+        let [u, v] = xy.uv1976();
+        facts.value("xy", vec![xy.x, xy.y]);
+        facts.value("uv1976", vec![u, v]);
+        facts.line("xy", decimals(&[xy.x, xy.y], 5));
+        facts.line("u'v'", decimals(&[u, v], 5));
+    }
+    facts.value("lab", lab.to_vec());
+    facts.line("L*a*b*", decimals(&lab, 2));
+}
+
+fn screen_facts(facts: &mut Facts, screen: Screen, how: &str) {
+    let (srgb, inside) = (screen.srgb, screen.is_in_gamut());
+    let clipped = if inside { "" } else { ", outside of its gamut, code clipped" };
+    facts.value("srgb", json!({ "values": srgb, "code": screen.hex(), "in_gamut": inside }));
+    facts.line("sRGB", format!("{}  {} ({how}{clipped})", decimals(&srgb, 4), screen.hex()));
+}
+
+fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &str) {
+    let Some((dominant, complement)) = hue(color, white) else {
+        facts.value("dominant_nm", Value::Null);
+        facts.line("dominant", format!("none, it has the chromaticity of {name}"));
+        return;
+    };
+    facts.value("dominant_nm", dominant.nm);
+    facts.value("purity", dominant.purity);
+    facts.line("dominant", format!("{} against {name}", wavelength(&dominant)));
+    facts.line("purity", fixed(dominant.purity, 4));
+    if let Some(complement) = complement {
+        facts.value("complementary_nm", complement.nm);
+        if !complement.is_purple() {
+            facts.line("complementary", wavelength(&complement));
+        }
+    }
+}
+
+/// The responses of an observer that has no X, Y, Z.
+fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>, observer: &Observer) {
+    let responses = observer.response(light);
+    let whites = white.map(|white| observer.response(white));
+    for (index, (channel, response)) in observer.channels.iter().zip(&responses).enumerate() {
+        let share = whites.as_ref().map_or(*response, |whites| response / whites[index]);
+        facts.value(&format!("response_{}", channel.name), finite(share));
+    }
+    let shares = responses.iter().enumerate().map(|(index, response)| {
+        number(whites.as_ref().map_or(*response, |whites| response / whites[index]))
+    });
+    let named =
+        observer.channels.iter().zip(shares).map(|(channel, share)| format!("{} {share}", channel.name));
+    let named = named.collect::<Vec<_>>().join(", ");
+    let relative = if white.is_some() { " (of the perfect diffuser's)" } else { "" };
+    facts.line("responses", format!("{named}{relative}"));
+}
+
+fn light_facts(facts: &mut Facts, source: &Source, observer: &Observer) {
+    let light = &source.spectrum;
+    facts.value("kind", "light");
+    if observer.kind != ObserverKind::Xyz {
+        response_facts(facts, light, None, observer);
+    }
+    let d65 = glanz_color::light("D65").expect("D65 comes with the library");
+    if let (Some(xyz), Some(white)) =
+        (relative_xyz(light, light, observer), relative_xyz(&d65, &d65, observer))
+    {
+        color_facts(facts, xyz, white);
+        screen_facts(facts, Screen::of_light(xyz), "as bright as it can be");
+    } else if observer.kind == ObserverKind::Xyz {
+        facts.line("XYZ", "none: the observer does not see this light");
+    }
+    hue_facts(facts, light, Chromaticity::E, "equal energy");
+    temperature_facts(facts, light);
+    power_facts(facts, source);
+}
+
+fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
+    let Some(Ok(found)) = Chromaticity::of_light(light).map(color_temperature) else {
+        facts.value("cct_k", Value::Null);
+        facts.line("CCT", "none: no black body is near");
+        return;
+    };
+    let far = found.duv.abs() > MOST_DUV;
+    facts.value("cct_k", found.cct_k);
+    facts.value("duv", found.duv);
+    facts.value("cct_is_meaningful", !far);
+    let warning = if far { " (too far from black bodies to mean much)" } else { "" };
+    facts.line("CCT", format!("{:.1} K, Duv {:+.4}{warning}", found.cct_k, found.duv));
+    if far {
+        return;
+    }
+    match color_rendering(light) {
+        Ok(rendering) => {
+            facts.value("ra", rendering.ra);
+            facts.value("r", rendering.r.to_vec());
+            facts.line("Ra", format!("{:.1} (R9 {:.1})", rendering.ra, rendering.r[8]));
+        }
+        Err(error) => facts.line("Ra", format!("none: {error}")),
+    }
+}
+
+/// What the light is in photometric units; absolute figures only where its unit is understood.
+fn power_facts(facts: &mut Facts, source: &Source) {
+    let light = &source.spectrum;
+    let (day, night) = (luminous(light, Adapted::Photopic), luminous(light, Adapted::Scotopic));
+    facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).map_or(Value::Null, finite));
+    facts.value("sp_ratio", finite(night / day));
+    facts.value("unit", source.unit.as_str());
+    if let Some(efficacy) = efficacy_lm_per_w(light) {
+        facts.line("efficacy", format!("{efficacy:.1} lm/W of 300 to 780 nm"));
+    }
+    facts.line("S/P ratio", fixed(night / day, 3));
+    let Some(unit) = source.power_unit else {
+        if !source.unit.is_empty() {
+            facts.line("luminous", format!("none: the unit '{}' is not understood", source.unit));
+        }
+        return;
+    };
+    let (day, night) = (unit.factor * day, unit.factor * night);
+    let name = unit.radiometry.photometric_unit();
+    facts.value("luminous", finite(day));
+    facts.value("scotopic", finite(night));
+    facts.value("luminous_unit", name);
+    facts.line("luminous", format!("{} {name} by day, {} at night", number(day), number(night)));
+}
+
+fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &Observer) {
+    let seen = source.spectrum * light.spectrum;
+    facts.value("kind", "surface");
+    facts.value("under", light.name.as_str());
+    facts.line("under", format!("{}, {}", light.name, light.title));
+    if observer.kind != ObserverKind::Xyz {
+        response_facts(facts, &seen, Some(&light.spectrum), observer);
+    }
+    let white = relative_xyz(&light.spectrum, &light.spectrum, observer);
+    if let (Some(xyz), Some(white)) = (relative_xyz(&seen, &light.spectrum, observer), white) {
+        color_facts(facts, xyz, white);
+        if let Some(screen) = Screen::adapted(xyz, white) {
+            screen_facts(facts, screen, &format!("adapted from {}", light.name));
+        }
+    } else if observer.kind == ObserverKind::Xyz {
+        facts.line("XYZ", "none: the observer does not see this light");
+    }
+    if let Some(white) = Chromaticity::of_light(&light.spectrum) {
+        hue_facts(facts, &seen, white, &light.name);
+    }
+}

@@ -1,0 +1,156 @@
+//! `glanz render --frames`: many pictures, in many files or in one that moves.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use glanz_picture::output::{Animation, Format, write_apng, write_atomically, write_gif};
+use glanz_render::Prepared;
+use serde_json::json;
+
+use super::render::RenderArgs;
+use crate::args::{Target, check_folder};
+use crate::encode;
+use crate::failure::Failure;
+use crate::frames::Template;
+use crate::pipeline::Plan;
+use crate::print;
+use crate::progress::Progress;
+use crate::timings::Timings;
+
+/// Where the frames go.
+enum Output {
+    /// Each into a file of its own.
+    Files(Template),
+    /// All into one file that moves.
+    Film(PathBuf),
+}
+
+/// The frames of a film, one after the other.
+struct Frames<'a> {
+    args: &'a RenderArgs,
+    count: usize,
+    /// The scene of the last frame, and of the next ones while nothing in it moves.
+    scene: Option<(Plan, Prepared, u64)>,
+    progress: Progress,
+}
+
+impl RenderArgs {
+    /// Draws all frames of `range`.
+    pub fn film(&self, range: Range<u32>) -> Result<(), Failure> {
+        if !self.turntable && self.animate.is_empty() {
+            let message = "all frames would be the same: add --turntable or --animate PATH=FROM:TO";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let (output, format) = self.output()?;
+        let files = match &output {
+            Output::Files(template) => self.files(range, template, format)?,
+            Output::Film(path) => vec![self.moving(range.len(), path, format)?],
+        };
+        match files.as_slice() {
+            [file] => print::note(format_args!("wrote {}", file.display())),
+            [first, .., last] => {
+                let (count, first, last) = (files.len(), first.display(), last.display());
+                print::note(format_args!("wrote {count} files, {first} to {last}"));
+            }
+            [] => {}
+        }
+        if self.format.is_json() {
+            let files: Vec<_> = files.iter().map(|file| file.display().to_string()).collect();
+            return print::json(&json!({ "files": files }));
+        }
+        Ok(())
+    }
+
+    fn output(&self) -> Result<(Output, Format), Failure> {
+        let target = self.target.named(&self.input.input, "_{frame:04}.png")?;
+        let format = encode::format(&target)?;
+        let Target::File(path) = target else {
+            let message = "a film cannot go to stdout; name its files with -o 'name_{frame:04}.png'";
+            return Err(Failure::Usage(message.to_owned()));
+        };
+        match Template::parse(&path.to_string_lossy()) {
+            Some(template) => Ok((Output::Files(template), format)),
+            None if format.is_animation() => {
+                check_folder(&path)?;
+                Ok((Output::Film(path), format))
+            }
+            None => Err(Failure::Usage(format!(
+                "'{}' has no place for the number of the frame: put {{frame}} or {{frame:04}} into the name, \
+                 or write a .gif or .apng",
+                path.display()
+            ))),
+        }
+    }
+
+    fn files(&self, range: Range<u32>, template: &Template, format: Format) -> Result<Vec<PathBuf>, Failure> {
+        let kind = self.kind(format)?;
+        let names: Vec<PathBuf> = range.map(|frame| template.name(frame).into()).collect();
+        for name in &names {
+            check_folder(name)?;
+            self.target.check_free(name)?;
+        }
+        let mut frames = Frames::new(self, names.len());
+        for (index, name) in names.iter().enumerate() {
+            let (plan, prepared, hash) = frames.frame(index)?;
+            let picture = plan.picture(prepared, kind, &mut Timings::default())?;
+            let metadata = encode::metadata_of(hash, &plan);
+            write_atomically(name, |out| encode::write(out, picture, format, &metadata))?;
+            frames.progress.step();
+        }
+        Ok(names)
+    }
+
+    fn moving(&self, count: usize, path: &Path, format: Format) -> Result<PathBuf, Failure> {
+        self.kind(format)?;
+        if !(self.fps > 0.0 && self.fps <= 1000.0) {
+            return Err(Failure::Usage(format!(
+                "--fps is {}, but must be above 0 and at most 1000",
+                self.fps
+            )));
+        }
+        let mut frames = Frames::new(self, count);
+        let (plan, _, hash) = frames.frame(0)?;
+        let animation = Animation {
+            width: plan.view.width as usize,
+            height: plan.view.height as usize,
+            frames: count,
+            delay_ms: (1000.0 / self.fps).round() as u32,
+        };
+        let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
+            let (plan, prepared, _) = frames.frame(index)?;
+            let canvas = plan.codes(prepared, &mut Timings::default())?;
+            frames.progress.step();
+            Ok(canvas.rgba)
+        });
+        write_atomically(path, |out| match format {
+            Format::Gif => write_gif(out, &animation, codes),
+            _ => write_apng(out, &animation, codes, &encode::metadata(hash)),
+        })?;
+        Ok(path.to_owned())
+    }
+}
+
+impl<'a> Frames<'a> {
+    fn new(args: &'a RenderArgs, count: usize) -> Self {
+        Self { args, count, scene: None, progress: Progress::new(count, "frames") }
+    }
+
+    /// How frame `index` is drawn, and the hash of its scene. The file is read again only where
+    /// values of the scene move.
+    fn frame(&mut self, index: usize) -> Result<(Plan, &Prepared, u64), Failure> {
+        let animate = &self.args.animate;
+        if self.scene.is_none() || !animate.is_empty() {
+            let last = self.count.saturating_sub(1).max(1) as f64;
+            let values: Vec<_> = animate.iter().map(|motion| motion.at(index as f64 / last)).collect();
+            let input = self.args.load(&values)?;
+            let (plan, prepared) = self.args.plan(&input)?;
+            if self.scene.is_none() {
+                print::notes(&self.args.input.input, &input.notes);
+            }
+            self.scene = Some((plan, prepared, input.hash));
+        }
+        let (plan, prepared, hash) = self.scene.as_ref().expect("was read for the first frame");
+        let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
+        Ok((plan.turned(part)?, prepared, *hash))
+    }
+}

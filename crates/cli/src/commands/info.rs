@@ -1,0 +1,35 @@
+//! `glanz info`: what is in a scene or a model.
+
+use clap::Args;
+
+use crate::args::InputArgs;
+use crate::failure::Failure;
+use crate::print::{self, Format, FormatArgs};
+use crate::summary::Summary;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz info model.glb
+  glanz info scene.toml --format json";
+
+/// Options of `glanz info`.
+#[derive(Args, Debug)]
+pub struct InfoArgs {
+    #[command(flatten)]
+    input: InputArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl InfoArgs {
+    /// Tells it.
+    pub fn run(&self) -> Result<(), Failure> {
+        let input = self.input.load(None, &[])?;
+        let summary = Summary { input: &input, path: &self.input.input };
+        match self.format.format {
+            Format::Json => print::json(&summary.json()),
+            Format::Text => print::text(&summary.text()),
+        }
+    }
+}

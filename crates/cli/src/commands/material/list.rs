@@ -1,0 +1,63 @@
+//! `glanz material list`.
+
+use std::fmt::Write;
+
+use clap::Args;
+use glanz_scene::library::{Category, MaterialInfo, materials};
+use serde_json::{Value, json};
+
+use super::categories;
+use crate::failure::Failure;
+use crate::print::{self, FormatArgs};
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz material list
+  glanz material list --category metal --format json";
+
+/// Options of `glanz material list`.
+#[derive(Args, Debug)]
+pub struct ListArgs {
+    /// Only materials of this category; may be repeated
+    #[arg(long, value_name = "CATEGORY", value_parser = categories())]
+    category: Vec<Category>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl ListArgs {
+    /// Prints the list.
+    pub fn run(&self) -> Result<(), Failure> {
+        let listed: Vec<&MaterialInfo> = materials().iter().filter(|info| self.lists(info)).collect();
+        match self.format.is_json() {
+            true => print::json(&listed.into_iter().map(describe).collect()),
+            false => print::text(&table(&listed)),
+        }
+    }
+
+    fn lists(&self, info: &MaterialInfo) -> bool {
+        self.category.is_empty() || self.category.contains(&info.category)
+    }
+}
+
+/// What programs are told of a material.
+pub fn describe(info: &MaterialInfo) -> Value {
+    json!({ "name": info.name, "title": info.title, "category": info.category.name(), "source": info.source })
+}
+
+fn table(listed: &[&MaterialInfo]) -> String {
+    let widest = |of: fn(&MaterialInfo) -> &str, heading: &str| {
+        let widths = listed.iter().map(|info| of(info).chars().count());
+        widths.max().unwrap_or(0).max(heading.len())
+    };
+    let name = widest(|info| &info.name, "name");
+    let category = widest(|info| info.category.name(), "category");
+    let mut text = format!("{:<name$}  {:<category$}  title\n", "name", "category");
+    for info in listed {
+        writeln!(text, "{:<name$}  {:<category$}  {}", info.name, info.category.name(), info.title)
+            .expect("a string takes everything");
+    }
+    text
+}

@@ -1,0 +1,53 @@
+//! `glanz material`: the library of materials.
+
+mod list;
+mod room;
+mod sheet;
+mod show;
+mod sky;
+
+use clap::Subcommand;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use glanz_scene::library::Category;
+
+use crate::failure::Failure;
+
+/// What to do with the library.
+#[derive(Subcommand, Debug)]
+pub enum MaterialCommand {
+    /// All materials, one per line
+    #[command(after_help = list::EXAMPLES)]
+    List(list::ListArgs),
+    /// One material, as it is written in a scene file
+    #[command(after_help = show::EXAMPLES)]
+    DebugView(show::ShowArgs),
+    /// Draw a sheet of balls of materials
+    #[command(after_help = sheet::EXAMPLES)]
+    Sheet(Box<sheet::SheetArgs>),
+}
+
+impl MaterialCommand {
+    /// The subcommand's name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::List(_) => "list",
+            Self::DebugView(_) => "show",
+            Self::Sheet(_) => "sheet",
+        }
+    }
+
+    /// Does it.
+    pub fn run(&self) -> Result<(), Failure> {
+        match self {
+            Self::List(args) => args.run(),
+            Self::DebugView(args) => args.run(),
+            Self::Sheet(args) => args.run(),
+        }
+    }
+}
+
+/// Parses the name of a category.
+fn categories() -> impl TypedValueParser<Value = Category> {
+    PossibleValuesParser::new(Category::ALL.map(Category::name))
+        .map(|name| Category::named(&name).expect("the parser lets only known names through"))
+}

@@ -1,0 +1,129 @@
+//! `glanz material sheet`: balls of the library's materials, each with its name.
+
+use std::path::Path;
+
+use clap::Args;
+use glanz_color::Rgb;
+use glanz_scene::LightColor;
+use glanz_scene::library::{self, Category, MaterialInfo, materials};
+
+use super::categories;
+use super::room::Room;
+use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
+use crate::encode;
+use crate::failure::Failure;
+use crate::grid::tell;
+use crate::pipeline::{Picture, Plan};
+use crate::print::FormatArgs;
+use crate::progress::Progress;
+use crate::sheet::Sheet;
+use crate::spectra;
+use crate::timings::Timings;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz material sheet -o all.png
+  glanz material sheet --category metal --columns 6 -o metals.png
+  glanz material sheet gold copper-satin velvet-red --size 256 -o three.png
+
+The balls lie in a room with a window behind the viewer on the left and a lit screen on the right; what is seen through
+stands before a board. Without names or categories all materials are drawn.";
+
+/// The most columns, if nothing is said.
+const DEFAULT_COLUMNS: u32 = 9;
+
+/// Options of `glanz material sheet`.
+#[derive(Args, Debug)]
+pub struct SheetArgs {
+    /// Names of materials, from `glanz material list`
+    #[arg(value_name = "NAME")]
+    names: Vec<String>,
+
+    /// All materials of this category; may be repeated
+    #[arg(long, value_name = "CATEGORY", value_parser = categories())]
+    category: Vec<Category>,
+
+    /// Width and height of each picture, in pixels
+    #[arg(long, value_name = "N", default_value = "160", value_parser = clap::value_parser!(u32).range(16..=2048))]
+    size: u32,
+
+    /// Pictures per row
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_COLUMNS,
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    columns: u32,
+
+    /// The spectrum of the lamps and the room, from `glanz color list lights` or a file [default: D65]
+    #[arg(long, value_name = "SPECTRUM")]
+    light: Option<String>,
+
+    /// Samples per pixel for smooth edges
+    #[arg(long, value_name = "N", value_parser = choices::samples(), default_value = "8")]
+    samples: u32,
+
+    #[command(flatten)]
+    target: TargetArgs,
+    #[command(flatten)]
+    color: ColorArgs,
+    #[command(flatten)]
+    develop: DevelopArgs,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl SheetArgs {
+    /// Draws the sheet.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        let target = self.target.resolve(Path::new("materials"), "_sheet.png")?;
+        encode::expect_png(&target, "a sheet")?;
+        let chosen = self.chosen()?;
+        let room = Room::new(self.lamp()?)?;
+        let cell = self.size as usize;
+        let sheet = Sheet {
+            captions: chosen.iter().map(|info| vec![info.name.clone()]).collect(),
+            per_row: chosen.len().min(self.columns as usize),
+            count: chosen.len(),
+            cell: (cell, cell),
+            ..Sheet::default()
+        };
+        let mut canvas = sheet.begin()?;
+        let size = (self.size, self.size);
+        let look = LookArgs { samples: Some(self.samples), color: self.color.clone(), ..LookArgs::default() };
+        let camera = CameraArgs::default();
+        let mut progress = Progress::new(chosen.len(), "pictures");
+        for (index, info) in chosen.iter().enumerate() {
+            let input = room.input(info.material(), size);
+            let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
+            let prepared = plan.prepare(&input.scene)?;
+            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            progress.step();
+        }
+        drop(progress);
+        let size = (canvas.width, canvas.height);
+        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
+        let cells: Vec<_> =
+            chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();
+        tell(&target, size, &cells, self.format)
+    }
+
+    /// The materials that are named, then those of the categories; all if nothing is said.
+    fn chosen(&self) -> Result<Vec<&'static MaterialInfo>, Failure> {
+        if self.names.is_empty() && self.category.is_empty() {
+            return Ok(materials().iter().collect());
+        }
+        let named = |name: &String| library::info(name).map_err(|error| Failure::Usage(error.to_string()));
+        let mut chosen = self.names.iter().map(named).collect::<Result<Vec<_>, _>>()?;
+        chosen.extend(materials().iter().filter(|info| self.category.contains(&info.category)));
+        Ok(chosen)
+    }
+
+    fn lamp(&self) -> Result<LightColor, Failure> {
+        let Some(name) = &self.light else { return Ok(LightColor::Rgb(Rgb::WHITE)) };
+        let source = spectra::light_source(name)?;
+        LightColor::unit(&source.spectrum)
+            .ok_or_else(|| Failure::new(format_args!("--light '{name}' sends no light")))
+    }
+}

@@ -1,0 +1,226 @@
+//! `glanz render`: a scene or a model becomes a picture.
+
+use std::ops::Range;
+
+use clap::Args;
+use glanz_picture::output::Format;
+use glanz_render::{Prepared, View};
+use serde_json::json;
+
+use crate::args::{
+    BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+};
+use crate::encode;
+use crate::failure::Failure;
+use crate::frames;
+use crate::load::Input;
+use crate::pipeline::{Kind, Picture, Plan};
+use crate::preview;
+use crate::print::{self, FormatArgs};
+use crate::timings::{Stage, Timings};
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz render examples/kite.toml -o kite.png
+  glanz render model.glb --preview
+  glanz render scene.toml -o out.exr --size 3840x2160 --samples 8 --shading gouraud
+  glanz render scene.toml --mode spectral --observer cie1964 --white scene
+  glanz render scene.toml --mode spectral -o spectra.exr --spectral-exr
+  glanz render scene.toml --set materials.red.shininess=64 -o shinier.png
+  glanz render scene.toml --frames 0..120 --turntable -o 'spin_{frame:04}.png'
+  glanz render scene.toml --frames 0..60 --turntable -o spin.gif --size 400x300
+  glanz render scene.toml --repeat 50 --timings --format json";
+
+/// Options of `glanz render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    #[command(flatten)]
+    pub input: InputArgs,
+    #[command(flatten)]
+    pub target: TargetArgs,
+
+    /// Bits per channel of a PNG
+    #[arg(long, value_enum, default_value_t, value_name = "BITS", help_heading = "Output")]
+    pub bit_depth: BitDepth,
+
+    /// Write the spectrum of each pixel into the .exr, 97 wavelengths from 300 to 780 nm
+    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
+    pub spectral_exr: bool,
+
+    /// Show the picture in this terminal; without -o no file is written
+    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
+    pub preview: bool,
+
+    #[command(flatten)]
+    pub size: SizeArgs,
+    #[command(flatten)]
+    pub look: LookArgs,
+    #[command(flatten)]
+    pub camera: CameraArgs,
+    #[command(flatten)]
+    pub develop: DevelopArgs,
+
+    /// Draw several pictures: FIRST..END, without END
+    #[arg(long, value_name = "FIRST..END", value_parser = frames::range, help_heading = "Film")]
+    pub frames: Option<Range<u32>>,
+
+    /// Turn the camera once around its target during the film
+    #[arg(long, requires = "frames", help_heading = "Film")]
+    pub turntable: bool,
+
+    /// Move a value of the scene during the film, such as camera.fov_deg=20:60; may be repeated
+    #[arg(
+        long,
+        value_name = "PATH=FROM:TO",
+        value_parser = frames::Motion::parse,
+        requires = "frames",
+        help_heading = "Film"
+    )]
+    pub animate: Vec<frames::Motion>,
+
+    /// Frames per second of .gif and .apng
+    #[arg(long, value_name = "N", default_value_t = 25.0, help_heading = "Film")]
+    pub fps: f64,
+
+    /// Do everything so many times, to measure it
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u32).range(1..=100_000),
+        help_heading = "Measuring",
+        conflicts_with = "frames"
+    )]
+    pub repeat: u32,
+
+    /// Print how long each stage takes
+    #[arg(long, help_heading = "Measuring", conflicts_with = "frames")]
+    pub timings: bool,
+
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    #[command(flatten)]
+    pub format: FormatArgs,
+}
+
+impl RenderArgs {
+    /// Draws.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        match &self.frames {
+            Some(range) => self.film(range.clone()),
+            None => self.still(),
+        }
+    }
+
+    fn still(&self) -> Result<(), Failure> {
+        let target = match &self.target.output {
+            None if self.preview => None,
+            _ => Some(self.target.resolve(&self.input.input, ".png")?),
+        };
+        let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
+        let mut timings = Timings::default();
+        for _ in 1..self.repeat {
+            timings.begin_run();
+            self.rehearse(target.as_ref(), kind, &mut timings)?;
+        }
+        timings.begin_run();
+        let (told, plan, picture) = self.draw(kind, &mut timings)?;
+        let preview =
+            self.preview.then(|| preview::half_blocks(&plan.on_screen(&picture), preview::columns()));
+        if let Some(target) = &target {
+            let metadata = encode::metadata_of(told.hash, &plan);
+            timings.measure(Stage::Encode, || encode::deliver(picture, target, &metadata))?;
+        }
+        if let Some(preview) = preview {
+            print::text(&preview)?;
+        }
+        self.tell(target.as_ref(), &plan, &told.notes, &timings)
+    }
+
+    /// All the way from the file to the bytes of the picture, which are thrown away.
+    fn rehearse(&self, target: Option<&Target>, kind: Kind, timings: &mut Timings) -> Result<(), Failure> {
+        let (told, _, picture) = self.draw(kind, timings)?;
+        if let Some(target) = target {
+            let (format, metadata) = (encode::format(target)?, encode::metadata(told.hash));
+            timings.measure(Stage::Encode, || encode::to_memory(picture, format, &metadata))?;
+        }
+        Ok(())
+    }
+
+    /// From the file to a picture.
+    fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Picture), Failure> {
+        let input = timings.measure(Stage::Load, || self.load(&[]))?;
+        let (plan, prepared) = timings.measure(Stage::Prepare, || self.plan(&input))?;
+        let picture = plan.picture(&prepared, kind, timings)?;
+        Ok((Told { notes: input.notes, hash: input.hash }, plan, picture))
+    }
+
+    /// Reads the scene, with these values set.
+    pub fn load(&self, values: &[(String, String)]) -> Result<Input, Failure> {
+        self.input.load(Some(&self.camera), values)
+    }
+
+    /// The scene as arrays, and how it is drawn.
+    pub fn plan(&self, input: &Input) -> Result<(Plan, Prepared), Failure> {
+        let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
+        let prepared = plan.prepare(&input.scene)?;
+        Ok((plan, prepared))
+    }
+
+    /// What the picture must keep for a file of this format.
+    pub fn kind(&self, format: Format) -> Result<Kind, Failure> {
+        if self.spectral_exr && format != Format::Exr {
+            let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        match (format, self.bit_depth) {
+            (Format::Exr, _) if self.spectral_exr => Ok(Kind::Spectrum),
+            (Format::Exr, _) => Ok(Kind::Light),
+            (Format::Png, BitDepth::Sixteen) => Ok(Kind::Codes16),
+            (_, BitDepth::Eight) => Ok(Kind::Codes8),
+            (_, BitDepth::Sixteen) => Err(Failure::Usage("only a .png can have --bit-depth 16".to_owned())),
+        }
+    }
+
+    /// Says what was done.
+    fn tell(
+        &self,
+        target: Option<&Target>,
+        plan: &Plan,
+        notes: &[String],
+        timings: &Timings,
+    ) -> Result<(), Failure> {
+        if let Some(Target::File(path)) = target {
+            print::note(format_args!("wrote {}", path.display()));
+        }
+        print::notes(&self.input.input, notes);
+        let stdout_is_free = target != Some(&Target::Stdout);
+        if self.format.is_json() && stdout_is_free {
+            let file = match target {
+                Some(Target::File(path)) => Some(path.display().to_string()),
+                _ => None,
+            };
+            let View { width, height, .. } = plan.view;
+            return print::json(&json!({
+                "file": file, "width": width, "height": height, "notes": notes,
+                "timings": self.timings.then(|| timings.json()),
+            }));
+        }
+        match (self.timings, stdout_is_free) {
+            (true, true) => print::text(&timings.text()),
+            (true, false) => {
+                print::note(timings.text().trim_end());
+                Ok(())
+            }
+            (false, _) => Ok(()),
+        }
+    }
+}
+
+/// What a file tells beside its scene.
+struct Told {
+    notes: Vec<String>,
+    hash: u64,
+}

@@ -1,0 +1,147 @@
+//! `glanz sheet`: balls of one model, in rows and columns of its parameters.
+
+mod ball;
+
+use std::path::Path;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use glanz_bsdf::models::info_named;
+use glanz_scene::builtin::Builtin;
+
+use self::ball::Ball;
+use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices, size};
+use crate::encode;
+use crate::failure::Failure;
+use crate::grid::{Grid, tell};
+use crate::lobes::{did_you_mean, model_names};
+use crate::pipeline::{Picture, Plan};
+use crate::print::FormatArgs;
+use crate::progress::Progress;
+use crate::timings::Timings;
+use crate::vary::Vary;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz sheet phong --vary shininess=2,8,32,128 -o row.png
+  glanz sheet blinn-phong-normalized --vary shininess=8:512:5 --vary ior=Au,Cu,Al,1.5 -o sheet.png
+  glanz sheet lambert --vary tint=gold,copper,0.5 --light A --mesh torus
+
+The last --vary runs along the columns, all others along the rows, the first one slowest.
+Beside the parameters of the model, ior (a metal, a glass or a refractive index: Fresnel's law)
+and tint (a spectrum or a share) are keys. Without --mode, sheets are drawn in spectral mode.";
+
+/// The most columns where one value alone varies.
+const DEFAULT_COLUMNS: u32 = 8;
+
+/// Options of `glanz sheet`.
+#[derive(Args, Debug)]
+pub struct SheetArgs {
+    /// The model's name, from `glanz bsdf list`
+    #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true)]
+    model: String,
+
+    /// A parameter, ior or tint, and the values it takes in turn: NAME=a,b,c or NAME=start:stop:count; may be
+    /// repeated
+    #[arg(long, value_name = "NAME=VALUES", value_parser = Vary::parse, required = true)]
+    vary: Vec<Vary>,
+
+    /// A parameter, ior or tint for all balls, such as shininess=32; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = crate::args::assignment)]
+    set: Vec<(String, String)>,
+
+    /// The spectrum of all lamps, from `glanz color list lights` or a file [default: D65]
+    #[arg(long, value_name = "NAME")]
+    light: Option<String>,
+
+    /// What is drawn in place of a ball
+    #[arg(long, value_name = "MESH", value_parser = PossibleValuesParser::new(Builtin::NAMES),
+          default_value = "sphere")]
+    mesh: String,
+
+    /// Width and height of each picture, in pixels
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "192x192")]
+    size: (u32, u32),
+
+    /// Samples per pixel for smooth edges
+    #[arg(long, value_name = "N", value_parser = choices::samples(), default_value = "8")]
+    samples: u32,
+
+    /// Pictures per row where one value alone varies
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_COLUMNS,
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    columns: u32,
+
+    #[command(flatten)]
+    target: TargetArgs,
+    #[command(flatten)]
+    color: ColorArgs,
+    #[command(flatten)]
+    develop: DevelopArgs,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl SheetArgs {
+    /// Draws the sheet.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        let target = self.target.resolve(Path::new(&self.model), "_sheet.png")?;
+        encode::expect_png(&target, "a sheet")?;
+        self.check_keys()?;
+        let grid = Grid { vary: &self.vary, columns: self.columns as usize, cell: self.size };
+        let cells = grid.cells()?;
+        let balls = cells.iter().map(|cell| self.ball(cell)).collect::<Result<Vec<_>, _>>()?;
+        let sheet = grid.sheet(cells.len());
+        let mut canvas = sheet.begin()?;
+        let look = LookArgs { samples: Some(self.samples), color: self.color.clone(), ..LookArgs::default() };
+        let camera = CameraArgs::default();
+        let mut progress = Progress::new(balls.len(), "pictures");
+        for (index, ball) in balls.into_iter().enumerate() {
+            let input = ball.input(self.size)?;
+            let plan = Plan::new(&input, Some(self.size), &look, &camera, self.develop)?;
+            let prepared = plan.prepare(&input.scene)?;
+            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            progress.step();
+        }
+        drop(progress);
+        let size = (canvas.width, canvas.height);
+        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
+        tell(&target, size, &cells, self.format)
+    }
+
+    /// The ball of one cell: what is varied comes before what is set.
+    fn ball(&self, cell: &[(String, String)]) -> Result<Ball, Failure> {
+        let values: Vec<_> = self.set.iter().chain(cell).cloned().collect();
+        Ball::new(&self.model, &values, &self.mesh, self.light.as_deref())
+    }
+
+    /// That every key is one, and none is varied twice.
+    fn check_keys(&self) -> Result<(), Failure> {
+        let info = info_named(&self.model).map_err(|error| Failure::Usage(error.to_string()))?;
+        let known: Vec<_> = info.params.iter().map(|param| param.name).chain(["ior", "tint"]).collect();
+        let varied = self.vary.iter().map(|vary| ("--vary", vary.path.as_str()));
+        let keys: Vec<_> = varied.chain(self.set.iter().map(|(key, _)| ("--set", key.as_str()))).collect();
+        for (index, (option, key)) in keys.iter().enumerate() {
+            if !known.contains(key) {
+                let near = did_you_mean(key, &known);
+                let known = known.join(", ");
+                let model = &self.model;
+                return Err(Failure::Usage(format!(
+                    "{option} {key}: '{model}' has no parameter '{key}' (keys are: {known}){near}"
+                )));
+            }
+            if keys[..index].iter().any(|(_, other)| other == key) {
+                return Err(Failure::Usage(format!("'{key}' is given twice")));
+            }
+        }
+        let given = |name: &str| keys.iter().any(|(_, key)| *key == name);
+        match given("ior") && given("tint") {
+            true => Err(Failure::Usage("ior and tint are both given; a lobe has one of them".to_owned())),
+            false => Ok(()),
+        }
+    }
+}

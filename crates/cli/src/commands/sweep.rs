@@ -1,0 +1,94 @@
+//! `glanz sweep`: a sheet of pictures in which values of the scene vary.
+
+use clap::Args;
+
+use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
+use crate::encode;
+use crate::failure::Failure;
+use crate::grid::{Grid, tell};
+use crate::pipeline::{Picture, Plan};
+use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
+use crate::timings::Timings;
+use crate::vary::Vary;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 -o row.png
+  glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 \\
+      --vary materials.ball.specular=0:1:5 -o sheet.png
+  glanz sweep scene.toml --vary render.shading=flat,gouraud,phong --cell 400x300
+
+The last --vary runs along the columns, all others along the rows, the first one slowest.";
+
+/// The most columns where one value alone varies.
+const DEFAULT_COLUMNS: usize = 8;
+
+/// Options of `glanz sweep`.
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    #[command(flatten)]
+    input: InputArgs,
+
+    /// A value of the scene and what it takes in turn: PATH=1,4,16 or PATH=start:stop:count; may be
+    /// repeated
+    #[arg(long, value_name = "PATH=VALUES", value_parser = Vary::parse, required = true)]
+    vary: Vec<Vary>,
+
+    /// Width and height of each picture, in pixels
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "256x256")]
+    cell: (u32, u32),
+
+    /// Pictures per row where one value alone varies
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_COLUMNS as u32,
+          value_parser = clap::value_parser!(u32).range(1..=1000))]
+    columns: u32,
+
+    #[command(flatten)]
+    target: TargetArgs,
+    #[command(flatten)]
+    look: LookArgs,
+    #[command(flatten)]
+    camera: CameraArgs,
+    #[command(flatten)]
+    develop: DevelopArgs,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+impl SweepArgs {
+    /// Draws the sheet.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        let target = self.target.resolve(&self.input.input, "_sweep.png")?;
+        encode::expect_png(&target, "a sheet")?;
+        let cells = self.grid().cells()?;
+        let sheet = self.grid().sheet(cells.len());
+        let mut canvas = sheet.begin()?;
+        let mut progress = Progress::new(cells.len(), "pictures");
+        // The sheet is made of all its scenes.
+        let mut hash = 0_u64;
+        for (index, values) in cells.iter().enumerate() {
+            let input = self.input.load(Some(&self.camera), values)?;
+            let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
+            let prepared = plan.prepare(&input.scene)?;
+            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            if index == 0 {
+                print::notes(&self.input.input, &input.notes);
+            }
+            hash = hash.rotate_left(1) ^ input.hash;
+            progress.step();
+        }
+        drop(progress);
+        let size = (canvas.width, canvas.height);
+        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(hash))?;
+        tell(&target, size, &cells, self.format)
+    }
+
+    fn grid(&self) -> Grid<'_> {
+        Grid { vary: &self.vary, columns: self.columns as usize, cell: self.cell }
+    }
+}

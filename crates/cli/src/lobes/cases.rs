@@ -1,0 +1,179 @@
+//! Models and lists of parameters, and every combination of them.
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use glanz_bsdf::{MODELS, ModelInfo, Shape};
+
+use crate::failure::Failure;
+use crate::vary::Vary;
+
+/// The most combinations of parameters.
+const MAX_CASES: usize = 1000;
+
+/// Parses the name of a model.
+pub fn model_names() -> PossibleValuesParser {
+    PossibleValuesParser::new(MODELS.iter().map(|info| PossibleValue::new(info.name).help(info.title)))
+}
+
+/// Parameters of models.
+#[derive(Args, Clone, Debug)]
+pub struct SetArgs {
+    /// A parameter and its values: NAME=0.05,0.16 or NAME=start:stop:count, for every model that has it, or
+    /// MODEL.NAME=… for one; may be repeated, and all combinations are taken
+    #[arg(long, value_name = "NAME=VALUES", value_parser = Vary::parse)]
+    pub set: Vec<Vary>,
+}
+
+/// A shape, and what tells it from the others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// The shape.
+    pub shape: Shape,
+    /// Its model and the parameters that were set.
+    pub label: String,
+}
+
+impl SetArgs {
+    /// Every combination of parameters for these models.
+    pub fn cases(&self, models: &[String]) -> Result<Vec<Case>, Failure> {
+        let infos: Vec<_> = models.iter().map(|name| info(name)).collect();
+        self.check_names(&infos)?;
+        let mut cases = Vec::new();
+        for info in infos {
+            let own: Vec<_> = info
+                .params
+                .iter()
+                .filter_map(|param| Some((param.name, self.of(info, param.name)?)))
+                .collect();
+            let combinations =
+                own.iter().try_fold(1_usize, |count, (_, vary)| count.checked_mul(vary.values.len()));
+            let count = combinations
+                .filter(|count| count + cases.len() <= MAX_CASES)
+                .ok_or_else(|| Failure::Usage(format!("--set makes more than {MAX_CASES} combinations")))?;
+            for index in 0..count {
+                cases.push(case(info, &combination(&own, index))?);
+            }
+        }
+        Ok(cases)
+    }
+
+    /// The last option that sets a parameter of a model; one for this model alone comes before one for all.
+    fn of(&self, info: &ModelInfo, param: &str) -> Option<&Vary> {
+        let own = format!("{}.{param}", info.name);
+        let last = |path: &str| self.set.iter().rfind(|vary| vary.path == path);
+        last(&own).or_else(|| last(param))
+    }
+
+    /// That every option means a parameter of a model that is named.
+    fn check_names(&self, infos: &[&ModelInfo]) -> Result<(), Failure> {
+        for vary in &self.set {
+            let (model, param) = match vary.path.split_once('.') {
+                Some((model, param)) => (Some(model), param),
+                None => (None, vary.path.as_str()),
+            };
+            let mut meant =
+                infos.iter().filter(|info| model.is_none_or(|model| info.name == model)).peekable();
+            if let (Some(model), None) = (model, meant.peek()) {
+                let names = infos.iter().map(|info| info.name).collect::<Vec<_>>();
+                let near = did_you_mean(model, &names);
+                let names = names.join(", ");
+                return Err(Failure::Usage(format!(
+                    "--set {}: '{model}' is not among {names}{near}",
+                    vary.path
+                )));
+            }
+            let known: Vec<_> = meant.flat_map(|info| info.params.iter().map(|param| param.name)).collect();
+            if !known.contains(&param) {
+                let near = did_you_mean(param, &known);
+                let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+                return Err(Failure::Usage(format!(
+                    "--set {}: there is no parameter '{param}' (there are: {known}){near}",
+                    vary.path
+                )));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The value that each parameter has in the combination of that number; the last runs fastest.
+fn combination<'a>(own: &[(&'static str, &'a Vary)], index: usize) -> Vec<(&'static str, &'a str)> {
+    let mut rest = index;
+    let mut values: Vec<_> = own
+        .iter()
+        .rev()
+        .map(|(name, vary)| {
+            let value = vary.values[rest % vary.values.len()].as_str();
+            rest /= vary.values.len();
+            (*name, value)
+        })
+        .collect();
+    values.reverse();
+    values
+}
+
+fn case(info: &ModelInfo, texts: &[(&'static str, &str)]) -> Result<Case, Failure> {
+    let mut set = Vec::with_capacity(texts.len());
+    let mut label = info.name.to_owned();
+    for (name, text) in texts {
+        let value = text
+            .parse::<f64>()
+            .map_err(|_| Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number")))?;
+        set.push((*name, value));
+        label += &format!(" {name}={text}");
+    }
+    let shape = Shape::named(info.name, &set).map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(Case { shape, label })
+}
+
+fn info(name: &str) -> &'static ModelInfo {
+    glanz_bsdf::models::info_named(name).expect("the parser lets only known names through")
+}
+
+/// `; did you mean 'x'?`, or nothing.
+pub fn did_you_mean(word: &str, known: &[&str]) -> String {
+    let near = known
+        .iter()
+        .map(|name| (strsim::damerau_levenshtein(word, name), *name))
+        .filter(|(distance, name)| word.len() <= 60 && distance * 2 <= name.chars().count())
+        .min();
+    near.map(|(_, name)| format!("; did you mean '{name}'?")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cases(models: &[&str], sets: &[&str]) -> Result<Vec<Case>, Failure> {
+        let set = SetArgs { set: sets.iter().map(|text| Vary::parse(text).unwrap()).collect() };
+        set.cases(&models.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn each_model_takes_the_values_that_it_has() {
+        let all = cases(&["phong", "lambert", "blinn-phong"], &["shininess=8,32"]).unwrap();
+        let labels: Vec<_> = all.iter().map(|case| case.label.as_str()).collect();
+        let expected = [
+            "phong shininess=8",
+            "phong shininess=32",
+            "lambert",
+            "blinn-phong shininess=8",
+            "blinn-phong shininess=32",
+        ];
+        assert_eq!(labels, expected);
+    }
+
+    #[test]
+    fn a_value_for_one_model_comes_before_a_value_for_all() {
+        let all = cases(&["phong", "blinn-phong"], &["phong.shininess=3", "shininess=7"]).unwrap();
+        assert_eq!(all.iter().map(|case| case.shape.params()[0]).collect::<Vec<_>>(), [3.0, 7.0]);
+    }
+
+    #[test]
+    fn names_that_mean_nothing_are_refused() {
+        for set in ["shinyness=3", "lambert.shininess=3", "phong.n=3", "shininess=high", "shininess=-1"] {
+            assert!(cases(&["phong"], &[set]).is_err(), "{set}");
+        }
+        assert!(cases(&["phong"], &["shininess=1:2:1001"]).is_err());
+    }
+}

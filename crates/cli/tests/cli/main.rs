@@ -1,0 +1,14 @@
+//! The command as a user types it: what it prints, what it writes, and how it fails.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+mod color;
+mod comparisons;
+mod errors;
+mod folder;
+mod help;
+mod lobes;
+mod materials;
+mod models;
+mod pictures;
+mod spectra;
