@@ -10,6 +10,7 @@
 //! the C library of a platform and nothing is contracted to a fused multiply-add.
 
 mod chebyshev;
+pub mod inline;
 mod lanes;
 mod level;
 mod poly;

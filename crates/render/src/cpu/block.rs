@@ -7,8 +7,8 @@
 use fearless_simd::Simd;
 use glanz_math::Lanes;
 
-use super::bins::TILE_WIDTH;
-use super::raster::Grid;
+use crate::cpu::geometry::bins::TILE_WIDTH;
+use crate::cpu::visibility::raster::Grid;
 
 /// Pixels of a block.
 pub(crate) const BLOCK: usize = 16;

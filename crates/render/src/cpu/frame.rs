@@ -3,15 +3,15 @@
 use glanz_bsdf::{LightTerm, Shape};
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
-use super::background::ViewBackground;
-use super::camera::ViewCamera;
-use super::lights::ViewLights;
-use super::polygons::PolygonView;
-use super::samples;
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::shading::polygons::PolygonView;
 use crate::prepare::{
     Attributes, DirectLobe, LobeIntegrals, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
     TintSeries,
 };
+use crate::view::camera::ViewCamera;
+use crate::view::lights::ViewLights;
+use crate::view::samples;
 use crate::{DebugView, DrawOptions, Prepared, View};
 
 /// How a triangle of an object takes part.
@@ -43,7 +43,7 @@ pub(crate) struct ObjectView {
 /// Where attribute groups of three values are among an object's interpolated attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Layout {
-    /// Light of the second kind ([`super::reflect::Reflected::plain`]), Gouraud or flat with texture.
+    /// Light of the second kind ([`crate::cpu::lighting::reflect::Reflected::plain`]), Gouraud or flat with texture.
     pub plain: Option<usize>,
     /// The first of two groups with light through the second and third spectrum that texels mix; the first
     /// spectrum is in group 0. Gouraud or flat with texture, where texels mix spectra.

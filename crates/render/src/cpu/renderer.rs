@@ -5,13 +5,13 @@ use std::sync::{Mutex, PoisonError};
 use fearless_simd::Level;
 use glanz_math::at_level;
 
-use super::bins::{TILE_HEIGHT, TILE_WIDTH};
-use super::frame::FrameView;
-use super::geometry::{self, ChunkOutput, Screen};
-use super::gouraud::{Lit, VertexLight};
-use super::target::{Band, Codes, PlaneBand, empty_block};
-use super::tile::{self, TilePlace, TileScratch};
-use super::triangle_setup::Projected;
+use crate::cpu::frame::FrameView;
+use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
+use crate::cpu::geometry::process::{self, ChunkOutput, Screen};
+use crate::cpu::shading::gouraud::{Lit, VertexLight};
+use crate::cpu::shading::triangle_setup::Projected;
+use crate::cpu::tile::draw::{self, TilePlace, TileScratch};
+use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
 use crate::{Develop, DrawOptions, Frame, Prepared, View};
 use glanz_picture::DevelopKernel;
 use glanz_scene::Background;
@@ -139,7 +139,7 @@ fn process(
     lit: VertexLight,
     output: &mut ChunkOutput,
 ) {
-    at_level!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
+    at_level!(level, simd => process::process(simd, frame, range, screen, lit, output));
 }
 
 /// One dispatch per tile.
@@ -151,7 +151,7 @@ fn draw_tile(
     scratch: &mut TileScratch,
     band: &mut Band,
 ) {
-    at_level!(level, simd => tile::draw(simd, frame, projected, place, scratch, band));
+    at_level!(level, simd => draw::draw(simd, frame, projected, place, scratch, band));
 }
 
 fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {

@@ -2,27 +2,9 @@
 //!
 //! All colour work happens here: what leaves is geometry, lobe shapes and the tint table.
 
-mod bvh;
-mod closed;
-mod environment_map;
-mod facets;
-mod geometry;
-mod intensity_grid;
-mod interfaces;
-mod irradiance;
-mod lights;
-mod lobe_integrals;
-mod ltc;
-mod materials;
-mod mipmap;
-mod observation;
-mod polygons;
-mod prefilter;
-mod quadrature;
-mod simplex;
-mod tint_coordinate;
-mod tint_series;
-mod tint_table;
+mod build;
+mod color;
+mod data;
 
 use std::sync::Arc;
 
@@ -31,22 +13,26 @@ use glanz_bsdf::{MODELS, ParamError, Shape};
 use glanz_scene::{Background, Interpolation, LightKind, Mesh, Scene, Shading};
 use thiserror::Error;
 
-pub use bvh::Bvh;
-pub use environment_map::EnvironmentMap;
-pub use facets::Facets;
-pub use geometry::{Cluster, Geometry};
-pub use intensity_grid::IntensityGrid;
-pub use lights::{EnvironmentLight, Falloff, LightShape, PreparedLight, PreparedLuminaire};
-pub use lobe_integrals::LobeIntegrals;
-pub(crate) use lobe_integrals::is_cosine;
-pub use ltc::LtcTable;
-pub use materials::{DirectLobe, MixTints, PreparedMaterial};
-pub use mipmap::Mipmap;
-pub use observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
-pub use polygons::Polygons;
-use quadrature::Sampling;
-pub use tint_coordinate::TintCoordinate;
-pub use tint_series::TintSeries;
+use build::{closed, geometry, lights, lobe_integrals, materials};
+use color::quadrature::Sampling;
+use color::tint_table;
+use data::mipmap;
+
+pub use build::facets::Facets;
+pub use build::geometry::{Cluster, Geometry};
+pub use build::lights::{EnvironmentLight, Falloff, LightShape, PreparedLight, PreparedLuminaire};
+pub use build::lobe_integrals::LobeIntegrals;
+pub(crate) use build::lobe_integrals::is_cosine;
+pub use build::ltc::LtcTable;
+pub use build::materials::{DirectLobe, MixTints, PreparedMaterial};
+pub use build::polygons::Polygons;
+pub use color::observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
+pub use color::tint_coordinate::TintCoordinate;
+pub use color::tint_series::TintSeries;
+pub use data::bvh::Bvh;
+pub use data::environment_map::EnvironmentMap;
+pub use data::intensity_grid::IntensityGrid;
+pub use data::mipmap::Mipmap;
 
 /// What to change of a scene on the way.
 #[derive(Clone, Debug, Default, PartialEq)]

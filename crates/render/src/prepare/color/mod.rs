@@ -1,0 +1,8 @@
+//! Colour
+
+pub(crate) mod interfaces;
+pub(crate) mod observation;
+pub(crate) mod quadrature;
+pub(crate) mod tint_coordinate;
+pub(crate) mod tint_series;
+pub(crate) mod tint_table;
