@@ -18,6 +18,10 @@ use super::load::Input;
 use super::progress::Progress;
 use super::timings::{Stage, Timings};
 
+/// The part of the time that the spectra of a spectral picture take, the rest being its preview: 33 frames of
+/// three wavelengths to one.
+const SPECTRUM_SHARE: f64 = 33.0 / 34.0;
+
 /// What is kept of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -153,18 +157,20 @@ impl Plan {
         Ok(Self { view, camera, ..self.clone() })
     }
 
-    /// Draws a picture.
+    /// Draws a picture, and tells `progress` how much of it is done.
     pub fn picture(
         &self,
         prepared: &Prepared,
         kind: Kind,
         timings: &mut Timings,
+        progress: &mut Progress,
     ) -> Result<Picture, Failure> {
         let (width, height) = (self.view.width as usize, self.view.height as usize);
         Ok(match kind {
-            Kind::Codes8 => Picture::Codes8(self.codes(prepared, timings)?),
+            Kind::Codes8 => Picture::Codes8(self.codes(prepared, timings, progress)?),
             Kind::Codes16 => {
-                let frame = timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default()))?;
+                let frame =
+                    timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default(), progress))?;
                 let rgba = timings.measure(Stage::Develop, || {
                     let (frame, develop) = self.developable(frame);
                     develop16(&frame, &develop)
@@ -172,21 +178,26 @@ impl Plan {
                 Picture::Codes16 { width, height, rgba }
             }
             Kind::Spectrum => {
-                Picture::Spectrum(timings.measure(Stage::Draw, || self.spectral_image(prepared))?)
+                Picture::Spectrum(timings.measure(Stage::Draw, || self.spectral_image(prepared, progress))?)
             }
             Kind::Light => {
                 let layers = Aovs { depth: true, normal: true, object: true };
-                let frame = timings.measure(Stage::Draw, || self.frame(prepared, layers))?;
+                let frame = timings.measure(Stage::Draw, || self.frame(prepared, layers, progress))?;
                 Picture::Light(self.light(frame))
             }
         })
     }
 
     /// Draws 8-bit codes. Development is part of the drawing where three channels are all there are.
-    pub fn codes(&self, prepared: &Prepared, timings: &mut Timings) -> Result<Canvas, Failure> {
+    pub fn codes(
+        &self,
+        prepared: &Prepared,
+        timings: &mut Timings,
+        progress: &mut Progress,
+    ) -> Result<Canvas, Failure> {
         let (width, height) = (self.view.width as usize, self.view.height as usize);
         if self.takes_several_frames() {
-            let frame = timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default()))?;
+            let frame = timings.measure(Stage::Draw, || self.frame(prepared, Aovs::default(), progress))?;
             let rgba = timings.measure(Stage::Develop, || {
                 let (frame, settings) = self.developable(frame);
                 develop(&frame, &settings)
@@ -201,63 +212,81 @@ impl Plan {
     }
 
     /// Draws linear light with object numbers, and develops it.
-    pub fn developed(&self, prepared: &Prepared) -> Result<Developed, Failure> {
-        let frame = self.frame(prepared, Aovs { object: true, ..Aovs::default() })?;
+    pub fn developed(&self, prepared: &Prepared, progress: &mut Progress) -> Result<Developed, Failure> {
+        let frame = self.frame(prepared, Aovs { object: true, ..Aovs::default() }, progress)?;
         let frame = self.on_linear_screen(frame);
         let codes = develop(&frame, &Develop { to_screen: None, ..self.develop });
         Ok(Developed { frame, codes })
     }
 
     /// All channels that the observer sees.
-    pub fn frame(&self, prepared: &Prepared, aovs: Aovs) -> Result<Frame, Failure> {
+    fn frame(&self, prepared: &Prepared, aovs: Aovs, progress: &mut Progress) -> Result<Frame, Failure> {
+        self.frame_in_steps(prepared, aovs, &mut |part| progress.within(part))
+    }
+
+    fn frame_in_steps(
+        &self,
+        prepared: &Prepared,
+        aovs: Aovs,
+        step: &mut dyn FnMut(f64),
+    ) -> Result<Frame, Failure> {
         let options = DrawOptions { aovs, ..self.options };
         if !self.takes_several_frames() {
             return Ok(draw(prepared, &self.view, &options));
         }
-        let mut progress = Progress::new(100, "per cent");
-        let mut step = |done: f64| progress.set((100.0 * done) as usize);
-        Ok(draw_observed(prepared, &self.colors, &self.prepare, &self.view, &options, &mut step)?)
+        Ok(draw_observed(prepared, &self.colors, &self.prepare, &self.view, &options, step)?)
     }
 
     /// The spectrum of each pixel, drawn three wavelengths at a time.
-    fn spectral_image(&self, prepared: &Prepared) -> Result<SpectralImage, Failure> {
+    fn spectral_image(&self, prepared: &Prepared, progress: &mut Progress) -> Result<SpectralImage, Failure> {
         let mode = self.prepare.observation.mode();
         if !matches!(mode, ColorMode::Spectral | ColorMode::Reference) || !self.options.show.is_light() {
             let message =
                 format!("--spectral-exr needs spectra of light: add --mode spectral (the mode is {mode})");
             return Err(Failure::Usage(message));
         }
+        // The reference draws all wavelengths for the preview too.
+        let share = if mode == ColorMode::Reference { 0.5 } else { SPECTRUM_SHARE };
+        let frame = self.spectral_frame(prepared, &mut |part| progress.within(share * part))?;
+        let mut step = |part: f64| progress.within(share + (1.0 - share) * part);
+        let preview = self.frame_in_steps(prepared, Aovs::default(), &mut step)?;
+        let (width, height) = (frame.width, frame.height);
+        Ok(SpectralImage {
+            width,
+            height,
+            emissive: self.bands(frame),
+            rgb: Some(self.on_linear_screen(preview).rgb),
+            emissive_units: if self.colors.photometric { "W.m^-2.sr^-1" } else { "relative" }.to_owned(),
+            ..SpectralImage::default()
+        })
+    }
+
+    /// A channel for each wavelength, over nothing.
+    fn spectral_frame(&self, prepared: &Prepared, step: &mut dyn FnMut(f64)) -> Result<Frame, Failure> {
         let background = match self.options.background {
             Background::Environment => Background::Environment,
             _ => Background::Transparent,
         };
         let options = DrawOptions { background, ..self.options };
         let own = PrepareOptions { observation: Observation::spectrum(), ..self.prepare.clone() };
-        let mut progress = Progress::new(100, "per cent");
-        let mut step = |done: f64| progress.set((100.0 * done) as usize);
-        let prepared_own = prepared.refilled(&self.colors, &own)?;
-        let frame = draw_observed(&prepared_own, &self.colors, &own, &self.view, &options, &mut step)?;
-        let unit = if self.colors.photometric { 1.0 / PHOTOPIC_LM_PER_W } else { 1.0 };
+        let prepared = prepared.refilled(&self.colors, &own)?;
+        Ok(draw_observed(&prepared, &self.colors, &own, &self.view, &options, step)?)
+    }
+
+    /// The wavelengths of a frame over the background, in the unit of the file.
+    fn bands(&self, frame: Frame) -> Vec<Band> {
+        let unit = if self.colors.photometric { 1.0 / PHOTOPIC_LM_PER_W } else { 1.0 } as f32;
         let behind = match self.background {
             Background::Color(color) => rgb_spectra::spectrum_of_light(color),
             Background::Transparent | Background::Environment => Spectrum::ZERO,
         };
         let alpha = &frame.alpha;
         let band = |(i, mut values): (usize, Vec<f32>)| {
-            let (behind, unit) = (behind[i] as f32, unit as f32);
+            let behind = behind[i] as f32;
             values.iter_mut().zip(alpha).for_each(|(v, a)| *v = (*v + behind * (1.0 - a)) * unit);
             Band { nm: lambda_nm(i), values }
         };
-        let emissive = frame.rgb.into_iter().chain(frame.more).enumerate().map(band).collect();
-        let preview = self.on_linear_screen(self.frame(prepared, Aovs::default())?);
-        Ok(SpectralImage {
-            width: frame.width,
-            height: frame.height,
-            emissive,
-            rgb: Some(preview.rgb),
-            emissive_units: if self.colors.photometric { "W.m^-2.sr^-1" } else { "relative" }.to_owned(),
-            ..SpectralImage::default()
-        })
+        frame.rgb.into_iter().chain(frame.more).enumerate().map(band).collect()
     }
 
     fn takes_several_frames(&self) -> bool {

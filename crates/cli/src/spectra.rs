@@ -13,6 +13,7 @@ use glanz_color::{
     IorKind, Observer, Outside, Reradiation, Spectrum, TableError, UnknownName, fluorescent, fluorescents,
     ior, iors, light, lights, observer, observers, reflectance, reflectances,
 };
+use glanz_math::names::{did_you_mean, plain};
 use glanz_scene::read::read_sensor;
 
 use super::failure::{Failure, Report, without_number};
@@ -29,9 +30,6 @@ const GREATEST_SHARE: f64 = 1.5;
 
 /// A surface may exceed 1 by the rounding of numbers in a file without a remark.
 const SHARE_TOLERANCE: f64 = 1e-6;
-
-/// The most suggestions made.
-const MOST_SUGGESTIONS: usize = 3;
 
 /// What a spectrum is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -243,29 +241,14 @@ fn names() -> Vec<&'static str> {
     lights().iter().map(|info| info.name).chain(reflectances).chain(iors).collect()
 }
 
-fn plain(name: &str) -> String {
-    name.trim().to_lowercase().replace([' ', '_'], "-")
-}
-
 fn same(a: &str, b: &str) -> bool {
     plain(a) == plain(b)
 }
 
 /// The failure for a word that is neither a name nor a file.
 fn unknown(what: &str, word: &str, known: &[&str]) -> Failure {
-    let wanted = plain(word);
-    let distance = |name: &str| strsim::damerau_levenshtein(&wanted, &plain(name));
-    let mut near: Vec<_> = known.iter().map(|name| (distance(name), *name)).collect();
-    near.retain(|(distance, name)| wanted.len() <= 60 && distance * 2 <= name.chars().count());
-    near.sort();
-    let least = near.first().map_or(0, |(distance, _)| *distance);
-    let near: Vec<_> =
-        near.iter().take_while(|(d, _)| *d == least).take(MOST_SUGGESTIONS).map(|(_, name)| *name).collect();
-    let suggestion = match near.as_slice() {
-        [] => String::new(),
-        names => format!("; did you mean '{}'?", names.join("' or '")),
-    };
-    Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
+    let near = did_you_mean(word, known.iter().copied());
+    Failure::Usage(format!("there is no {what} '{word}', and no file of that name{near}"))
 }
 
 /// A file that was named.
@@ -318,26 +301,7 @@ fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
     }
     let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
     let named = pick(&spectra, file, opened.column.as_deref())?;
-    let (kind, guessed) = match (kind, named.quantity) {
-        (Some(kind), _) => (kind, false),
-        (None, Quantity::Reflectance | Quantity::Transmittance) => (Kind::Surface, false),
-        (None, Quantity::Light | Quantity::Relative) => (Kind::Light, false),
-        (None, Quantity::Absorptance) => {
-            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
-            return Err(Report::new(message).help("say what it stands for with --as").into());
-        }
-        (None, Quantity::Unknown) => {
-            let shares = named.values.iter().all(|value| (-0.1..=GREATEST_SHARE).contains(value));
-            (if shares { Kind::Surface } else { Kind::Light }, true)
-        }
-    };
-    if guessed {
-        let taken = if kind == Kind::Surface { "the reflectance of a surface" } else { "light" };
-        print::note(format_args!(
-            "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
-            named.name
-        ));
-    }
+    let kind = kind.map_or_else(|| kind_of(named, file), Ok)?;
     let outside = if kind == Kind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
     if kind == Kind::Surface {
@@ -351,6 +315,30 @@ fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
         unit: named.unit.clone(),
         power_unit: named.power_unit(),
     })
+}
+
+/// What a spectrum of a file is of, by what the file says of it; if it says nothing, by its values.
+fn kind_of(named: &NamedSpectrum, file: &str) -> Result<Kind, Failure> {
+    match named.quantity {
+        Quantity::Reflectance | Quantity::Transmittance => Ok(Kind::Surface),
+        Quantity::Light | Quantity::Relative => Ok(Kind::Light),
+        Quantity::Absorptance => {
+            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
+            Err(Report::new(message).help("say what it stands for with --as").into())
+        }
+        Quantity::Unknown => {
+            let shares = named.values.iter().all(|value| (-0.1..=GREATEST_SHARE).contains(value));
+            let (kind, taken) = match shares {
+                true => (Kind::Surface, "the reflectance of a surface"),
+                false => (Kind::Light, "light"),
+            };
+            print::note(format_args!(
+                "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
+                named.name
+            ));
+            Ok(kind)
+        }
+    }
 }
 
 fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, Failure> {

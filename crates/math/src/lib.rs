@@ -1,4 +1,4 @@
-//! Numbers for Glanz.
+//! Numbers for Glanz, and names as people type them ([`names`]).
 //!
 //! Every formula of the project is written once, generic over [`Real`], and runs as `f64` (the
 //! reference), as `f32` and as 16 lanes of `f32` ([`Lanes`]). The three agree by
@@ -13,6 +13,7 @@ mod chebyshev;
 pub mod inline;
 mod lanes;
 mod level;
+pub mod names;
 mod poly;
 mod quadrature;
 mod real;

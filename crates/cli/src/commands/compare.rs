@@ -13,6 +13,7 @@ use crate::encode;
 use crate::failure::Failure;
 use crate::pipeline::{Picture, Plan};
 use crate::print::{self, Format, FormatArgs};
+use crate::progress::Progress;
 use crate::sheet::Sheet;
 
 /// Shown after the help.
@@ -66,9 +67,13 @@ impl CompareArgs {
         print::notes(&self.input.input, &input.notes);
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
         let mut pictures = Vec::with_capacity(SHADINGS.len());
+        let mut progress = Progress::new(SHADINGS.len(), "pictures");
         for (shading, _, _) in SHADINGS {
-            pictures.push(plan.developed(&plan.prepare_shaded(&input.scene, shading)?)?);
+            let prepared = plan.prepare_shaded(&input.scene, shading)?;
+            pictures.push(plan.developed(&prepared, &mut progress)?);
+            progress.step();
         }
+        drop(progress);
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();

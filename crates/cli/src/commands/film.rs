@@ -31,7 +31,6 @@ struct Frames<'a> {
     count: usize,
     /// The scene of the last frame, and of the next ones while nothing in it moves.
     scene: Option<(Plan, Prepared, u64)>,
-    progress: Progress,
 }
 
 impl RenderArgs {
@@ -90,12 +89,13 @@ impl RenderArgs {
             self.target.check_free(name)?;
         }
         let mut frames = Frames::new(self, names.len());
+        let mut progress = Progress::new(names.len(), "frames");
         for (index, name) in names.iter().enumerate() {
             let (plan, prepared, hash) = frames.frame(index)?;
-            let picture = plan.picture(prepared, kind, &mut Timings::default())?;
+            let picture = plan.picture(prepared, kind, &mut Timings::default(), &mut progress)?;
             let metadata = encode::metadata_of(hash, &plan);
             write_atomically(name, |out| encode::write(out, picture, format, &metadata))?;
-            frames.progress.step();
+            progress.step();
         }
         Ok(names)
     }
@@ -109,6 +109,7 @@ impl RenderArgs {
             )));
         }
         let mut frames = Frames::new(self, count);
+        let mut progress = Progress::new(count, "frames");
         let (plan, _, hash) = frames.frame(0)?;
         let animation = Animation {
             width: plan.view.width as usize,
@@ -118,8 +119,8 @@ impl RenderArgs {
         };
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
             let (plan, prepared, _) = frames.frame(index)?;
-            let canvas = plan.codes(prepared, &mut Timings::default())?;
-            frames.progress.step();
+            let canvas = plan.codes(prepared, &mut Timings::default(), &mut progress)?;
+            progress.step();
             Ok(canvas.rgba)
         });
         write_atomically(path, |out| match format {
@@ -132,7 +133,7 @@ impl RenderArgs {
 
 impl<'a> Frames<'a> {
     fn new(args: &'a RenderArgs, count: usize) -> Self {
-        Self { args, count, scene: None, progress: Progress::new(count, "frames") }
+        Self { args, count, scene: None }
     }
 
     /// How frame `index` is drawn, and the hash of its scene. The file is read again only where

@@ -17,6 +17,7 @@ use crate::load::Input;
 use crate::pipeline::{Kind, Picture, Plan};
 use crate::preview;
 use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
 use crate::timings::{Stage, Timings};
 
 /// Shown after the help.
@@ -45,7 +46,7 @@ pub struct RenderArgs {
     pub bit_depth: BitDepth,
 
     /// Write the spectrum of each pixel into the .exr, 97 wavelengths from 300 to 780 nm
-    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
+    #[arg(long, help_heading = "Output")]
     pub spectral_exr: bool,
 
     /// Show the picture in this terminal; without -o no file is written
@@ -153,7 +154,7 @@ impl RenderArgs {
     fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Picture), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, prepared) = timings.measure(Stage::Prepare, || self.plan(&input))?;
-        let picture = plan.picture(&prepared, kind, timings)?;
+        let picture = plan.picture(&prepared, kind, timings, &mut Progress::of_one_picture())?;
         Ok((Told { notes: input.notes, hash: input.hash }, plan, picture))
     }
 

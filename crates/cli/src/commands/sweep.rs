@@ -75,7 +75,8 @@ impl SweepArgs {
             let input = self.input.load(Some(&self.camera), values)?;
             let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
             let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
             }

@@ -3,5 +3,5 @@
 mod cases;
 mod medium;
 
-pub use cases::{Case, SetArgs, did_you_mean, model_names};
+pub use cases::{Case, SetArgs, model_names};
 pub use medium::{Factor, FactorArgs, Medium, medium, wavelength};

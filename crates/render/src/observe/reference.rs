@@ -32,32 +32,30 @@ pub(super) fn draw(
     };
     let bare = DrawOptions { background, aovs: Aovs::default(), ..*draw_options };
     let mut sum = ChannelSums::new(channels, view);
-    let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
+    let mut add_frames = |scene: &Scene, firsts: &[usize]| -> Result<(), PrepareError> {
+        for &first in firsts {
+            let observation = Observation::spectrum();
+            let own = PrepareOptions { observation, first_channel: first, ..options.clone() };
+            let frame = draw_once(&prepared.refilled(scene, &own)?, view, &bare);
+            sum.add(&frame, &options.observation, first);
+        }
+        Ok(())
+    };
     let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
     for input in 0..SAMPLES {
         step(input as f64 / SAMPLES as f64);
         if !lights.iter().flatten().any(|light| light[input] != 0.0) {
             continue;
         }
-        let lit = only(scene, &lights, input);
         let leaving: Vec<usize> = (0..SAMPLES).filter(|out| answers(scene, *out, input)).collect();
-        for first in groups(&leaving) {
-            let own = PrepareOptions { first_channel: first, ..own.clone() };
-            let frame = draw_once(&prepared.refilled(&lit, &own)?, view, &bare);
-            sum.add(&frame, &options.observation, first);
-        }
+        add_frames(&only(scene, &lights, input), &groups(&leaving))?;
     }
     if scene.materials.iter().any(glows) {
-        let dark = without_lights(scene);
-        for first in (0..SAMPLES).step_by(AT_ONCE) {
-            let own = PrepareOptions { first_channel: first, ..own.clone() };
-            sum.add(&draw_once(&prepared.refilled(&dark, &own)?, view, &bare), &options.observation, first);
-        }
+        add_frames(&without_lights(scene), &groups(&Vec::from_iter(0..SAMPLES)))?;
     }
     // Depth, normals and coverage are those of any picture.
     let whole = DrawOptions { background: Background::Transparent, ..*draw_options };
-    let like = draw_once(prepared, view, &whole);
-    Ok(sum.over(like, draw_options.background))
+    Ok(sum.over(draw_once(prepared, view, &whole), draw_options.background))
 }
 
 /// The channels so far, in f64.

@@ -98,7 +98,8 @@ impl SheetArgs {
             let input = room.input(info.material(), size);
             let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
             let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             progress.step();
         }
         drop(progress);

@@ -144,25 +144,9 @@ impl PlotArgs {
         if self.kind == Kind::Fresnel {
             return self.fresnel();
         }
-        if self.polarised {
-            return Err(Failure::Usage("--polarised is for --kind fresnel".to_owned()));
-        }
-        if self.models.is_empty() {
-            return Err(Failure::Usage(
-                "name a model, such as phong; 'glanz bsdf list' has them all".to_owned(),
-            ));
-        }
-        let cases = self.set.cases(&self.models)?;
-        check_directional(&cases, self.kind)?;
-        let theta = if self.theta.is_empty() { vec![30.0] } else { self.theta.clone() };
-        if let Some(wrong) = theta.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
-            return Err(Failure::Usage(format!(
-                "--theta holds {wrong}, but must be from 0 to below 90 degrees"
-            )));
-        }
-        if !self.phi.is_finite() {
-            return Err(Failure::Usage(format!("--phi is {}, but must be finite", self.phi)));
-        }
+        let cases = self.lobes()?;
+        let theta = self.angles()?;
+        self.check_count(cases.len(), theta.len())?;
         let args = FactorArgs { ior: self.ior.clone(), tint: self.tint.clone(), lambda_nm: self.lambda_nm };
         let factor = if self.kind == Kind::Terms { Factor::One } else { args.factor()? };
         let default = if self.kind == Kind::Slice { Quantity::F } else { Quantity::FCos };
@@ -175,15 +159,6 @@ impl PlotArgs {
             factor: &factor,
             nm: args.nm(),
         };
-        let views =
-            if matches!(self.kind, Kind::Polar | Kind::Cartesian | Kind::Lobe3d) { theta.len() } else { 1 };
-        let most = if matches!(self.kind, Kind::Lobe3d | Kind::Slice) { 12 } else { MAX_CURVES };
-        if cases.len() * views > most {
-            let found = cases.len() * views;
-            return Err(Failure::Usage(format!(
-                "a plot of {found} lobes cannot be read; at most {most} are drawn"
-            )));
-        }
         match self.kind {
             Kind::Polar => Ok(request.polar()),
             Kind::Cartesian => Ok(request.cartesian()),
@@ -193,6 +168,46 @@ impl PlotArgs {
             Kind::Terms => request.terms(self.ior.as_deref().unwrap_or("1.5")),
             Kind::Fresnel => self.fresnel(),
         }
+    }
+
+    /// The lobes that are drawn.
+    fn lobes(&self) -> Result<Vec<Case>, Failure> {
+        if self.polarised {
+            return Err(Failure::Usage("--polarised is for --kind fresnel".to_owned()));
+        }
+        if self.models.is_empty() {
+            let message = "name a model, such as phong; 'glanz bsdf list' has them all";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let cases = self.set.cases(&self.models)?;
+        check_directional(&cases, self.kind)?;
+        Ok(cases)
+    }
+
+    /// The angles of incidence in degrees; that of the plane is looked at, too.
+    fn angles(&self) -> Result<Vec<f64>, Failure> {
+        let theta = if self.theta.is_empty() { vec![30.0] } else { self.theta.clone() };
+        if let Some(wrong) = theta.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
+            let message = format!("--theta holds {wrong}, but must be from 0 to below 90 degrees");
+            return Err(Failure::Usage(message));
+        }
+        if !self.phi.is_finite() {
+            return Err(Failure::Usage(format!("--phi is {}, but must be finite", self.phi)));
+        }
+        Ok(theta)
+    }
+
+    /// That the plot can be read.
+    fn check_count(&self, cases: usize, angles: usize) -> Result<(), Failure> {
+        let views =
+            if matches!(self.kind, Kind::Polar | Kind::Cartesian | Kind::Lobe3d) { angles } else { 1 };
+        let most = if matches!(self.kind, Kind::Lobe3d | Kind::Slice) { 12 } else { MAX_CURVES };
+        let found = cases * views;
+        if found > most {
+            let message = format!("a plot of {found} lobes cannot be read; at most {most} are drawn");
+            return Err(Failure::Usage(message));
+        }
+        Ok(())
     }
 
     fn fresnel(&self) -> Result<Picture, Failure> {

@@ -7,6 +7,7 @@ use std::path::Path;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glanz_bsdf::models::info_named;
+use glanz_math::names::did_you_mean;
 use glanz_scene::builtin::Builtin;
 
 use self::ball::Ball;
@@ -14,7 +15,7 @@ use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, Tar
 use crate::encode;
 use crate::failure::Failure;
 use crate::grid::{Grid, tell};
-use crate::lobes::{did_you_mean, model_names};
+use crate::lobes::model_names;
 use crate::pipeline::{Picture, Plan};
 use crate::print::FormatArgs;
 use crate::progress::Progress;
@@ -104,7 +105,8 @@ impl SheetArgs {
             let input = ball.input(self.size)?;
             let plan = Plan::new(&input, Some(self.size), &look, &camera, self.develop)?;
             let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             progress.step();
         }
         drop(progress);
@@ -127,7 +129,7 @@ impl SheetArgs {
         let keys: Vec<_> = varied.chain(self.set.iter().map(|(key, _)| ("--set", key.as_str()))).collect();
         for (index, (option, key)) in keys.iter().enumerate() {
             if !known.contains(key) {
-                let near = did_you_mean(key, &known);
+                let near = did_you_mean(key, known.iter().copied());
                 let known = known.join(", ");
                 let model = &self.model;
                 return Err(Failure::Usage(format!(
