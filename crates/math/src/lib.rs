@@ -21,7 +21,7 @@ mod vec3;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
 pub use lanes::{Lanes, LanesMask};
-pub use level::{LevelError, NARROWEST_LEVEL, narrowest, simd_level};
+pub use level::{LevelError, SimdLevel, narrowest};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
 pub use vec3::{Frame, Vec3};

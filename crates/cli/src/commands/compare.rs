@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::difference::{Developed, Difference};
 use crate::encode;
 use crate::failure::Failure;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::{self, Format, FormatArgs};
 use crate::progress::Progress;
 use crate::sheet::Sheet;
@@ -69,8 +69,8 @@ impl CompareArgs {
         let mut pictures = Vec::with_capacity(SHADINGS.len());
         let mut progress = Progress::new(SHADINGS.len(), "pictures");
         for (shading, _, _) in SHADINGS {
-            let prepared = plan.prepare_shaded(&input.scene, shading)?;
-            pictures.push(plan.developed(&prepared, &mut progress)?);
+            let mut shot = plan.shot_shaded(&input.scene, shading)?;
+            pictures.push(pipeline::developed(&mut shot, &mut progress)?);
             progress.step();
         }
         drop(progress);

@@ -13,7 +13,7 @@ use crate::difference::Developed;
 use crate::encode;
 use crate::failure::Failure;
 use crate::load::Input;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::{self, Format, FormatArgs};
 use crate::progress::Progress;
 use crate::sheet::Sheet;
@@ -126,7 +126,7 @@ impl ModesArgs {
             look.color.observer = None;
         }
         let plan = Plan::new(input, self.size.size, &look, &self.camera, self.develop)?;
-        let picture = plan.developed(&plan.prepare(&input.scene)?, progress)?;
+        let picture = pipeline::developed(&mut plan.shot(&input.scene)?, progress)?;
         progress.step();
         Ok(picture)
     }

@@ -10,7 +10,7 @@ use crate::canvas::Canvas;
 use crate::encode;
 use crate::failure::Failure;
 use crate::load::Input;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
 use crate::sheet::Sheet;
@@ -131,7 +131,8 @@ impl RelightArgs {
         for (color, look) in spectra.iter().zip(looks) {
             relight(&mut input.scene.lights, &own, color);
             let plan = self.plan(input, look)?;
-            pictures.push(plan.codes(&plan.prepare(&input.scene)?, &mut Timings::default(), progress)?);
+            let mut shot = plan.shot(&input.scene)?;
+            pictures.push(pipeline::codes(&mut shot, &mut Timings::default(), progress)?);
             progress.step();
         }
         input.scene.lights = own;

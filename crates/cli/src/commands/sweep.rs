@@ -6,7 +6,7 @@ use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, Tar
 use crate::encode;
 use crate::failure::Failure;
 use crate::grid::{Grid, tell};
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
 use crate::timings::Timings;
@@ -74,8 +74,8 @@ impl SweepArgs {
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), values)?;
             let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);

@@ -10,7 +10,7 @@ use glanz_color::exr::{Attribute, ExrWriteError, write_planes};
 
 use super::error::check_size;
 use super::{Metadata, OutputError};
-use crate::Frame;
+use crate::{Frame, Meaning};
 
 /// Writes the frame's colour, in linear sRGB, and alpha and what else it holds, and `more` planes under
 /// their names. Takes the frame, so that its planes need not be copied. Alpha is left out where the whole picture is opaque.
@@ -22,6 +22,7 @@ pub fn write_exr(
     more: Vec<(String, Vec<f32>)>,
     metadata: &Metadata,
 ) -> Result<(), OutputError> {
+    frame.channels.expect(Meaning::LinearSrgb)?;
     let (width, height) = (frame.width, frame.height);
     let own = planes(frame).map(|(name, samples)| (name.to_owned(), samples));
     let planes: Vec<_> = own.chain(more).collect();
@@ -81,7 +82,7 @@ mod tests {
             depth: (0..12).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect(),
             normal: [plane(0.01), plane(0.02), plane(0.03)],
             object: (0..12).map(|i| i * 1000).collect(),
-            more: Vec::new(),
+            ..Frame::default()
         }
     }
 

@@ -48,8 +48,8 @@ pub(crate) fn place(column: usize, row: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bins::TILE_PIXELS;
     use super::*;
+    use crate::cpu::geometry::bins::TILE_PIXELS;
 
     #[test]
     fn every_pixel_of_a_tile_has_one_place() {

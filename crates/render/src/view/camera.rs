@@ -4,8 +4,9 @@ use glam::DVec3;
 use glanz_math::{Real, Vec3};
 use glanz_scene::Projection;
 
+use crate::prepare::Prepared;
 use crate::prepare::PreparedObject;
-use crate::{Prepared, View};
+use crate::view::View;
 use glanz_math::inline::inlined;
 
 /// Nearest visible distance, as a fraction of the greatest distance in the scene.
@@ -13,7 +14,7 @@ const NEAR_FRACTION: f64 = 1e-5;
 
 /// The view in single precision. The eye is the origin, the axes are the world's.
 #[derive(Clone, Debug)]
-pub(crate) struct ViewCamera {
+pub struct ViewCamera {
     pub width: usize,
     pub height: usize,
     /// Centre of the picture, in pixels.
@@ -38,7 +39,7 @@ impl ViewCamera {
         let mut range = [f64::INFINITY, 0.0f64];
         for object in &prepared.objects {
             for corner in corners(object) {
-                let distance = -back.dot(object.anchor + corner - view.eye);
+                let distance = -back.dot(DVec3::from_array(object.anchor) + corner - view.eye);
                 range = [range[0].min(distance), range[1].max(distance)];
             }
         }
@@ -64,26 +65,27 @@ impl ViewCamera {
 
     /// The object's anchor along right, up and away from the eye.
     pub fn anchor(&self, object: &PreparedObject) -> [f32; 3] {
-        let offset = object.anchor - self.position;
+        let offset = DVec3::from_array(object.anchor) - self.position;
         let [right, up, back] = self.axes;
         [right.dot(offset) as f32, up.dot(offset) as f32, -back.dot(offset) as f32]
     }
 
     /// The object's anchor relative to the eye, along world axes.
     pub fn offset(&self, object: &PreparedObject) -> Vec3<f32> {
-        let offset = (object.anchor - self.position).as_vec3();
+        let offset = (DVec3::from_array(object.anchor) - self.position).as_vec3();
         Vec3::new(offset.x, offset.y, offset.z)
     }
 
     /// Whether the eye is outside the box of the object, so that a closed one shows no back face.
     pub fn is_outside(&self, object: &PreparedObject) -> bool {
-        let camera = self.position - object.anchor;
-        let size = object.bounds[1] - object.bounds[0];
+        let camera = self.position - DVec3::from_array(object.anchor);
+        let [low, high] = object.bounds.map(DVec3::from_array);
+        let size = high - low;
         let margin = DVec3::splat(size.length() * 1e-3 + f64::from(self.near) * 2.0);
         if !self.perspective {
             return corners(object).all(|c| -self.axes[2].dot(c - camera) > 0.0);
         }
-        !(camera.cmpge(object.bounds[0] - margin).all() && camera.cmple(object.bounds[1] + margin).all())
+        !(camera.cmpge(low - margin).all() && camera.cmple(high + margin).all())
     }
 
     /// The surface point and the unit vector to the viewer for a pixel position and a distance.
@@ -110,7 +112,7 @@ impl ViewCamera {
 
 /// The corners of an object's box relative to its anchor.
 fn corners(object: &PreparedObject) -> impl Iterator<Item = DVec3> {
-    let [low, high] = object.bounds;
+    let [low, high] = object.bounds.map(DVec3::from_array);
     (0..8).map(move |i| {
         DVec3::new(
             if i & 1 == 0 { low.x } else { high.x },

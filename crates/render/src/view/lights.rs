@@ -4,24 +4,21 @@ use glam::{DMat3, DVec3, Mat3};
 use glanz_math::{Real, Vec3};
 use glanz_scene::{AreaShape, Space};
 
-use crate::prepare::{
-    Bvh, EnvironmentLight, Falloff, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire,
-};
+use crate::prepare::Prepared;
+use crate::prepare::{Bvh, EnvironmentLight, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire};
+use crate::view::DrawOptions;
 use crate::view::camera::ViewCamera;
-use crate::{DrawOptions, Prepared};
 
 /// The lights of a frame.
-pub(crate) struct ViewLights<'a> {
+pub struct ViewLights<'a> {
     pub list: Vec<ViewLight<'a>>,
-    /// Whether the pixel loop of the classic models knows them all.
-    pub classic: bool,
     /// What casts shadows.
     pub bvh: Option<ViewBvh<'a>>,
 }
 
 /// What casts shadows, as seen from the eye.
 #[derive(Clone, Copy)]
-pub(crate) struct ViewBvh<'a> {
+pub struct ViewBvh<'a> {
     pub bvh: &'a Bvh,
     /// Where the eye is among it.
     pub camera: [f32; 3],
@@ -33,16 +30,9 @@ pub(crate) struct ViewBvh<'a> {
 /// From the centre of a pixel to its corner, in pixels, and a little more.
 const HALF_DIAGONAL: f32 = 0.75;
 
-/// How a light falls off, in single precision.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum ViewFalloff {
-    None,
-    Polynomial([f32; 3]),
-}
-
 /// A cone, in single precision.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ViewCone {
+pub struct ViewCone {
     pub axis: [f32; 3],
     pub cos_cutoff: f32,
     pub exponent: f32,
@@ -52,7 +42,7 @@ pub(crate) struct ViewCone {
 
 /// What a luminaire sends into each direction.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ViewLuminaire<'a> {
+pub struct ViewLuminaire<'a> {
     pub intensities: &'a IntensityGrid,
     /// Rows: C 0°, C 90°, γ 0°.
     pub frame: [[f32; 3]; 3],
@@ -60,7 +50,7 @@ pub(crate) struct ViewLuminaire<'a> {
 
 /// A surface that shines.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ViewArea {
+pub struct ViewArea {
     pub form: AreaShape,
     pub center: [f32; 3],
     /// TintCoordinate its width, its height and the way it faces.
@@ -70,13 +60,14 @@ pub(crate) struct ViewArea {
 
 /// A light relative to the eye, along world axes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ViewLight<'a> {
+pub enum ViewLight<'a> {
     Directional {
         towards: [f32; 3],
     },
     Point {
         position: [f32; 3],
-        falloff: ViewFalloff,
+        /// The factors of 1, d and d² in the denominator by which it fades; none where it does not.
+        attenuation: Option<[f32; 3]>,
         cone: Option<ViewCone>,
         luminaire: Option<ViewLuminaire<'a>>,
     },
@@ -108,11 +99,10 @@ impl<'a> ViewLights<'a> {
         let scale = if beside { camera.inverse_scale * HALF_DIAGONAL } else { 0.0 };
         let bvh = bvh.map(|bvh| ViewBvh {
             bvh,
-            camera: (camera.position - bvh.center()).as_vec3().to_array(),
+            camera: (camera.position - DVec3::from_array(bvh.center)).as_vec3().to_array(),
             pixel: if camera.perspective { [0.0, scale] } else { [scale, 0.0] },
         });
-        let simple = |light: &PreparedLight| light.shape.is_classic() && light.luminaire.is_none();
-        Self { list, classic: bvh.is_none() && prepared.lights.iter().all(simple), bvh }
+        Self { list, bvh }
     }
 
     /// The surroundings that are seen behind everything: the first.
@@ -132,35 +122,37 @@ impl<'a> ViewLight<'a> {
             Space::Camera => direction(p),
         };
         let array = |v: DVec3| v.as_vec3().to_array();
-        let luminaire =
-            light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| ViewLuminaire {
-                intensities,
-                frame: [frame.x_axis, frame.y_axis, frame.z_axis].map(|axis| array(direction(axis))),
-            });
+        let luminaire = light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| {
+            ViewLuminaire { intensities, frame: frame.map(|axis| array(direction(DVec3::from_array(axis)))) }
+        });
         match &light.shape {
-            LightShape::Directional { towards } => Self::Directional { towards: array(direction(*towards)) },
-            LightShape::Point { position, falloff } => Self::Point {
-                position: array(point(*position)),
-                falloff: single(*falloff),
+            LightShape::Directional { towards } => {
+                Self::Directional { towards: array(direction(DVec3::from_array(*towards))) }
+            }
+            LightShape::Point { position, attenuation } => Self::Point {
+                position: array(point(DVec3::from_array(*position))),
+                attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
                 cone: None,
                 luminaire,
             },
-            LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, falloff } => Self::Point {
-                position: array(point(*position)),
-                falloff: single(*falloff),
-                cone: Some(ViewCone {
-                    axis: array(direction(*axis)),
-                    cos_cutoff: *cos_cutoff as f32,
-                    exponent: *exponent as f32,
-                    smooth_edge: smooth_edge
-                        .map(|(inner, outer)| [outer as f32, (1.0 / (inner - outer).max(1e-6)) as f32]),
-                }),
-                luminaire,
-            },
+            LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, attenuation } => {
+                Self::Point {
+                    position: array(point(DVec3::from_array(*position))),
+                    attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
+                    cone: Some(ViewCone {
+                        axis: array(direction(DVec3::from_array(*axis))),
+                        cos_cutoff: *cos_cutoff as f32,
+                        exponent: *exponent as f32,
+                        smooth_edge: smooth_edge
+                            .map(|(inner, outer)| [outer as f32, (1.0 / (inner - outer).max(1e-6)) as f32]),
+                    }),
+                    luminaire,
+                }
+            }
             LightShape::Area { form, position, axes, two_sided } => Self::Area(ViewArea {
                 form: *form,
-                center: array(point(*position)),
-                axes: axes.map(|axis| array(direction(axis))),
+                center: array(point(DVec3::from_array(*position))),
+                axes: axes.map(|axis| array(direction(DVec3::from_array(axis)))),
                 two_sided: *two_sided,
             }),
             LightShape::Environment(environment) => {
@@ -168,7 +160,7 @@ impl<'a> ViewLight<'a> {
                     &[DVec3::X, DVec3::Y, DVec3::Z].map(|axis| direction(axis).to_array()),
                 );
                 // The rows of the inverse of a rotation are its columns.
-                let rotation: Mat3 = (world * environment.rotation).as_mat3();
+                let rotation: Mat3 = (world * DMat3::from_cols_array_2d(&environment.rotation)).as_mat3();
                 Self::Environment { environment, number, to_map: rotation.to_cols_array_2d() }
             }
         }
@@ -181,23 +173,14 @@ impl<'a> ViewLight<'a> {
     }
 }
 
-fn single(falloff: Falloff) -> ViewFalloff {
-    match falloff {
-        Falloff::None => ViewFalloff::None,
-        Falloff::Polynomial { constant, linear, quadratic } => {
-            ViewFalloff::Polynomial([constant as f32, linear as f32, quadratic as f32])
-        }
-    }
-}
-
 /// A vector of three constants.
 #[inline(always)]
-pub(crate) fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
+pub fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
     Vec3::new(like.lit(f64::from(v[0])), like.lit(f64::from(v[1])), like.lit(f64::from(v[2])))
 }
 
 /// A vector along other axes.
 #[inline(always)]
-pub(crate) fn turned<R: Real>(rows: &[[f32; 3]; 3], v: Vec3<R>) -> Vec3<R> {
+pub fn turned<R: Real>(rows: &[[f32; 3]; 3], v: Vec3<R>) -> Vec3<R> {
     Vec3::new(v.dot(splat(v.x, &rows[0])), v.dot(splat(v.x, &rows[1])), v.dot(splat(v.x, &rows[2])))
 }

@@ -1,12 +1,17 @@
 //! What every back end needs per frame, in single precision and relative to the camera.
 
-pub(crate) mod camera;
-pub(crate) mod lights;
-pub(crate) mod samples;
+pub mod camera;
+pub mod lights;
+pub mod materials;
+pub mod objects;
+mod options;
+pub mod samples;
 
 use glam::{DMat4, DVec3, DVec4};
 use glanz_scene::{Camera, Projection};
 use thiserror::Error;
+
+pub use options::{Aovs, DebugView, DrawOptions};
 
 /// The widest and highest picture, in pixels.
 pub const MAX_SIZE: u32 = 16_384;

@@ -1,13 +1,13 @@
 //! Where the coverage samples of a pixel are.
 
 /// Subpixel steps per pixel.
-pub(crate) const SUBPIXEL: i32 = 256;
+pub const SUBPIXEL: i32 = 256;
 
 /// Sample positions within the pixel, in 1/256 of it, for 1, 2, 4, 8 or 16 samples.
 ///
 /// The patterns are those that graphics hardware uses (Direct3D 11 standard sample positions): no two
 /// samples share a row or column. One sample is at the centre.
-pub(crate) fn positions(samples: u32) -> &'static [[i32; 2]] {
+pub fn positions(samples: u32) -> &'static [[i32; 2]] {
     match samples {
         2 => &TWO,
         4 => &FOUR,

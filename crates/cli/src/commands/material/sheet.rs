@@ -13,7 +13,7 @@ use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, Tar
 use crate::encode;
 use crate::failure::Failure;
 use crate::grid::tell;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
 use crate::progress::Progress;
 use crate::sheet::Sheet;
@@ -97,8 +97,8 @@ impl SheetArgs {
         for (index, info) in chosen.iter().enumerate() {
             let input = room.input(info.material(), size);
             let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);
             progress.step();
         }

@@ -16,7 +16,7 @@ use crate::encode;
 use crate::failure::Failure;
 use crate::grid::{Grid, tell};
 use crate::lobes::model_names;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
 use crate::progress::Progress;
 use crate::timings::Timings;
@@ -104,8 +104,8 @@ impl SheetArgs {
         for (index, ball) in balls.into_iter().enumerate() {
             let input = ball.input(self.size)?;
             let plan = Plan::new(&input, Some(self.size), &look, &camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            let codes = plan.codes(&prepared, &mut Timings::default(), &mut progress)?;
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);
             progress.step();
         }

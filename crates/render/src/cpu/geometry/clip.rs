@@ -68,7 +68,7 @@ fn corners(frame: &FrameView, name: u32, screen: &[Screen]) -> Vec<ClipVertex> {
     let object = &frame.prepared.objects[cluster.object as usize];
     let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
     let [right, up, back] = frame.camera.axes;
-    let offset = object.anchor - frame.camera.position;
+    let offset = DVec3::from_array(object.anchor) - frame.camera.position;
     let mut weights = [DVec3::X, DVec3::Y, DVec3::Z].into_iter();
     triangle
         .iter()

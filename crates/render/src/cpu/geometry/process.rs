@@ -81,7 +81,7 @@ pub(crate) fn process<S: Simd>(
 /// Whether nothing of the cluster can be seen: it lies outside the view, or turns its back.
 fn is_culled(cluster: &Cluster, object: &ObjectView, frame: &FrameView) -> bool {
     let camera = &frame.camera;
-    let dot = |a: &[f32; 3], b: glam::Vec3| a[0] * b.x + a[1] * b.y + a[2] * b.z;
+    let dot = |a: &[f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let x = dot(&camera.right, cluster.center) + object.anchor[0];
     let y = dot(&camera.up, cluster.center) + object.anchor[1];
     let distance = object.anchor[2] - dot(&camera.back, cluster.center);
@@ -108,14 +108,14 @@ fn is_turned_away(cluster: &Cluster, object: &ObjectView, frame: &FrameView) -> 
         return false;
     }
     let camera = &frame.camera;
-    let back = glam::Vec3::from(camera.back);
+    let (back, axis) = (glam::Vec3::from(camera.back), glam::Vec3::from(cluster.cone_axis));
     if !camera.perspective {
-        return -back.dot(cluster.cone_axis) >= cluster.cone_sin;
+        return -back.dot(axis) >= cluster.cone_sin;
     }
     let (right, up) = (glam::Vec3::from(camera.right), glam::Vec3::from(camera.up));
     let anchor = right * object.anchor[0] + up * object.anchor[1] - back * object.anchor[2];
-    let center = anchor + cluster.center;
-    center.dot(cluster.cone_axis) >= cluster.cone_sin * center.length() + cluster.radius
+    let center = anchor + glam::Vec3::from(cluster.center);
+    center.dot(axis) >= cluster.cone_sin * center.length() + cluster.radius
 }
 
 /// Projects a cluster's vertices; returns whether any needs clipping.

@@ -4,11 +4,12 @@
 use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
 use glanz_math::Lanes;
 
-use crate::cpu::frame::{FrameView, ObjectView, Pass};
+use crate::cpu::frame::{FrameView, ObjectView};
 use crate::cpu::geometry::clip;
 use crate::cpu::geometry::micro_triangles::{MicroTriangles, TINY};
 use crate::cpu::geometry::process::{ChunkOutput, Local, SMALL, Screen, sample_range};
 use crate::prepare::Geometry;
+use crate::view::objects::Pass;
 use crate::view::samples::SUBPIXEL;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;

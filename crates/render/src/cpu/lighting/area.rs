@@ -11,9 +11,10 @@ use crate::cpu::lighting::general::apart;
 use crate::cpu::lighting::general::is_transmitting;
 use crate::cpu::lighting::general::layered;
 use crate::cpu::lighting::general::shape_value;
+use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
-use crate::prepare::{DirectLobe, LtcTable, is_cosine};
-use crate::view::lights::{ViewArea, ViewLights, splat};
+use crate::prepare::{AreaIntegral, DirectLobe, LtcTable};
+use crate::view::lights::{ViewArea, splat};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
@@ -64,7 +65,7 @@ struct Outline<R: Real> {
 
 /// Adds what an area gives.
 #[inline(always)]
-pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ViewLights, area: &ViewArea, row: usize) {
+pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &ViewArea, row: usize) {
     let outline = Outline::of(area, sum.point.position);
     let mut attenuation = outline.shines;
     if let Some(bvh) = lights.bvh {
@@ -79,18 +80,22 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ViewLights, area: &Vi
     let frame = view_frame(sum.point.wo, normal, sum.cos_o);
     let material = sum.material;
     for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
-        let value = match &integrals.ltc {
-            _ if lobe.shape.info().delta => apart(
+        let map = match &integrals.area {
+            AreaIntegral::Ltc(map) => Some(&**map),
+            _ => None,
+        };
+        let value = match &integrals.area {
+            AreaIntegral::Mirror => apart(
                 attenuation,
                 #[inline(always)]
                 || mirrored(sum, area, lobe),
             ),
-            None if !is_cosine(&lobe.shape) => apart(
+            AreaIntegral::Points => apart(
                 attenuation,
                 #[inline(always)]
                 || by_points(sum, area, lobe),
             ),
-            map => {
+            AreaIntegral::Cosine | AreaIntegral::Ltc(_) => {
                 let below = is_transmitting(lobe);
                 let local = inlined(
                     #[inline(always)]
@@ -99,8 +104,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ViewLights, area: &Vi
                         if below { Vec3::new(v.x, v.y, -v.z) } else { v }
                     },
                 );
-                seen_through(&outline, map.as_deref(), sum.cos_o, local)
-                    * integrals.albedo.at(sum.cos_o).max(zero)
+                seen_through(&outline, map, sum.cos_o, local) * integrals.albedo.at(sum.cos_o).max(zero)
             }
         };
         sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));

@@ -11,9 +11,10 @@ use glanz_math::{Frame, Real, Vec3};
 use glanz_scene::Metalness;
 
 use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, add, literal, mixed};
+use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::cpu::lighting::{area, environment, punctual};
-use crate::prepare::{DirectLobe, MixTints, PreparedMaterial, TintCoordinate};
-use crate::view::lights::{ViewLight, ViewLights};
+use crate::prepare::{DirectLobe, MixTints, TintCoordinate};
+use crate::view::lights::ViewLight;
 
 /// The least cosine of the view angle: interpolated normals may turn further away than the surface that is seen.
 const LEAST_COS_O: f64 = 1e-4;
@@ -22,8 +23,8 @@ const LEAST_COS_O: f64 = 1e-4;
 /// [`crate::cpu::lighting::reflect::reflect`].
 #[inline(never)]
 pub(crate) fn reflect<R: Real>(
-    lights: &ViewLights,
-    material: &PreparedMaterial,
+    lights: &ShadeLights,
+    material: &ShadeMaterial,
     point: &ShadingPoint<R>,
     texel: Option<[R; 3]>,
 ) -> Reflected<R> {
@@ -86,7 +87,7 @@ pub(crate) fn shape_value<R: Real>(lobe: &DirectLobe, pair: &DirectionPair<R>) -
 
 /// The light that a point sends, so far, and what it takes to add more.
 pub(crate) struct LightSum<'a, R> {
-    pub material: &'a PreparedMaterial,
+    pub material: &'a ShadeMaterial<'a>,
     pub mix: Option<(&'a MixTints, [R; 3])>,
     pub point: &'a ShadingPoint<R>,
     pub cos_o: R,
@@ -98,7 +99,7 @@ pub(crate) struct LightSum<'a, R> {
 impl<'a, R: Real> LightSum<'a, R> {
     /// What ambient light gives.
     #[inline(always)]
-    pub fn new(material: &'a PreparedMaterial, point: &'a ShadingPoint<R>, texel: Option<[R; 3]>) -> Self {
+    pub fn new(material: &'a ShadeMaterial<'a>, point: &'a ShadingPoint<R>, texel: Option<[R; 3]>) -> Self {
         let like = point.normal.x;
         let mix = material.mix.as_deref().zip(texel);
         let textured = match &mix {
@@ -204,7 +205,7 @@ pub(crate) fn is_transmitting(lobe: &DirectLobe) -> bool {
 /// The x and y axis of a lobe's frame: the surface's tangent, laid into the plane of the normal and turned.
 /// Without one, x runs around the vertical.
 #[inline(always)]
-fn axes<R: Real>(material: &PreparedMaterial, point: &ShadingPoint<R>) -> [Vec3<R>; 2] {
+fn axes<R: Real>(material: &ShadeMaterial, point: &ShadingPoint<R>) -> [Vec3<R>; 2] {
     let n = point.normal;
     let zero = n.x.zero();
     let tangent = point.tangent.unwrap_or(Vec3::new(n.z, zero, -n.x));

@@ -6,4 +6,5 @@ pub(crate) mod form_factor;
 pub(crate) mod general;
 pub(crate) mod punctual;
 pub(crate) mod reflect;
+pub(crate) mod shade_material;
 pub(crate) mod shadow;

@@ -7,12 +7,13 @@ use crate::cpu::lighting::general::is_transmitting;
 use crate::cpu::lighting::general::layered;
 use crate::cpu::lighting::general::shape_value;
 use crate::cpu::lighting::reflect::{add as add_light, arrive, literal, mixed};
+use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
-use crate::view::lights::{ViewLight, ViewLights};
+use crate::view::lights::ViewLight;
 
 /// Adds what a lamp gives.
 #[inline(always)]
-pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ViewLights, light: &ViewLight, row: usize) {
+pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &ViewLight, row: usize) {
     let point = sum.point;
     let like = point.normal.x;
     let incident = arrive(light, point);
@@ -40,7 +41,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ViewLights, light: &V
             continue;
         }
         // Lobes of one shape under different veils stand together.
-        if !lobe.repeats || k == 0 {
+        if !sum.material.repeats[k] {
             last = shape_value(lobe, &pair) * attenuation;
         }
         sum.add(row, k, layered(lobe, last, &pair), &pair);

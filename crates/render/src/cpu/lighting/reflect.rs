@@ -8,8 +8,9 @@ use glanz_bsdf::DirectionPair;
 use glanz_math::{Lanes, Real, Vec3};
 
 use crate::cpu::lighting::general;
-use crate::prepare::{PreparedMaterial, TintCoordinate};
-use crate::view::lights::{ViewCone, ViewFalloff, ViewLight, ViewLights, splat, turned};
+use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
+use crate::prepare::TintCoordinate;
+use crate::view::lights::{ViewCone, ViewLight, splat, turned};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
@@ -60,12 +61,12 @@ pub(crate) struct Incident<R> {
 /// it; else it is what is still to be multiplied with the texel.
 #[inline(always)]
 pub(crate) fn reflect<R: Real>(
-    lights: &ViewLights,
-    material: &PreparedMaterial,
+    lights: &ShadeLights,
+    material: &ShadeMaterial,
     point: &ShadingPoint<R>,
     texel: Option<[R; 3]>,
 ) -> Reflected<R> {
-    match material.classic && lights.classic {
+    match material.fast_path && lights.fast_path {
         true => reflect_classic(&lights.list, material, point, texel),
         false => general::reflect(lights, material, point, texel),
     }
@@ -75,7 +76,7 @@ pub(crate) fn reflect<R: Real>(
 #[inline(always)]
 pub(crate) fn reflect_classic<R: Real>(
     lights: &[ViewLight],
-    material: &PreparedMaterial,
+    material: &ShadeMaterial,
     point: &ShadingPoint<R>,
     texel: Option<[R; 3]>,
 ) -> Reflected<R> {
@@ -156,8 +157,8 @@ pub(crate) fn literal<R: Real>(like: R, tint: &[f32; 3]) -> [R; 3] {
 #[inline(never)]
 pub(crate) fn reflect_lanes<S: Simd>(
     simd: S,
-    lights: &ViewLights,
-    material: &PreparedMaterial,
+    lights: &ShadeLights,
+    material: &ShadeMaterial,
     point: &ShadingPoint<Lanes<S>>,
     texel: Option<[Lanes<S>; 3]>,
 ) -> Reflected<Lanes<S>> {
@@ -185,15 +186,15 @@ pub(crate) fn arrive<R: Real>(light: &ViewLight, point: &ShadingPoint<R>) -> Inc
         ViewLight::Area(_) | ViewLight::Environment { .. } => {
             Incident { wi: point.normal, attenuation: Some(like.zero()), cone: None, distance: None }
         }
-        ViewLight::Point { position, falloff, cone, luminaire } => {
+        ViewLight::Point { position, attenuation, cone, luminaire } => {
             let to_light = splat(like, position) - point.position;
             // A light on the surface itself: no direction, no light, rather than infinity.
             let squared = to_light.dot(to_light).max(like.lit(1e-30));
             let inverse = squared.rsqrt();
             let wi = to_light * inverse;
-            let fade = match falloff {
-                ViewFalloff::None => None,
-                ViewFalloff::Polynomial([c, l, q]) => {
+            let fade = match attenuation {
+                None => None,
+                Some([c, l, q]) => {
                     let distance = squared * inverse;
                     let f = inlined(
                         #[inline(always)]

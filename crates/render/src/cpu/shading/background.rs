@@ -6,10 +6,11 @@ use glanz_scene::Background;
 
 use crate::cpu::block;
 use crate::cpu::lighting::reflect::mixed;
+use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::visibility::raster::Grid;
 use crate::prepare::EnvironmentMap;
 use crate::view::camera::ViewCamera;
-use crate::view::lights::{ViewLight, ViewLights, turned};
+use crate::view::lights::{ViewLight, turned};
 use glanz_math::inline::three;
 
 /// The background of a frame.
@@ -36,7 +37,7 @@ impl<'a> ViewBackground<'a> {
     pub fn new(
         background: Background,
         camera: &'a ViewCamera,
-        lights: &ViewLights<'a>,
+        lights: &ShadeLights<'a>,
         tint: Option<[[f32; 3]; 3]>,
     ) -> Self {
         let fixed = match background {

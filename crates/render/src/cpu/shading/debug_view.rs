@@ -3,10 +3,10 @@
 use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
 
-use crate::DebugView;
 use crate::cpu::shading::shade_block::{Place, ShadeBlock};
 use crate::cpu::shading::texturing::SurfaceAttributes;
 use crate::cpu::shading::triangle_setup::GROUP;
+use crate::view::DebugView;
 use glanz_math::inline::inlined;
 
 /// Half the width of wireframe lines, in pixels.

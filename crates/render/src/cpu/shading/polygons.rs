@@ -8,10 +8,10 @@ use glanz_math::Vec3;
 use glanz_scene::Shading;
 
 use crate::cpu::lighting::reflect::{ShadingPoint, reflect};
+use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::cpu::shading::gouraud::unit;
-use crate::prepare::{Polygons, PreparedMaterial, PreparedObject};
+use crate::prepare::{Polygons, PreparedObject};
 use crate::view::camera::ViewCamera;
-use crate::view::lights::ViewLights;
 
 /// The values that are interpolated at a corner: normal or light, plain light, texture coordinates,
 /// colour with alpha, light through the second and third spectrum that texels mix.
@@ -35,8 +35,8 @@ impl PolygonView {
         polygons: &Arc<Polygons>,
         object: &PreparedObject,
         camera: &ViewCamera,
-        lights: &ViewLights,
-        material: &PreparedMaterial,
+        lights: &ShadeLights,
+        material: &ShadeMaterial,
     ) -> Self {
         let offset = camera.offset(object);
         let count = polygons.positions.len();
@@ -111,8 +111,8 @@ fn corner(
     side: f32,
     shading: Shading,
     camera: &ViewCamera,
-    lights: &ViewLights,
-    material: &PreparedMaterial,
+    lights: &ShadeLights,
+    material: &ShadeMaterial,
     has_texels: bool,
 ) -> PolygonCorner {
     let [x, y, z] = polygons.normals[i];

@@ -4,15 +4,15 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
 use glanz_scene::{Interpolation, Shading};
 
-use crate::DebugView;
 use crate::cpu::frame::{FrameView, ObjectView};
 use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, mixed, reflect_lanes};
+use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::shading::debug_view;
 use crate::cpu::shading::gouraud::unit;
 use crate::cpu::shading::texturing;
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetup, TriangleSetups};
 use crate::cpu::visibility::coverage_layers::Run;
-use crate::prepare::PreparedMaterial;
+use crate::view::DebugView;
 use glanz_math::inline::inlined;
 use glanz_math::inline::nine;
 use glanz_math::inline::three;
@@ -280,7 +280,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     #[inline(always)]
     pub fn simple(
         &self,
-        material: &PreparedMaterial,
+        material: &ShadeMaterial,
         place: &Place<S>,
         value: [Lanes<S>; 3],
         reflect: impl Fn(&ShadingPoint<Lanes<S>>) -> Reflected<Lanes<S>>,
@@ -308,7 +308,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     #[inline(always)]
     fn full(
         &self,
-        material: &PreparedMaterial,
+        material: &ShadeMaterial,
         place: &Place<S>,
         values: [[Lanes<S>; 3]; 4],
         extra: &texturing::SurfaceAttributes<S>,
@@ -362,7 +362,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     #[inline(always)]
     fn transmittance(
         &self,
-        material: &PreparedMaterial,
+        material: &ShadeMaterial,
         place: &Place<S>,
         normal: Vec3<Lanes<S>>,
     ) -> [Lanes<S>; 3] {

@@ -6,11 +6,12 @@ use glanz_scene::{AlphaMode, TextureUse};
 
 use crate::cpu::frame::Layout;
 use crate::cpu::lighting::reflect::ShadingPoint;
+use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::shading::gouraud::unit;
 use crate::cpu::shading::polygons::{CORNER, PolygonView};
 use crate::cpu::shading::shade_block::{Place, ShadeBlock};
 use crate::cpu::shading::triangle_setup::GROUP;
-use crate::prepare::{Mipmap, PreparedMaterial};
+use crate::prepare::Mipmap;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
@@ -56,7 +57,7 @@ impl<S: Simd> SurfaceAttributes<S> {
         &mut self,
         shade_block: &ShadeBlock<S>,
         layout: &Layout,
-        material: &PreparedMaterial,
+        material: &ShadeMaterial,
         place: &Place<S>,
         rows: &[Lanes<S>; GROUP],
     ) {
@@ -83,7 +84,7 @@ impl<S: Simd> SurfaceAttributes<S> {
 
     /// Looks all the material's textures up at `self.uv`.
     #[inline(always)]
-    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &PreparedMaterial, footprint: &[f32; 16]) {
+    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &ShadeMaterial, footprint: &[f32; 16]) {
         let uv = self.uv.map(
             #[inline(always)]
             |lanes| {
@@ -134,7 +135,7 @@ impl<S: Simd> SurfaceAttributes<S> {
 
     /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
     #[inline(always)]
-    pub fn apply(&self, material: &PreparedMaterial, point: &mut ShadingPoint<Lanes<S>>) {
+    pub fn apply(&self, material: &ShadeMaterial, point: &mut ShadingPoint<Lanes<S>>) {
         point.normal = self.bend(material, point.normal);
         if material.anisotropic {
             point.tangent = self.tangent.map(|(tangent, _)| tangent);
@@ -147,7 +148,7 @@ impl<S: Simd> SurfaceAttributes<S> {
 
     /// The normal, bent by the normal map.
     #[inline(always)]
-    fn bend(&self, material: &PreparedMaterial, normal: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
+    fn bend(&self, material: &ShadeMaterial, normal: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
         let (Some((tangent, sign)), true) = (self.tangent, material.normal_map.is_some()) else {
             return normal;
         };

@@ -11,9 +11,9 @@ use crate::cpu::frame::{FrameView, Layout};
 use crate::cpu::geometry::clip::EXTRA;
 use crate::cpu::geometry::process::{ChunkOutput, Screen};
 use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, reflect};
+use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::shading::gouraud::{Lit, unit};
 use crate::cpu::visibility::raster::Triangle;
-use crate::prepare::PreparedMaterial;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
@@ -233,7 +233,7 @@ pub(crate) fn barycentric<R: Real>([a, b, c]: &[[R; 3]; 3]) -> ([R; GROUP], R::M
 /// A facet as it is lit: at its centroid, with its own normal.
 struct FlatFacet<'a> {
     frame: &'a FrameView<'a>,
-    material: &'a PreparedMaterial,
+    material: &'a ShadeMaterial<'a>,
     point: ShadingPoint<f32>,
     /// The facet's colour; white where it has none.
     color: [f32; 3],

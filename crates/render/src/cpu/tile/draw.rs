@@ -3,7 +3,6 @@
 use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real};
 
-use crate::Aovs;
 use crate::cpu::block::BLOCK;
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
@@ -17,6 +16,7 @@ use crate::cpu::tile::transparency::TransparencyBuffer;
 use crate::cpu::visibility::coverage_layers::{CoverageLayers, Run};
 use crate::cpu::visibility::raster::Grid;
 use crate::cpu::visibility::visible::Visible;
+use crate::view::Aovs;
 use crate::view::samples::SUBPIXEL;
 
 /// Everything that drawing a tile needs beside the frame. Kept by each thread, for its memory.

@@ -114,7 +114,7 @@ fn colors<S: Simd>(
             &located,
             value,
             #[inline(always)]
-            |point| match material.classic && frame.lights.classic {
+            |point| match material.fast_path && frame.lights.fast_path {
                 true => reflect_classic(&frame.lights.list, material, point, None),
                 false => reflect_lanes(simd, &frame.lights, material, point, None),
             },

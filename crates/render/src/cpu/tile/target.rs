@@ -1,7 +1,7 @@
 //! Where finished blocks go.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, SimdLevel};
 
 use crate::Develop;
 use crate::cpu::block::{self, BLOCK, SIDE};
@@ -267,7 +267,7 @@ pub(crate) fn empty_block(
     }
     let (color, alpha) = background.fixed()?;
     let mut block = [0; 4 * BLOCK];
-    let simd = glanz_math::narrowest(fearless_simd::Level::baseline());
+    let simd = glanz_math::narrowest(SimdLevel::best().token());
     let splat = |value| Lanes::splat(simd, value);
     kernel.store_rgba(color.map(splat), splat(alpha), 0, 0, &mut block);
     Some(block)

@@ -5,7 +5,7 @@ use glanz_math::{Lanes, LanesMask, Real};
 use glanz_scene::AlphaMode;
 
 use crate::cpu::block::{self, BLOCK};
-use crate::cpu::frame::{FrameView, Pass};
+use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::TILE_PIXELS;
 use crate::cpu::geometry::clip::EXTRA;
 use crate::cpu::geometry::micro_triangles::MicroSample;
@@ -13,6 +13,7 @@ use crate::cpu::shading::shade_block::{self, Shaded};
 use crate::cpu::shading::triangle_setup::{Projected, TriangleSetups};
 use crate::cpu::visibility::coverage_layers::Run;
 use crate::cpu::visibility::raster::{Grid, Triangle, cover};
+use crate::view::objects::Pass;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 

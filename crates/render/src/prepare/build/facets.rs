@@ -3,33 +3,22 @@
 use glam::{DVec3, Vec2, Vec4};
 use glanz_scene::Mesh;
 
-use crate::prepare::build::geometry::Placed;
+use super::placed::Placed;
+use crate::prepare::data::Facets;
 
-/// Centroids, normals and attribute means of an object's facets.
-#[derive(Clone, Debug, Default)]
-pub struct Facets {
-    /// Area centroids, relative to the object's anchor.
-    pub centroids: Vec<[f32; 3]>,
-    /// Unit normals in the world; null for facets without area.
-    pub normals: Vec<[f32; 3]>,
-    /// Vertex colours at the centroid; empty if the mesh has none.
-    pub colors: Vec<[f32; 4]>,
-}
-
-impl Facets {
-    pub(crate) fn new(mesh: &Mesh, placed: &Placed) -> Self {
-        let mut facets = Self::default();
-        for face in mesh.faces() {
-            let facet = Facet::of(mesh, placed, face);
-            let sign = if placed.mirrored { -1.0 } else { 1.0 };
-            facets.centroids.push(facet.centroid.as_vec3().to_array());
-            facets.normals.push((facet.area_normal * sign).normalize_or_zero().as_vec3().to_array());
-            if !mesh.colors.is_empty() {
-                facets.colors.push(facet.color.to_array());
-            }
+/// Those of a mesh in the world.
+pub(crate) fn facets(mesh: &Mesh, placed: &Placed) -> Facets {
+    let mut facets = Facets::default();
+    for face in mesh.faces() {
+        let facet = Facet::of(mesh, placed, face);
+        let sign = if placed.mirrored { -1.0 } else { 1.0 };
+        facets.centroids.push(facet.centroid.as_vec3().to_array());
+        facets.normals.push((facet.area_normal * sign).normalize_or_zero().as_vec3().to_array());
+        if !mesh.colors.is_empty() {
+            facets.colors.push(facet.color.to_array());
         }
-        facets
     }
+    facets
 }
 
 struct Facet {

@@ -3,155 +3,60 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use glanz_scene::{AreaShape, Attenuation, Light, LightKind, Luminaire, Scene, Space};
+use glanz_scene::{AreaShape, Attenuation, Light, LightKind, Luminaire};
 
 use crate::prepare::PrepareError;
-use crate::prepare::data::environment_map::EnvironmentMap;
-use crate::prepare::data::intensity_grid::IntensityGrid;
-use crate::prepare::data::irradiance::Irradiance;
+use crate::prepare::build::irradiance::irradiance;
+use crate::prepare::data::{
+    EnvironmentLight, EnvironmentMap, IntensityGrid, Irradiance, LightShape, PreparedLight, PreparedLuminaire,
+};
 
-/// How the reach of a point or spot light falls with distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Falloff {
-    /// Not at all.
-    None,
-    /// 1 / (c + l·d + q·d²).
-    Polynomial {
-        /// Constant part.
-        constant: f64,
-        /// Factor of the distance.
-        linear: f64,
-        /// Factor of its square.
-        quadratic: f64,
-    },
-}
-
-/// The geometry of a light with a direction.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LightShape {
-    /// Parallel light.
-    Directional {
-        /// Unit vector towards the light.
-        towards: DVec3,
-    },
-    /// From a point.
-    Point {
-        /// Where.
-        position: DVec3,
-        /// How it fades.
-        falloff: Falloff,
-    },
-    /// From a point into a cone.
-    Spot {
-        /// Where.
-        position: DVec3,
-        /// Unit axis, away from the light.
-        axis: DVec3,
-        /// Cosine of the cut-off angle.
-        cos_cutoff: f64,
-        /// Power of the cosine from the axis.
-        exponent: f64,
-        /// Instead of the power: cosines of the inner and outer edge.
-        smooth_edge: Option<(f64, f64)>,
-        /// How it fades.
-        falloff: Falloff,
-    },
-    /// A surface that shines evenly.
-    Area {
-        /// Its form and size.
-        form: AreaShape,
-        /// Its centre.
-        position: DVec3,
-        /// Unit vectors along its width, its height and the way it faces.
-        axes: [DVec3; 3],
-        /// Whether it shines on its back, too.
-        two_sided: bool,
-    },
-    /// EnvironmentLight.
-    Environment(EnvironmentLight),
-}
-
-/// EnvironmentLight at infinite distance.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EnvironmentLight {
-    /// What they look like; `None` for 1 everywhere.
-    pub map: Option<Arc<EnvironmentMap>>,
-    /// What a matte surface gets of them.
-    pub irradiance: Irradiance,
-    /// From their directions to the light's space.
-    pub rotation: DMat3,
-}
-
-/// Intensities over directions, and how they are turned.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PreparedLuminaire {
-    /// IntensityGrid of the greatest intensity.
-    pub intensities: Arc<IntensityGrid>,
-    /// The directions of C 0°, C 90° and γ 0°.
-    pub frame: DMat3,
-}
-
-/// A light, ready for the pixel loop. Its colour is in the materials' tint tables.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PreparedLight {
-    /// Geometry.
-    pub shape: LightShape,
-    /// Where it sends more and where less; none where it sends the same everywhere.
-    pub luminaire: Option<PreparedLuminaire>,
-    /// Whether positions and directions are the camera's.
-    pub space: Space,
-}
-
-/// The lights of the scene that have a direction, in order.
-pub(crate) fn prepare(scene: &Scene) -> Result<Vec<PreparedLight>, PrepareError> {
-    check_colors(scene)?;
+/// The lights that have a direction, in order.
+pub(crate) fn prepare(scene_lights: &[Light]) -> Result<Vec<PreparedLight>, PrepareError> {
     let mut lights = Vec::new();
-    for (number, light) in scene.lights.iter().enumerate() {
-        if let Some(shape) = shape(&light.kind).map_err(|what| error(number, what))? {
-            let luminaire = light.luminaire.as_ref().map(luminaire).transpose();
-            let luminaire = luminaire.map_err(|what| error(number, what))?;
-            lights.push(PreparedLight { shape, luminaire, space: light.space });
-        }
+    for (number, light) in scene_lights.iter().enumerate() {
+        lights.extend(prepare_one(number, light, None)?);
     }
     Ok(lights)
 }
 
-/// The colours of all lights must be finite.
-pub(crate) fn check_colors(scene: &Scene) -> Result<(), PrepareError> {
-    for (number, light) in scene.lights.iter().enumerate() {
-        let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
-        if !colors.iter().all(|color| color.is_finite()) {
-            return Err(error(number, "colors must be finite numbers"));
+/// A light of this number; none if it has no direction. It takes over the environment map and the luminaire
+/// of `before`, which is given where both are the same.
+pub(crate) fn prepare_one(
+    number: usize,
+    light: &Light,
+    before: Option<&PreparedLight>,
+) -> Result<Option<PreparedLight>, PrepareError> {
+    check_colors_of(number, light)?;
+    let known = before.and_then(|before| match &before.shape {
+        LightShape::Environment(environment) => Some(environment),
+        _ => None,
+    });
+    let shape = match (&light.kind, known) {
+        (LightKind::Environment { rotation, .. }, Some(known)) if rotation.is_finite() => {
+            let rotation = rotation.to_cols_array_2d();
+            Some(LightShape::Environment(EnvironmentLight { rotation, ..known.clone() }))
         }
-    }
-    Ok(())
+        (kind, _) => shape(kind).map_err(|what| error(number, what))?,
+    };
+    let Some(shape) = shape else { return Ok(None) };
+    let luminaire = match (&light.luminaire, before.and_then(|before| before.luminaire.as_ref())) {
+        (Some(_), Some(known)) => Some(known.clone()),
+        (own, _) => own.as_ref().map(luminaire).transpose().map_err(|what| error(number, what))?,
+    };
+    Ok(Some(PreparedLight { shape, luminaire, space: light.space }))
 }
 
-/// Whether [`prepare`] keeps a light: all but ambient ones.
-pub(crate) fn is_directed(light: &Light) -> bool {
-    light.kind != LightKind::Ambient
+/// The colours of all lights must be finite.
+pub(crate) fn check_colors(lights: &[Light]) -> Result<(), PrepareError> {
+    lights.iter().enumerate().try_for_each(|(number, light)| check_colors_of(number, light))
 }
 
-/// Whether a light's value is a radiance rather than that of a lamp.
-pub(crate) fn is_radiance(light: &Light) -> bool {
-    matches!(light.kind, LightKind::Area { .. } | LightKind::Environment { .. })
-}
-
-/// How many lights of the table a light is.
-pub(crate) fn rows(light: &Light) -> usize {
-    if matches!(light.kind, LightKind::Environment { .. }) { 3 } else { 1 }
-}
-
-impl LightShape {
-    /// How many lights of the table it is: surroundings are one for each of the three spectra that their
-    /// pixels mix.
-    pub fn rows(&self) -> usize {
-        if matches!(self, Self::Environment(_)) { 3 } else { 1 }
-    }
-
-    /// Whether the pixel loop of the classic models knows it.
-    pub fn is_classic(&self) -> bool {
-        !matches!(self, Self::Area { .. } | Self::Environment(_))
+fn check_colors_of(number: usize, light: &Light) -> Result<(), PrepareError> {
+    let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
+    match colors.iter().all(|color| color.is_finite()) {
+        true => Ok(()),
+        false => Err(error(number, "colors must be finite numbers")),
     }
 }
 
@@ -166,9 +71,11 @@ fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
         }
         LightKind::Environment { ref map, rotation } => LightShape::Environment(environment(map, rotation)?),
         LightKind::Ambient => return Ok(None),
-        LightKind::Directional { direction } => LightShape::Directional { towards: -unit(direction)? },
+        LightKind::Directional { direction } => {
+            LightShape::Directional { towards: (-unit(direction)?).to_array() }
+        }
         LightKind::Point { position, attenuation } => {
-            LightShape::Point { position: finite(position)?, falloff: falloff(attenuation)? }
+            LightShape::Point { position: finite(position)?.to_array(), attenuation: fading(attenuation)? }
         }
         LightKind::Spot { position, direction, cutoff, exponent, smooth_edge, attenuation } => {
             if !(0.0..=core::f64::consts::PI).contains(&cutoff) {
@@ -178,12 +85,12 @@ fn shape(kind: &LightKind) -> Result<Option<LightShape>, &'static str> {
                 return Err("the exponent must be a number >= 0");
             }
             LightShape::Spot {
-                position: finite(position)?,
-                axis: unit(direction)?,
+                position: finite(position)?.to_array(),
+                axis: unit(direction)?.to_array(),
                 cos_cutoff: libm::cos(cutoff),
                 exponent,
                 smooth_edge,
-                falloff: falloff(attenuation)?,
+                attenuation: fading(attenuation)?,
             }
         }
     }))
@@ -215,7 +122,12 @@ fn area(
             [width, facing.cross(width), facing]
         }
     };
-    Ok(LightShape::Area { form, position: finite(position)?, axes, two_sided })
+    Ok(LightShape::Area {
+        form,
+        position: finite(position)?.to_array(),
+        axes: axes.map(|axis| axis.to_array()),
+        two_sided,
+    })
 }
 
 fn environment(
@@ -226,13 +138,16 @@ fn environment(
         return Err("the rotation must be finite numbers");
     }
     let map = map.as_ref().map(|map| Arc::new(EnvironmentMap::from(&**map)));
-    let irradiance = map.as_ref().map_or_else(Irradiance::uniform, |map| Irradiance::of(map));
-    Ok(EnvironmentLight { map, irradiance, rotation })
+    let light = map.as_ref().map_or_else(Irradiance::uniform, |map| irradiance(map));
+    Ok(EnvironmentLight { map, irradiance: light, rotation: rotation.to_cols_array_2d() })
 }
 
 fn luminaire(luminaire: &Luminaire) -> Result<PreparedLuminaire, &'static str> {
     let frame = luminaire.frame().ok_or("the luminaire's axis and C0 must be finite and not parallel")?;
-    Ok(PreparedLuminaire { intensities: Arc::new(IntensityGrid::of(&luminaire.profile)), frame })
+    Ok(PreparedLuminaire {
+        intensities: Arc::new(IntensityGrid::of(&luminaire.profile)),
+        frame: frame.to_cols_array_2d(),
+    })
 }
 
 fn finite(position: DVec3) -> Result<DVec3, &'static str> {
@@ -243,14 +158,12 @@ fn unit(direction: DVec3) -> Result<DVec3, &'static str> {
     direction.try_normalize().ok_or("the direction must be finite and not zero")
 }
 
-fn falloff(attenuation: Attenuation) -> Result<Falloff, &'static str> {
+/// The factors of the denominator; none where nothing fades.
+fn fading(attenuation: Attenuation) -> Result<Option<[f64; 3]>, &'static str> {
     let Attenuation { constant, linear, quadratic } = attenuation;
     let factors = [constant, linear, quadratic];
     if !factors.iter().all(|f| f.is_finite() && *f >= 0.0) || factors.iter().sum::<f64>() <= 0.0 {
         return Err("attenuation factors must be numbers >= 0, and not all 0");
     }
-    Ok(match attenuation == Attenuation::NONE {
-        true => Falloff::None,
-        false => Falloff::Polynomial { constant, linear, quadratic },
-    })
+    Ok((attenuation != Attenuation::NONE).then_some(factors))
 }

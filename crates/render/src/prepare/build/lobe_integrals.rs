@@ -1,51 +1,29 @@
-//! What lobes make of light that comes from more than one direction: areas and surroundings.
+//! Precomputed integrals of each lobe for area and environment lights: albedo, mean direction, LTC maps,
+//! prefiltered environment maps.
 
 use core::cell::OnceCell;
 use std::sync::Arc;
 
-use glanz_bsdf::{Chebyshev, LayerWeight, LightTerm, Shape, Side};
+use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
+use glanz_math::{Chebyshev, PI};
 
-use crate::prepare::build::lights::{LightShape, PreparedLight};
-use crate::prepare::build::ltc::{self, LtcTable};
-use crate::prepare::build::materials::{DirectLobe, PreparedMaterial};
+use crate::prepare::build::ltc;
 use crate::prepare::build::prefilter::{self, Pyramid};
-use crate::prepare::data::environment_map::EnvironmentMap;
+use crate::prepare::data::{
+    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, PreparedLight, PreparedMaterial,
+};
 
 /// Terms of the albedo over the cosine.
 const TERMS: usize = 16;
 
-/// What a lobe makes of areas and surroundings.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LobeIntegrals {
-    /// Its albedo over the cosine of the view angle, veils included.
-    pub albedo: Chebyshev,
-    /// Its mean direction, away from the viewer: the sine of its angle from the normal over that of the view angle,
-    /// and its cosine, both over the cosine of the view angle.
-    pub middle: [Chebyshev; 2],
-    /// Its form where it is not the cosine itself; none where the scene has no areas.
-    pub ltc: Option<Arc<LtcTable>>,
-    /// The scene's surroundings as the lobe blurs them, in the order of the lights; none of those that are the
-    /// same everywhere, and of lobes that take the irradiance.
-    pub prefiltered: Vec<Option<Arc<EnvironmentMap>>>,
-}
-
-impl LobeIntegrals {
-    /// That of the clamped cosine, in scenes of so many lights.
-    pub fn of_cosine(lights: usize) -> Self {
-        let constant = || Chebyshev::interpolate(1, |_| 1.0);
-        let (albedo, middle) = (constant(), [constant(), constant()]);
-        Self { albedo, middle, ltc: None, prefiltered: vec![None; lights] }
-    }
-}
-
-/// Gives all materials the fields of their lobes; those of `before` are taken over where nothing changed that they
-/// depend on. Nothing where all lights are lamps.
+/// Gives all materials the integrals of their lobes; those of `before` are taken over where nothing changed that they
+/// depend on. Nothing where all lights are punctual.
 pub(crate) fn attach(
     materials: &mut [PreparedMaterial],
     lights: &[PreparedLight],
     before: &[PreparedMaterial],
 ) {
-    if lights.iter().all(|light| light.shape.is_classic()) {
+    if lights.iter().all(|light| light.shape.is_punctual()) {
         return;
     }
     let has_areas = lights.iter().any(|light| matches!(light.shape, LightShape::Area { .. }));
@@ -71,7 +49,7 @@ fn maps(lights: &[PreparedLight]) -> Vec<Option<Arc<EnvironmentMap>>> {
 struct Maker {
     has_areas: bool,
     maps: Vec<Option<Arc<EnvironmentMap>>>,
-    /// Of each of the skies, once a lobe asks for it.
+    /// Of each of the maps, once a lobe asks for it.
     pyramids: Vec<OnceCell<Pyramid>>,
     known: Vec<(DirectLobe, LobeIntegrals)>,
 }
@@ -85,15 +63,14 @@ impl Maker {
         }
         let integrals = match self.known.iter().find(same_shape) {
             Some((_, like)) => LobeIntegrals { albedo: albedo(&lobe.shape, &lobe.layers), ..like.clone() },
-            None => self.new_field(lobe),
+            None => self.new_integrals(lobe),
         };
         self.known.push((lobe.clone(), integrals.clone()));
         integrals
     }
 
-    fn new_field(&self, lobe: &DirectLobe) -> LobeIntegrals {
+    fn new_integrals(&self, lobe: &DirectLobe) -> LobeIntegrals {
         let shape = &lobe.shape;
-        let fitted = self.has_areas && !shape.info().delta && !is_cosine(shape) && !shape.is_anisotropic();
         let blurs = lobe.term == LightTerm::Specular && !shape.info().delta;
         let blurred = |(map, pyramid): (&Option<Arc<EnvironmentMap>>, &OnceCell<Pyramid>)| {
             let map = map.as_ref().filter(|_| blurs)?;
@@ -105,10 +82,33 @@ impl Maker {
                 true => Chebyshev::interpolate(TERMS, |cosine| ltc::mean_direction(shape, cosine)[i]),
                 false => Chebyshev::default(),
             }),
-            ltc: fitted.then(|| Arc::new(LtcTable::fit(shape))),
+            area: self.area(shape),
             prefiltered: self.maps.iter().zip(&self.pyramids).map(blurred).collect(),
         }
     }
+
+    fn area(&self, shape: &Shape) -> AreaIntegral {
+        match shape.info().delta {
+            true => AreaIntegral::Mirror,
+            false if is_cosine(shape) => AreaIntegral::Cosine,
+            false if self.has_areas && !shape.is_anisotropic() => {
+                AreaIntegral::Ltc(Arc::new(ltc::fit_table(shape)))
+            }
+            false => AreaIntegral::Points,
+        }
+    }
+}
+
+/// Whether a shape is the clamped cosine over π, of either side: tried where rounding gives nothing away.
+fn is_cosine(shape: &Shape) -> bool {
+    let info = shape.info();
+    let side = if info.side == Side::Transmission { -1.0 } else { 1.0 };
+    let is_exact = |(cos_o, cos_i, cos_io): (f64, f64, f64)| {
+        let pair = DirectionPair::isotropic(cos_o, side * cos_i, side * cos_io);
+        (shape.f_cos(&pair) - cos_i / PI).abs() < 1e-14
+    };
+    let tried = [(0.9, 0.7, 0.5), (0.2, 0.95, 0.3), (0.5, 0.1, -0.4), (0.05, 0.05, 0.9)];
+    info.term == LightTerm::Diffuse && info.params.is_empty() && tried.into_iter().all(is_exact)
 }
 
 /// The albedo of a lobe; of a perfect mirror what its veils leave in its one direction is not part of it.
@@ -117,10 +117,4 @@ fn albedo(shape: &Shape, layers: &[LayerWeight]) -> Chebyshev {
         true => Chebyshev::interpolate(1, |_| 1.0),
         false => Chebyshev::interpolate(TERMS, |cosine| ltc::albedo(shape, layers, cosine)),
     }
-}
-
-/// Whether a shape is the clamped cosine.
-pub(crate) fn is_cosine(shape: &Shape) -> bool {
-    let info = shape.info();
-    info.name == "lambert" || info.name == "lambert-transmission" && info.side == Side::Transmission
 }

@@ -2,43 +2,33 @@
 //!
 //! A linear map takes the clamped cosine lobe to one that looks like the given lobe; the inverse map takes the
 //! polygon along, and the polygon's form factor is the integral. Source: E. Heitz, J. Dupuy, S. Hill and
-//! D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed LtcTable", SIGGRAPH 2016. The maps
+//! D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", SIGGRAPH 2016. The maps
 //! are fitted here, for the lobes of the scene, when it is prepared; `tests/surroundings` states the error.
 
 use glanz_bsdf::{DirectionPair, LayerWeight, Shape, Side};
-use glanz_math::{PI, Real, Vec3};
+use glanz_math::{PI, Vec3};
 
-use crate::prepare::build::simplex;
-
-/// View angles that are fitted: cosθ = 1 − (i / (ANGLES − 1))².
-const ANGLES: usize = 32;
+use super::simplex;
+use crate::prepare::data::ltc::{ANGLES, LtcTable};
 
 /// A grid around the middle of the lobe: rings, ever wider, and points on half of each.
 #[derive(Clone, Copy)]
-struct Grid {
+struct PolarGrid {
     rings: usize,
     spokes: usize,
 }
 
 /// For fitting, which looks at each point a hundred times.
-const COARSE: Grid = Grid { rings: 96, spokes: 16 };
+const COARSE: PolarGrid = PolarGrid { rings: 96, spokes: 16 };
 
 /// For integrals of the lobe itself: within 1e-3 for the narrowest.
-const FINE: Grid = Grid { rings: 240, spokes: 24 };
+const FINE: PolarGrid = PolarGrid { rings: 240, spokes: 24 };
 
 /// The least cosine of a view that is fitted; below, the last map is kept.
 const GRAZING: f64 = 0.02;
 
-/// The maps of an isotropic lobe over the view angle.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LtcTable {
-    /// The inverse map is \[\[a, 0, b\], \[0, c, 0\], \[d, 0, e\]\] in the frame whose x axis is the viewer's
-    /// tangential direction.
-    inverses: Vec<[f32; 5]>,
-}
-
 /// A point of the lobe.
-struct Point {
+struct LobeSample {
     direction: Vec3<f64>,
     /// Its share of the integral.
     weight: f64,
@@ -46,36 +36,9 @@ struct Point {
     pair: DirectionPair<f64>,
 }
 
-impl LtcTable {
-    /// Fits the maps of a shape; of one on the other side, mirrored to the viewer's side.
-    pub(crate) fn fit(shape: &Shape) -> Self {
-        Self { inverses: crate::parallel::collect(ANGLES, |i| fit(shape, cosine(i))) }
-    }
-
-    /// The inverse map at a view angle: a, b, c, d, e.
-    #[inline(always)]
-    pub fn at<R: Real>(&self, cos_o: R) -> [R; 5] {
-        let last = (ANGLES - 1) as f64;
-        let place = ((cos_o.one() - cos_o).clamp(0.0, 1.0).sqrt() * cos_o.lit(last)).to_array();
-        let mut values = [[0.0; 16]; 5];
-        for lane in 0..R::LANES {
-            let first = (place[lane] as usize).min(ANGLES - 2);
-            let t = place[lane] - first as f32;
-            let (a, b) = (&self.inverses[first], &self.inverses[first + 1]);
-            for (i, array) in values.iter_mut().enumerate() {
-                array[lane] = a[i] + (b[i] - a[i]) * t;
-            }
-        }
-        // Not `map`, which would be a call below a SIMD dispatch.
-        let [a, b, c, d, e] = &values;
-        [
-            cos_o.with_array(a),
-            cos_o.with_array(b),
-            cos_o.with_array(c),
-            cos_o.with_array(d),
-            cos_o.with_array(e),
-        ]
-    }
+/// Fits the maps of a shape; of one on the other side, mirrored to the viewer's side.
+pub(crate) fn fit_table(shape: &Shape) -> LtcTable {
+    LtcTable { inverses: crate::parallel::collect(ANGLES, |i| fit(shape, cosine(i))) }
 }
 
 fn cosine(i: usize) -> f64 {
@@ -94,7 +57,7 @@ fn fit(shape: &Shape, cos_o: f64) -> [f32; 5] {
     let middle = middle(&points);
     let start = spread(&points, middle, total);
     let error = |p: &[f64; 3]| {
-        let lobe = Lobe::new(middle, p);
+        let lobe = FittedLobe::new(middle, p);
         points
             .iter()
             .map(|point| {
@@ -105,11 +68,11 @@ fn fit(shape: &Shape, cos_o: f64) -> [f32; 5] {
             .sum::<f64>()
     };
     let best = simplex::minimum(error, start, [0.15, 0.15, 0.05]);
-    Lobe::new(middle, &best).inverse.map(|value| value as f32)
+    FittedLobe::new(middle, &best).inverse.map(|value| value as f32)
 }
 
 /// The lobe at points around its middle, in the half space of positive y.
-fn points(shape: &Shape, theta_o: f64, grid: Grid) -> Vec<Point> {
+fn points(shape: &Shape, theta_o: f64, grid: PolarGrid) -> Vec<LobeSample> {
     let wo = Vec3::from_angles(theta_o, 0.0);
     let below = shape.info().side == Side::Transmission;
     let theta_i = match below {
@@ -132,7 +95,7 @@ fn points(shape: &Shape, theta_o: f64, grid: Grid) -> Vec<Point> {
                 let light = if below { Vec3::new(wi.x, wi.y, -wi.z) } else { wi };
                 let pair = DirectionPair::new(wo, light);
                 let value = shape.f_cos(&pair);
-                points.push(Point { direction: wi, weight, value, pair });
+                points.push(LobeSample { direction: wi, weight, value, pair });
             }
         }
     }
@@ -157,7 +120,7 @@ pub(crate) fn mean_direction(shape: &Shape, cos_o: f64) -> [f64; 2] {
 }
 
 /// The mean direction, as sine and cosine of its angle from the normal towards +x.
-fn middle(points: &[Point]) -> [f64; 2] {
+fn middle(points: &[LobeSample]) -> [f64; 2] {
     let (mut x, mut z) = (0.0, 0.0);
     for point in points {
         x += point.weight * point.value * point.direction.x;
@@ -168,9 +131,9 @@ fn middle(points: &[Point]) -> [f64; 2] {
 }
 
 /// A first guess: the logarithms of the widths in and across the plane, from the mean squares of the slopes.
-fn spread(points: &[Point], [sin, cos]: [f64; 2], total: f64) -> [f64; 3] {
+fn spread(points: &[LobeSample], [sin, cos]: [f64; 2], total: f64) -> [f64; 3] {
     let (mut across, mut along) = (0.0, 0.0);
-    for Point { direction: d, weight, value, .. } in points {
+    for LobeSample { direction: d, weight, value, .. } in points {
         let (x, z) = (d.x * cos - d.z * sin, d.x * sin + d.z * cos);
         let share = weight * value / total;
         // The cosine lobe itself has mean squares of a quarter.
@@ -182,12 +145,12 @@ fn spread(points: &[Point], [sin, cos]: [f64; 2], total: f64) -> [f64; 3] {
 }
 
 /// A transformed cosine.
-struct Lobe {
+struct FittedLobe {
     inverse: [f64; 5],
     determinant: f64,
 }
 
-impl Lobe {
+impl FittedLobe {
     /// Of widths e^p0 and e^p1 and a skew p2, about a middle.
     fn new([sin, cos]: [f64; 2], p: &[f64; 3]) -> Self {
         let (x, y, skew) = (libm::exp(p[0]), libm::exp(p[1]), p[2]);
@@ -213,7 +176,7 @@ mod tests {
     #[test]
     fn a_cosine_is_fitted_by_itself() {
         let lambert = Shape::named("lambert", &[]).expect("lambert exists");
-        let fitted = LtcTable::fit(&lambert);
+        let fitted = fit_table(&lambert);
         for cos_o in [1.0f32, 0.5, 0.1] {
             let [a, b, c, d, e] = fitted.at(cos_o);
             let scale = 1.0 / e;
@@ -234,9 +197,9 @@ mod tests {
             let theta = libm::acos(cos_o);
             let points = points(&shape, theta, COARSE);
             let total: f64 = points.iter().map(|p| p.weight * p.value).sum();
-            let map = LtcTable::fit(&shape).at(cos_o);
+            let map = fit_table(&shape).at(cos_o);
             let [x, _, y, ..] = map;
-            let lobe = Lobe { inverse: map, determinant: x * y };
+            let lobe = FittedLobe { inverse: map, determinant: x * y };
             let volume: f64 = points.iter().map(|p| p.weight * lobe.density(p.direction)).sum();
             let off: f64 = points
                 .iter()

@@ -1,96 +1,12 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{LayerWeight, LightTerm, Shape, Side};
-use glanz_scene::{AlphaMode, Lobe, Material, Metalness, TextureUse, Tint};
+use glanz_bsdf::{LightTerm, MODELS, ParamError, Shape, Side};
+use glanz_scene::{Lobe, Material, Tint};
 
 use crate::prepare::PrepareError;
-use crate::prepare::build::lobe_integrals::LobeIntegrals;
-use crate::prepare::color::tint_coordinate::TintCoordinate;
-use crate::prepare::color::tint_series::TintSeries;
+use crate::prepare::color::tint_coordinate::coordinate_of;
 use crate::prepare::color::tint_table::{Entry, Table, term_of};
-use crate::prepare::with_model;
-
-/// A lobe that answers to lights with a direction.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DirectLobe {
-    /// Its shape.
-    pub shape: Shape,
-    /// Diffuse or specular.
-    pub term: LightTerm,
-    /// Whether base colour texture and vertex colours multiply it.
-    pub textured: bool,
-    /// On what its tint depends.
-    pub coordinate: TintCoordinate,
-    /// What lies over it.
-    pub layers: Vec<LayerWeight>,
-    /// Which part of the surface it belongs to.
-    pub metalness: Metalness,
-    /// Whether its shape is that of the lobe before.
-    pub repeats: bool,
-}
-
-/// A material with its rows of the tint table.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PreparedMaterial {
-    /// Lobes for lights with a direction.
-    pub lobes: Vec<DirectLobe>,
-    /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
-    pub tints: Vec<[f32; 3]>,
-    /// What the lobes make of areas and surroundings; empty where the scene has none.
-    pub integrals: Vec<LobeIntegrals>,
-    /// The entries of curved lobes, with the same numbers; empty if there are none.
-    pub series: Vec<TintSeries>,
-    /// Ambient light from everywhere times the ambient tints, and light of its own: what textures
-    /// multiply, then the ambient light that they do not.
-    pub ambient: [[f32; 3]; 2],
-    /// Ambient light that a spot sends into its cone, per light, textured and not. Empty where no
-    /// spot sends any.
-    pub spot_ambient: Vec<[[f32; 3]; 2]>,
-    /// Light of its own.
-    pub emission: [f32; 3],
-    /// How textures and vertex colours mix the table, where they do more than multiply channels.
-    pub mix: Option<Box<MixTints>>,
-    /// Whether the normal is turned to the viewer.
-    pub two_sided: bool,
-    /// Whether back faces are not drawn.
-    pub cull_back: bool,
-    /// Multiplies textured lobes.
-    pub base_color: Option<TextureUse>,
-    /// Bends the normal.
-    pub normal_map: Option<TextureUse>,
-    /// Multiplies the emission.
-    pub emission_map: Option<TextureUse>,
-    /// Green widens lobes, blue says where metal is.
-    pub metal_rough_map: Option<TextureUse>,
-    /// Sine and cosine of the angle from the tangent to the x axis of lobes that know one.
-    pub aniso: [f64; 2],
-    /// Whether any lobe asks where the tangent is.
-    pub anisotropic: bool,
-    /// Whether any lobe answers to light on the other side.
-    pub transmits: bool,
-    /// What is seen through it, per channel over the cosine of the line of sight.
-    pub transmittance: Option<TintSeries>,
-    /// Whether it has nothing that the pixel loop of the classic models does not know.
-    pub classic: bool,
-    /// Opacity.
-    pub alpha: f32,
-    /// What alpha means.
-    pub alpha_mode: AlphaMode,
-}
-
-/// The table for texels that mix three spectra: for each entry that textures multiply, what its lobe
-/// gives through each of them. Their sum is the entry itself.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct MixTints {
-    /// As [`PreparedMaterial::tints`].
-    pub tints: Vec<[[f32; 3]; 3]>,
-    /// As the first of [`PreparedMaterial::ambient`].
-    pub ambient: [[f32; 3]; 3],
-    /// As the first of each of [`PreparedMaterial::spot_ambient`].
-    pub spot_ambient: Vec<[[f32; 3]; 3]>,
-    /// As [`PreparedMaterial::emission`].
-    pub emission: [[f32; 3]; 3],
-}
+use crate::prepare::data::{DirectLobe, MixTints, PreparedMaterial, TintCoordinate};
 
 /// Fills a material's rows of the tint table.
 pub(crate) fn prepare(
@@ -104,10 +20,7 @@ pub(crate) fn prepare(
         return Err(PrepareError::Scene { what });
     }
     let direct = direct_lobes(material, model)?;
-    let mut lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
-    for i in 1..lobes.len() {
-        lobes[i].repeats = lobes[i].shape == lobes[i - 1].shape;
-    }
+    let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
     let terms = Terms::new(material);
     let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
@@ -115,7 +28,6 @@ pub(crate) fn prepare(
     Ok(PreparedMaterial {
         anisotropic: lobes.iter().any(|lobe| lobe.shape.is_anisotropic()),
         transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
-        classic: lobes.iter().all(DirectLobe::is_classic) && material.metal_rough_map.is_none(),
         lobes,
         tints: table.direct(&direct, None),
         integrals: Vec::new(),
@@ -160,7 +72,7 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         _ => lobe.shape.clone(),
     };
     // A texel has no say in a tint that is a curve.
-    let coordinate = TintCoordinate::of(lobe);
+    let coordinate = coordinate_of(lobe);
     let textured = lobe.textured && coordinate == TintCoordinate::None;
     Ok(DirectLobe {
         shape,
@@ -169,29 +81,7 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
         coordinate,
         layers: lobe.layers.clone(),
         metalness: lobe.metalness,
-        repeats: false,
     })
-}
-
-impl DirectLobe {
-    /// A bare lobe.
-    pub fn new(shape: Shape) -> Self {
-        let (term, coordinate) = (shape.info().term, TintCoordinate::None);
-        Self {
-            shape,
-            term,
-            textured: false,
-            coordinate,
-            layers: Vec::new(),
-            metalness: Metalness::Any,
-            repeats: false,
-        }
-    }
-
-    fn is_classic(&self) -> bool {
-        let bare = self.layers.is_empty() && self.metalness == Metalness::Any;
-        bare && self.shape.is_in_place() && !matches!(self.coordinate, TintCoordinate::CoatPath { .. })
-    }
 }
 
 /// The tints of a material's lobes that no light with a direction touches.
@@ -248,4 +138,16 @@ fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
 
 fn add(sum: &mut Entry, value: Entry) {
     sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
+}
+
+/// `shape` with its model replaced by the one called `name`, keeping parameters of the same name.
+fn with_model(shape: &Shape, name: &str) -> Result<Shape, ParamError> {
+    let kept = shape.info().params.iter().zip(shape.params());
+    let target = glanz_bsdf::models::info_named(name)?;
+    let set: Vec<(&str, f64)> = kept
+        .filter(|(param, _)| target.params.iter().any(|p| p.name == param.name))
+        .map(|(param, value)| (param.name, value))
+        .collect();
+    debug_assert!(MODELS.iter().any(|info| info.name == target.name));
+    Shape::named(name, &set)
 }

@@ -6,6 +6,8 @@ use glanz_bsdf::terms::{
 use glanz_color::{Ior, Spectrum, lambda_nm};
 use glanz_scene::{Film, Pane, Polarization};
 
+use crate::prepare::data::tint_coordinate::cosine_inside;
+
 /// What a boundary between air and a medium reflects.
 pub(crate) fn boundary(ior: &Ior, cosine: f64) -> Spectrum {
     Spectrum(core::array::from_fn(|i| match ior.k[i] {
@@ -45,12 +47,6 @@ pub(crate) fn pane(pane: &Pane, cosine: f64) -> (Spectrum, Spectrum) {
 /// What is left on a path of so many times the thickness of this optical depth.
 pub(crate) fn left(depth: &Spectrum, path: f64) -> Spectrum {
     depth.map(|depth| libm::exp(-depth * path))
-}
-
-/// The cosine of the refracted ray.
-pub(crate) fn cosine_inside(cosine: f64, eta: f64) -> f64 {
-    let sin2 = (1.0 - cosine * cosine) / (eta * eta);
-    libm::sqrt((1.0 - sin2).max(0.0))
 }
 
 #[cfg(test)]

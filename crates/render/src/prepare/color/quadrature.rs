@@ -119,7 +119,7 @@ impl Sampling {
 
     /// What light of its own gives in the channels; `basis` is the number of a spectrum that it is
     /// multiplied with.
-    pub fn emitted(&self, tint: &Tint, basis: Option<usize>) -> Channels {
+    pub fn emitted(&self, tint: &Tint, basis: Option<usize>) -> Triple {
         let color = match tint {
             Tint::Rgb(rgb) => LightColor::Rgb(*rgb),
             Tint::Spectrum(spectrum) => LightColor::Spectrum(spectrum.clone()),
@@ -298,8 +298,8 @@ impl Surface {
     }
 }
 
-/// Three channels.
-pub(crate) type Channels = [f64; 3];
+/// One number for each of three channels.
+pub(crate) type Triple = [f64; 3];
 
 /// How three channels answer to light at the nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -307,7 +307,7 @@ pub(crate) struct Response([Row; 3]);
 
 impl Response {
     /// The channels under a light.
-    pub fn under(&self, light: &[f64]) -> Channels {
+    pub fn under(&self, light: &[f64]) -> Triple {
         self.0.each_ref().map(|row| row.iter().zip(light).map(|(r, l)| l * r).sum())
     }
 }

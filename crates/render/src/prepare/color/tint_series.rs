@@ -1,15 +1,12 @@
 //! Tints that depend on an angle, as a Chebyshev series over its coordinate.
 
-use glanz_math::{Chebyshev, chebyshev_nodes};
-
-/// Three channels over a [coordinate](super::TintCoordinate), 0 … 1.
-pub type TintSeries = Chebyshev<f32, 3>;
+use glanz_math::chebyshev_nodes;
 
 /// Places at which a tint is taken, and the most terms that are kept. A test holds that they keep 1e-4 for
 /// every medium that ships and for indices from 1.05 to 20.
 const NODES: usize = 32;
 
-/// The coordinates at which a tint must be known for [`TintSeries::fit`].
+/// The coordinates at which a tint must be known for [`Chebyshev::fit`](glanz_math::Chebyshev).
 pub(crate) fn nodes() -> impl Iterator<Item = f64> {
     chebyshev_nodes(NODES)
 }
@@ -24,7 +21,9 @@ mod tests {
     use glanz_scene::{ColorMode, Tint};
 
     use super::*;
-    use crate::prepare::{Observation, Sampling};
+    use crate::prepare::Observation;
+    use crate::prepare::color::quadrature::Sampling;
+    use crate::prepare::data::TintSeries;
 
     /// What the table promises: relative to the reflection itself.
     const RELATIVE: f64 = 1e-4;

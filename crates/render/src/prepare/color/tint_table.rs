@@ -2,12 +2,12 @@
 
 use glanz_bsdf::LightTerm;
 use glanz_math::PI;
-use glanz_scene::{Light, LightKind, Lobe, Scene, Tint, Transmittance};
+use glanz_scene::{Light, LightKind, Lobe, Tint, Transmittance};
 
-use crate::prepare::color::quadrature::{Channels, Response, Row, Sampling, Surface};
-use crate::prepare::color::tint_coordinate::{self, TintCoordinate};
-use crate::prepare::color::tint_series::{self, TintSeries};
-use crate::prepare::lights;
+use crate::prepare::color::quadrature::{Response, Row, Sampling, Surface, Triple};
+use crate::prepare::color::tint_coordinate::{self, coordinate_of};
+use crate::prepare::color::tint_series;
+use crate::prepare::data::{TintCoordinate, TintSeries};
 
 /// A light at the nodes of the colour mode, for the three kinds of lobe; times π for lamps, whose value 1 is
 /// an irradiance of π.
@@ -32,8 +32,8 @@ pub(crate) struct Table<'a> {
 pub(crate) type Entry = [f32; 3];
 
 impl<'a> Table<'a> {
-    pub fn new(sampling: &'a Sampling, scene: &Scene) -> Self {
-        let lights = scene.lights.iter().flat_map(|light| light_rows(sampling, light)).collect();
+    pub fn new(sampling: &'a Sampling, lights: &[Light]) -> Self {
+        let lights = lights.iter().flat_map(|light| light_rows(sampling, light)).collect();
         Self { sampling, lights }
     }
 
@@ -46,10 +46,8 @@ impl<'a> Table<'a> {
     /// lobes are multiplied with.
     pub fn direct(&self, lobes: &[&Lobe], basis: Option<usize>) -> Vec<Entry> {
         let response = |lobe: &&Lobe| {
-            self.sampling.response(
-                &tint_coordinate::surface(self.sampling, lobe, TintCoordinate::of(lobe), 1.0),
-                basis,
-            )
+            self.sampling
+                .response(&tint_coordinate::surface(self.sampling, lobe, coordinate_of(lobe), 1.0), basis)
         };
         let responses: Vec<Response> = lobes.iter().map(response).collect();
         let entry = |light: &LightRows, i: usize| short(responses[i].under(light.of(term_of(lobes[i]))));
@@ -62,13 +60,13 @@ impl<'a> Table<'a> {
     /// The same for lobes whose tint depends on a cosine; empty curves for the others. Nothing at all
     /// if no lobe is such.
     pub fn series(&self, lobes: &[&Lobe]) -> Vec<TintSeries> {
-        if lobes.iter().all(|lobe| TintCoordinate::of(lobe) == TintCoordinate::None) {
+        if lobes.iter().all(|lobe| coordinate_of(lobe) == TintCoordinate::None) {
             return Vec::new();
         }
         let responses: Vec<Vec<Response>> = lobes.iter().map(|lobe| self.responses(lobe)).collect();
         let series = |light: &LightRows, i: usize| {
             let row = light.of(term_of(lobes[i]));
-            let values: Vec<Channels> = responses[i].iter().map(|response| response.under(row)).collect();
+            let values: Vec<Triple> = responses[i].iter().map(|response| response.under(row)).collect();
             if values.is_empty() { TintSeries::default() } else { TintSeries::fit(&values) }
         };
         self.directed()
@@ -112,13 +110,13 @@ impl<'a> Table<'a> {
 
     /// Of a lobe whose tint is a curve: at each coordinate that the curve goes through.
     fn responses(&self, lobe: &Lobe) -> Vec<Response> {
-        let coordinate = TintCoordinate::of(lobe);
+        let coordinate = coordinate_of(lobe);
         let at =
             |x| self.sampling.response(&tint_coordinate::surface(self.sampling, lobe, coordinate, x), None);
         if coordinate == TintCoordinate::None { Vec::new() } else { tint_series::nodes().map(at).collect() }
     }
 
-    /// What each spectrum of the first surroundings gives in the channels, seen directly.
+    /// What each spectrum of the first environment gives in the channels, seen directly.
     pub fn environment_tint(&self) -> Option<[Entry; 3]> {
         let first = self.lights.iter().position(|light| light.is_mixed)?;
         let everything = Surface::Reflectance(vec![1.0; self.sampling.white().len()]);
@@ -147,6 +145,21 @@ impl<'a> Table<'a> {
     }
 }
 
+/// Whether a light has a direction: all but ambient ones.
+pub(crate) fn is_directed(light: &Light) -> bool {
+    light.kind != LightKind::Ambient
+}
+
+/// Whether a light's value is a radiance rather than a punctual intensity.
+pub(crate) fn is_radiance(light: &Light) -> bool {
+    matches!(light.kind, LightKind::Area { .. } | LightKind::Environment { .. })
+}
+
+/// How many lights of the table a light is.
+pub(crate) fn rows(light: &Light) -> usize {
+    if matches!(light.kind, LightKind::Environment { .. }) { 3 } else { 1 }
+}
+
 impl LightRows {
     fn of(&self, term: LightTerm) -> &Row {
         if term == LightTerm::Diffuse { &self.diffuse } else { &self.specular }
@@ -154,7 +167,7 @@ impl LightRows {
 }
 
 fn light_rows(sampling: &Sampling, light: &Light) -> Vec<LightRows> {
-    let is_lamp = !lights::is_radiance(light);
+    let is_lamp = !is_radiance(light);
     let factor = if is_lamp { PI } else { 1.0 };
     let scaled = |color| sampling.light(color).iter().map(|value| factor * value).collect::<Row>();
     let whole = LightRows {
@@ -162,10 +175,10 @@ fn light_rows(sampling: &Sampling, light: &Light) -> Vec<LightRows> {
         diffuse: scaled(&light.colors.diffuse),
         specular: scaled(&light.colors.specular),
         is_spot: matches!(light.kind, LightKind::Spot { .. }),
-        is_directed: lights::is_directed(light),
-        is_mixed: lights::rows(light) > 1,
+        is_directed: is_directed(light),
+        is_mixed: rows(light) > 1,
     };
-    if lights::rows(light) == 1 {
+    if rows(light) == 1 {
         return vec![whole];
     }
     (0..3).map(|number| whole.mixed(sampling.basis(number), number)).collect()
@@ -189,16 +202,16 @@ pub(crate) fn term_of(lobe: &Lobe) -> LightTerm {
     lobe.shape.info().term
 }
 
-fn under_all(responses: &[Response], light: &Row) -> Channels {
+fn under_all(responses: &[Response], light: &Row) -> Triple {
     let mut sum = [0.0; 3];
     responses.iter().for_each(|response| add(&mut sum, response.under(light)));
     sum
 }
 
-fn add(sum: &mut Channels, value: Channels) {
+fn add(sum: &mut Triple, value: Triple) {
     sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
 }
 
-fn short(channels: Channels) -> Entry {
+fn short(channels: Triple) -> Entry {
     channels.map(|c| c as f32)
 }

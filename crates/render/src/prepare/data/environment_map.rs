@@ -7,9 +7,12 @@ use glanz_math::{PI, Real, Vec3};
 /// An equirectangular picture, as [`EnvironmentMap`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentMap {
-    width: usize,
-    height: usize,
-    pixels: Vec<[f32; 3]>,
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// By rows from the top.
+    pub pixels: Vec<[f32; 3]>,
 }
 
 impl From<&glanz_scene::EnvironmentMap> for EnvironmentMap {

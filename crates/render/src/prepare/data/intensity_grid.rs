@@ -11,8 +11,8 @@ const ROWS: usize = 181;
 /// IntensityGrid of the greatest intensity on a grid of planes C and angles γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntensityGrid {
-    /// By planes.
-    values: Vec<f32>,
+    /// By planes C, each from γ = 0° to 180° in steps of 1°.
+    pub values: Vec<f32>,
 }
 
 impl IntensityGrid {

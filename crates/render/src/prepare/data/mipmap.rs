@@ -1,7 +1,5 @@
 //! Decoding to linear light, and mip levels.
 
-use std::sync::Arc;
-
 use glanz_color::{srgb_decode_u8, srgb_encode};
 use glanz_scene::{Texture, TextureFilter, Wrap};
 
@@ -11,21 +9,25 @@ use glanz_scene::{Texture, TextureFilter, Wrap};
 /// four bytes per texel; averages are made in linear light.
 #[derive(Clone, Debug)]
 pub struct Mipmap {
-    levels: Vec<MipLevel>,
-    decode: [f32; 256],
-    wrap: [Wrap; 2],
-    filter: TextureFilter,
+    /// The levels, the finest first, down to 1×1.
+    pub levels: Vec<MipLevel>,
+    /// The linear value of each code of red, green and blue.
+    pub decode: [f32; 256],
+    /// What happens beyond the border, along u and v.
+    pub wrap: [Wrap; 2],
+    /// How it is filtered.
+    pub filter: TextureFilter,
 }
 
+/// One level.
 #[derive(Clone, Debug)]
-struct MipLevel {
-    width: usize,
-    height: usize,
-    rgba: Vec<[u8; 4]>,
-}
-
-pub(crate) fn prepare(textures: &[Texture]) -> Vec<Arc<Mipmap>> {
-    textures.iter().map(|texture| Arc::new(Mipmap::new(texture))).collect()
+pub struct MipLevel {
+    /// Texels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Codes by rows from the top.
+    pub rgba: Vec<[u8; 4]>,
 }
 
 impl Mipmap {

@@ -1,10 +1,6 @@
-//! Drawing: from prepared arrays and a view to a frame.
+//! What a frame shows, and how.
 
-use glanz_math::simd_level;
 use glanz_scene::Background;
-
-use crate::cpu::Renderer;
-use crate::{Develop, Frame, Prepared, View};
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -53,7 +49,7 @@ pub struct Aovs {
 }
 
 /// How to draw.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawOptions {
     /// Coverage samples per pixel: 1, 2, 4, 8 or 16.
     pub samples: u32,
@@ -61,45 +57,15 @@ pub struct DrawOptions {
     pub supersample: bool,
     /// What the picture shows.
     pub show: DebugView,
-    /// Where nothing is.
+    /// What is behind all surfaces.
     pub background: Background,
     /// Planes beside colour and alpha.
     pub aovs: Aovs,
-    /// SIMD instructions to use, from [`glanz_math::simd_level`]. The picture does not depend on it.
-    pub level: fearless_simd::Level,
 }
 
 impl DrawOptions {
-    /// One sample, shaded, on this background, with the machine's best instructions.
+    /// One sample, shaded, on this background.
     pub fn new(background: Background) -> Self {
-        Self {
-            samples: 1,
-            supersample: false,
-            show: DebugView::Shaded,
-            background,
-            aovs: Aovs::default(),
-            level: simd_level(None).expect("the machine's own level exists"),
-        }
+        Self { samples: 1, supersample: false, show: DebugView::Shaded, background, aovs: Aovs::default() }
     }
-}
-
-/// Draws into a frame of linear channels. Runs in the current rayon pool.
-pub fn draw(prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
-    Renderer::new().draw(prepared, view, options)
-}
-
-/// Draws and develops tile by tile, straight into 8-bit RGBA (`4·width·height` bytes, rows from the
-/// top). The result is that of [`draw`] followed by [`develop()`](crate::develop()), without the
-/// memory of a frame.
-///
-/// # Panics
-/// If `out` has another length.
-pub fn draw_rgba8(
-    prepared: &Prepared,
-    view: &View,
-    options: &DrawOptions,
-    develop: &Develop,
-    out: &mut [u8],
-) {
-    Renderer::new().draw_rgba8(prepared, view, options, develop, out);
 }
