@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::laws::Law;
+
 /// Which of a light's colours a lobe answers to, after the classic lighting equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightTerm {
@@ -13,15 +15,6 @@ pub enum LightTerm {
     Specular,
     /// Light of the surface itself; needs no lamp.
     Emission,
-}
-
-/// A law that the conformance tests hold every model to, unless it opts out with a reason.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
-    /// f(wo, wi) = f(wi, wo).
-    Reciprocity,
-    /// No more light leaves than arrives, for any view direction.
-    Energy,
 }
 
 /// On which side of the surface the light must be.

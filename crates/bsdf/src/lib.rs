@@ -10,19 +10,19 @@
 //! cosine**, in 1/sr.
 
 mod albedo;
-pub mod certificate;
-#[cfg(test)]
-mod conformance;
 mod direction_pair;
 mod info;
+pub mod laws;
 mod layers;
+pub mod microfacet;
 pub mod models;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
 pub use direction_pair::DirectionPair;
 pub use glanz_math::Chebyshev;
-pub use info::{Law, LightTerm, ModelInfo, ParamError, ParamInfo, Side};
+pub use info::{LightTerm, ModelInfo, ParamError, ParamInfo, Side};
+pub use laws::Law;
 pub use layers::{Angle, CoatSurface, LayerWeight, layered_albedo};
 pub use models::{MODELS, Shape};
 

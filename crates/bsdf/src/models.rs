@@ -116,7 +116,7 @@ macro_rules! models {
         #[cfg(test)]
         mod laws {
             $(mod $module {
-                crate::conformance::suite!(crate::models::$module::$model);
+                crate::laws::suite::suite!(crate::models::$module::$model);
             })+
         }
     };

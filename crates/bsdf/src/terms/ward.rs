@@ -6,7 +6,8 @@
 
 use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Distribution, exp2_or_zero, facets};
+use crate::microfacet::{BeckmannDistribution, both_above, d_above};
+use crate::terms::exp2_or_zero;
 use crate::{DirectionPair, ParamInfo};
 
 #[cfg(test)]
@@ -64,13 +65,13 @@ impl Widths {
     /// π αx αy cos⁴θh.
     pub(crate) fn distribution(&self, half: Vec3<f64>) -> f64 {
         let across = if self.alpha_y > 0.0 { self.alpha_y.max(NARROWEST) } else { self.alpha };
-        facets::distribution(Distribution::Beckmann, half, (self.alpha, across))
+        d_above::<BeckmannDistribution>(half, (self.alpha, across))
     }
 
     /// What a model of this highlight has in the place of G, so that f_cos = D · G / (4 cosθo). It is none of a
     /// theory of facets, and may be more than 1.
     pub(crate) fn in_place_of_g(&self, f_cos: f64, pair: &DirectionPair<f64>) -> f64 {
-        let (wo, wi) = facets::both_above(pair);
+        let (wo, wi) = both_above(pair);
         let d = self.distribution((wo + wi).normalized());
         if d > 0.0 { 4.0 * pair.cos_o * f_cos / d } else { 0.0 }
     }

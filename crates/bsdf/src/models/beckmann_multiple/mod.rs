@@ -10,57 +10,22 @@
 //! [`smith_albedo_average`](crate::terms::smith_albedo_average) gives Eavg.
 //! **Cost** two quotients, two polynomials.
 
-use glanz_math::Real;
+use crate::microfacet::{BeckmannDistribution, SmithMultiple, ALPHA, ALPHA_Y};
+use crate::{LightTerm, ModelInfo, Side};
 
-use crate::models::ggx::{ALPHA, ALPHA_Y, widths};
-use crate::terms::{Distribution, MultiScatter};
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+/// The multiple-scattering compensation of [`beckmann`](crate::models::beckmann).
+pub type BeckmannMultiple = SmithMultiple<BeckmannDistribution>;
 
-/// The energy of further reflections.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BeckmannMultiple {
-    /// The width along the tangent.
-    pub alpha: f64,
-    /// The width along the bitangent; 0 means as `alpha`.
-    pub alpha_y: f64,
-    compensation: MultiScatter,
-}
-
-impl Model for BeckmannMultiple {
-    const INFO: ModelInfo = ModelInfo {
-        name: "beckmann-multiple",
-        title: "Beckmann's slopes, reflected more than once (Kulla and Conty 2017)",
-        formula: "(1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg))",
-        source: "C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017",
-        params: &[ALPHA, ALPHA_Y],
-        term: LightTerm::Specular,
-        side: Side::Reflection,
-        anisotropic: true,
-        delta: false,
-        exempt: &[],
-    };
-
-    fn from_params(values: &[f64]) -> Self {
-        let (alpha, alpha_y) = (values[0], values[1]);
-        Self { alpha, alpha_y, compensation: MultiScatter::new(Distribution::Beckmann, widths(alpha, alpha_y), 1.0) }
-    }
-
-    fn params(&self) -> Vec<f64> {
-        vec![self.alpha, self.alpha_y]
-    }
-
-    fn is_anisotropic(&self) -> bool {
-        let (x, y) = widths(self.alpha, self.alpha_y);
-        x != y
-    }
-
-    #[inline(always)]
-    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-        let zero = pair.cos_o.zero();
-        let value = self.compensation.f_cos(pair, None);
-        value.select(zero.lt(pair.cos_o) & zero.lt(pair.cos_i), zero)
-    }
-}
-
-#[cfg(test)]
-mod tests;
+/// What the model tells about itself.
+pub const INFO: ModelInfo = ModelInfo {
+    name: "beckmann-multiple",
+    title: "Beckmann's slopes, reflected more than once (Kulla and Conty 2017)",
+    formula: "(1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg))",
+    source: "C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017",
+    params: &[ALPHA, ALPHA_Y],
+    term: LightTerm::Specular,
+    side: Side::Reflection,
+    anisotropic: true,
+    delta: false,
+    exempt: &[],
+};

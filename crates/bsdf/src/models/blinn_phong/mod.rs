@@ -52,7 +52,8 @@ impl Model for BlinnPhong {
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
-        let cosine = pair.cos_half().max(zero);
+        // Rounding may leave more than 1 for the mirror direction near the horizon, which a power of 10⁵ makes infinite.
+        let cosine = pair.cos_half().clamp(0.0, 1.0);
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }

@@ -12,8 +12,9 @@
 
 use glanz_math::{Real, Vec3};
 
+use crate::microfacet::HalfVector;
 use crate::models::cook_torrance::{M, groove};
-use crate::terms::{Half, d_gaussian, g_v_cavity, gaussian_scale};
+use crate::terms::{d_gaussian, g_v_cavity, gaussian_scale};
 use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
 
 /// Cook and Torrance's reflection with the Gaussian distribution.
@@ -49,7 +50,7 @@ impl Model for CookTorranceGaussian {
 
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-        let half = Half::new(pair);
+        let half = HalfVector::new(pair);
         // From sine and cosine: an arc cosine alone is coarse about 0.
         let theta = (half.length2 - half.up2).sqrt().atan2(half.up2.sqrt());
         let d = d_gaussian(theta, theta.lit(self.m), theta.lit(self.scale));

@@ -10,7 +10,8 @@
 
 use glanz_math::{Real, Vec3};
 
-use crate::models::ggx::{ALPHA, Ggx};
+use crate::microfacet::ALPHA;
+use crate::models::ggx::Ggx;
 use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
 
 /// GGX for light that passes a thin sheet.
