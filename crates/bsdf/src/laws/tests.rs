@@ -44,6 +44,7 @@ const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: false,
     delta: false,
+    operations: 0,
     exempt: &[(Law::Energy, "it glows, and says so")],
 };
 

@@ -43,6 +43,7 @@ mod triangle_batch;
 mod triangle_setup;
 mod visible;
 
+pub(crate) use reflect::is_evaluated_in_place;
 pub use renderer::Renderer;
 
 /// The closure itself: a place where `#[inline(always)]` may stand on a closure that has a name.

@@ -4,12 +4,54 @@
 //! numbers of the tint table.
 
 use fearless_simd::Simd;
-use glanz_bsdf::DirectionPair;
+use glanz_bsdf::{DirectionPair, Model, ModelInfo, ShapeVisitor, Side};
 use glanz_math::{Lanes, Real, Vec3};
 
 use super::lights::{ViewCone, ViewFalloff, ViewLight, ViewLights, splat, turned};
 use super::{general, inlined, three};
 use crate::prepare::{PreparedMaterial, TintCoordinate};
+
+/// Models of at most so many operations are evaluated inside the loop of [`reflect_classic`]; the others are calls. The
+/// classic highlights with their power take up to 59.
+const IN_PLACE_OPERATIONS: u32 = 60;
+
+/// Cheap models that are calls all the same: [`general::reflect`] sums in another order, and their pictures would change in
+/// the last bits.
+const CALLED: [&str; 4] = ["cook-torrance", "oren-nayar-qualitative", "ashikhmin-shirley-diffuse", "minnaert"];
+
+/// Whether [`reflect_classic`] evaluates a model: it must be cheap, read no tangent, and be black where the light is below
+/// the surface, since the loop leaves such light out.
+pub(crate) const fn is_evaluated_in_place(info: &ModelInfo) -> bool {
+    let fits = matches!(info.side, Side::Reflection) && !info.anisotropic;
+    let mut called = false;
+    let mut i = 0;
+    while i < CALLED.len() {
+        called |= is_same(CALLED[i].as_bytes(), info.name.as_bytes());
+        i += 1;
+    }
+    fits && info.operations <= IN_PLACE_OPERATIONS && !called
+}
+
+/// Comparison of strings where constants are evaluated.
+const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut i = 0;
+    while i < a.len() && i < b.len() && a[i] == b[i] {
+        i += 1;
+    }
+    i == a.len() && i == b.len()
+}
+
+/// Evaluates the models for which [`is_evaluated_in_place`] holds, and gives 0 for the others.
+struct InPlace<'a, R>(&'a DirectionPair<R>);
+
+impl<R: Real> ShapeVisitor for InPlace<'_, R> {
+    type Output = R;
+
+    #[inline(always)]
+    fn visit<M: Model>(self, model: &M) -> R {
+        if const { is_evaluated_in_place(&M::INFO) } { model.f_cos(self.0) } else { self.0.cos_o.zero() }
+    }
+}
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
@@ -109,7 +151,7 @@ pub(crate) fn reflect_classic<R: Real>(
         // none with what happens to be in memory, which is slow where that is a denormal number.
         let attenuation = incident.attenuation.unwrap_or(like.one());
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
-            let value = lobe.shape.f_cos_in_place(&pair) * attenuation;
+            let value = lobe.shape.visit(InPlace(&pair)) * attenuation;
             let tint = match &mix {
                 _ if lobe.coordinate == TintCoordinate::HalfAngle => {
                     material.series[first + k].at(pair.cos_view_half())
@@ -233,4 +275,34 @@ fn inside<R: Real>(cone: &ViewCone, wi: Vec3<R>) -> R {
         None => cosine.max(like.zero()).pow(like.lit(f64::from(cone.exponent))),
     };
     factor.select(like.lit(f64::from(cone.cos_cutoff)).le(cosine), like.zero())
+}
+
+#[cfg(test)]
+mod tests {
+    use glanz_bsdf::{MODELS, Shape};
+
+    use super::*;
+
+    #[test]
+    fn cheap_isotropic_reflection_is_evaluated_in_place_and_nothing_else() {
+        let (cos_o, cos_i, cos_io) = (0.8_f64, 0.7, 0.2);
+        let mut in_place = 0;
+        for info in MODELS {
+            let shape = Shape::named(info.name, &[]).expect("a name from the list");
+            let cheap = info.operations <= IN_PLACE_OPERATIONS && !CALLED.contains(&info.name);
+            let cheap = cheap && info.side == Side::Reflection && !info.anisotropic;
+            for pair in [
+                DirectionPair::isotropic(cos_o, cos_i, cos_io),
+                DirectionPair::isotropic(cos_o, -cos_i, -cos_io),
+            ] {
+                let expected = if cheap { shape.f_cos(&pair) } else { 0.0 };
+                assert_eq!(shape.visit(InPlace(&pair)), expected, "{}", info.name);
+                let skipped = cheap && info.term != glanz_bsdf::LightTerm::Ambient;
+                let lit = pair.cos_i > 0.0 || info.term == glanz_bsdf::LightTerm::Emission;
+                assert!(!skipped || lit || expected == 0.0, "{} is lit from behind", info.name);
+            }
+            in_place += usize::from(is_evaluated_in_place(info));
+        }
+        assert!(in_place > 0 && in_place < MODELS.len());
+    }
 }

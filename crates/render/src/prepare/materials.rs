@@ -8,6 +8,7 @@ use super::tint_coordinate::TintCoordinate;
 use super::tint_series::TintSeries;
 use super::tint_table::{Entry, Table, term_of};
 use super::{PrepareError, with_model};
+use crate::cpu::is_evaluated_in_place;
 
 /// A lobe that answers to lights with a direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,7 +190,7 @@ impl DirectLobe {
 
     fn is_classic(&self) -> bool {
         let bare = self.layers.is_empty() && self.metalness == Metalness::Any;
-        bare && self.shape.is_in_place() && !matches!(self.coordinate, TintCoordinate::CoatPath { .. })
+        bare && is_evaluated_in_place(self.shape.info()) && !matches!(self.coordinate, TintCoordinate::CoatPath { .. })
     }
 }
 

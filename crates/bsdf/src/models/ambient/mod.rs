@@ -26,13 +26,12 @@ impl Model for Ambient {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 0,
         exempt: &[
             (Law::Reciprocity, "ambient light has no direction to exchange"),
             (Law::Energy, "no cosine: over the hemisphere it would count twice"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

@@ -62,6 +62,7 @@ impl Model for AshikhminShirley {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 91,
         exempt: &[],
     };
 

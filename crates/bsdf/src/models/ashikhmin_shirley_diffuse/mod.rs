@@ -39,6 +39,7 @@ impl Model for AshikhminShirleyDiffuse {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 17,
         exempt: &[],
     };
 

@@ -32,5 +32,6 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: true,
     delta: false,
+    operations: 127,
     exempt: &[],
 };

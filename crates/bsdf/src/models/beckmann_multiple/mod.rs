@@ -27,5 +27,6 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: true,
     delta: false,
+    operations: 46,
     exempt: &[],
 };

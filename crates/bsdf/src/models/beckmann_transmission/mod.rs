@@ -33,5 +33,6 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Transmission,
     anisotropic: false,
     delta: false,
+    operations: 89,
     exempt: &[(Law::Energy, "Walter's rational form of G1 is up to 0.35 % too great: the albedo comes to 1.003 at 89°")],
 };

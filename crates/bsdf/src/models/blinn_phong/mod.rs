@@ -33,13 +33,12 @@ impl Model for BlinnPhong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 58,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 5.38 the albedo seen along the normal, 8/(n+2)·(1 − 2^(−(n+2)/2)), is more than 1"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }

@@ -33,10 +33,9 @@ impl Model for BlinnPhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 59,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         let n = values[0];

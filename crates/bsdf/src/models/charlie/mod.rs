@@ -57,6 +57,7 @@ impl Model for Charlie {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 223,
         exempt: &[(
             Law::Energy,
             "for α below 0.07 views within a few degrees of the horizon get more than arrives",

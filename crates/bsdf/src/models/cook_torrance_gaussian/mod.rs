@@ -37,6 +37,7 @@ impl Model for CookTorranceGaussian {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 76,
         exempt: &[],
     };
 

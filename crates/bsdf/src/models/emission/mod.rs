@@ -26,13 +26,12 @@ impl Model for Emission {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 0,
         exempt: &[
             (Law::Reciprocity, "there is no incident direction"),
             (Law::Energy, "it sends light without receiving any"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

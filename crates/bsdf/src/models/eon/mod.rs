@@ -55,6 +55,7 @@ impl Model for Eon {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 99,
         exempt: &[],
     };
 

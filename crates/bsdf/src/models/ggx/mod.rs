@@ -34,6 +34,7 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: true,
     delta: false,
+    operations: 85,
     exempt: &[],
 };
 

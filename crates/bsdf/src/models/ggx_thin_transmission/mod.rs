@@ -33,6 +33,7 @@ impl Model for GgxThinTransmission {
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
+        operations: 43,
         exempt: &[],
     };
 

@@ -32,5 +32,6 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Transmission,
     anisotropic: false,
     delta: false,
+    operations: 47,
     exempt: &[],
 };

@@ -63,6 +63,7 @@ impl Model for Lafortune {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 59,
         exempt: &[],
     };
 

@@ -26,10 +26,9 @@ impl Model for Lambert {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 2,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

@@ -27,10 +27,9 @@ impl Model for LambertTransmission {
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
+        operations: 3,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_values: &[f64]) -> Self {
         Self

@@ -41,6 +41,7 @@ impl Model for Minnaert {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 53,
         exempt: &[(Law::Energy, "for k < 1 the albedo cosθoᵏ⁻¹ is more than 1 off the normal")],
     };
 

@@ -26,10 +26,9 @@ impl Model for Mirror {
         side: Side::Reflection,
         anisotropic: false,
         delta: true,
+        operations: 0,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_values: &[f64]) -> Self {
         Self

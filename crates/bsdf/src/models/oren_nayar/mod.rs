@@ -64,6 +64,7 @@ impl Model for OrenNayar {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 96,
         exempt: &[
             (Law::Energy, "a fit of integrals: for σ up to 35° grazing views get up to 1.05"),
             (Law::Precision, "for σ near 90° terms cancel at the horizon: with both directions at 89.99° f32 is 0.5 % off"),

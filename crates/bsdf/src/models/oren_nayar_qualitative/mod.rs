@@ -37,6 +37,7 @@ impl Model for OrenNayarQualitative {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 11,
         exempt: &[(
             Law::Energy,
             "for σ below about 20° B outgrows what A takes: grazing views get up to 1.015",

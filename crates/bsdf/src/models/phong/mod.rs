@@ -44,13 +44,12 @@ impl Model for Phong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 53,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }

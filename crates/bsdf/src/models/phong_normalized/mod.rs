@@ -33,10 +33,9 @@ impl Model for PhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 54,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         let shininess = values[0];

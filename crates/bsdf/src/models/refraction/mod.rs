@@ -42,10 +42,9 @@ impl Model for Refraction {
         side: Side::Transmission,
         anisotropic: false,
         delta: true,
+        operations: 0,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { eta: values[0] }

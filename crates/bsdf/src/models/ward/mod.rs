@@ -36,6 +36,7 @@ impl Model for Ward {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 45,
         exempt: &[(
             Law::Energy,
             "f_cos grows like 1/√cosθo: views within a quarter of a degree of the horizon get more than arrives",

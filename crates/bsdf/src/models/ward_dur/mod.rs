@@ -33,6 +33,7 @@ impl Model for WardDur {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 41,
         exempt: &[(Law::Energy, "f_cos grows like 1/cosθo: a grazing view gets more than arrives")],
     };
 

@@ -57,6 +57,7 @@ impl ShowArgs {
         {
             line(&mut text, format_args!("  {:<12} no: {reason}", law.name()));
         }
+        line(&mut text, format_args!("  cost     {} operations", info.operations));
         line(&mut text, format_args!("  source   {}", info.source));
         print::text(&text)
     }
@@ -108,6 +109,6 @@ fn describe(info: &ModelInfo) -> Value {
     json!({
         "name": info.name, "title": info.title, "part": term_name(info.term), "formula": info.formula,
         "source": info.source, "transmission": info.side == Side::Transmission, "anisotropic": info.anisotropic,
-        "delta": info.delta, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
+        "delta": info.delta, "operations": info.operations, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
     })
 }
