@@ -1,4 +1,4 @@
-//! How much of the light from all around leaves towards one direction.
+//! Directional albedos by quadrature.
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
@@ -85,10 +85,10 @@ pub(crate) fn directional(
             let refracted = libm::asin((libm::sin(theta_o) / eta).min(1.0));
             let polar =
                 refined(0.0, PI / 2.0, WIDEST, NEAREST, &[(theta_o, HALVINGS), (refracted, HALVINGS)]);
-            let (end, share) = if anisotropic { (2.0 * PI, 1.0) } else { (PI, 2.0) };
+            let (end, times) = if anisotropic { (2.0 * PI, 1.0) } else { (PI, 2.0) };
             let around = refined(0.0, end, WIDEST, NEAREST, &[(PI, HALVINGS_AROUND)]);
             let below = |theta, phi| value(Vec3::from_angles(PI - theta, phi + azimuth));
-            share * over_angles(&polar, &around, below)
+            times * over_angles(&polar, &around, below)
         }
     }
 }

@@ -7,13 +7,13 @@ use crate::laws::Law;
 /// Which of a light's colours a lobe answers to, after the classic lighting equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightTerm {
-    /// Light that comes from everywhere.
+    /// Ambient light, the same from all directions.
     Ambient,
-    /// Light scattered in all directions.
+    /// Diffusely reflected light.
     Diffuse,
-    /// Light mirrored around the direction of reflection.
+    /// Specularly reflected light.
     Specular,
-    /// Light of the surface itself; needs no lamp.
+    /// Light that the surface emits.
     Emission,
 }
 
@@ -61,11 +61,11 @@ pub struct ModelInfo {
     pub term: LightTerm,
     /// On which side of the surface the light must be.
     pub side: Side,
-    /// Whether it may ask where the tangent is: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
+    /// Whether it may read the tangent: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
     /// parameters does is told by [`Shape::is_anisotropic`](crate::Shape::is_anisotropic).
     pub anisotropic: bool,
-    /// Whether it sends light into a single direction, as a mirror does. Such a lobe answers to
-    /// surroundings and not to lights, and its `f_cos` is 0.
+    /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. It reflects surroundings
+    /// and not lights, and its `f_cos` is 0.
     pub delta: bool,
     /// About how many arithmetic operations one evaluation takes with the default parameters: sums, products, quotients,
     /// roots and choices as 1, a logarithm as 24, an exponential as 20. A test counts them.

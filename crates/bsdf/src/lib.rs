@@ -99,3 +99,8 @@ pub trait Model: Sized {
         None
     }
 }
+
+/// The examples of the README run as tests of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -43,8 +43,8 @@ pub(crate) fn refracted_cosine<R: Real>(pair: &DirectionPair<R>, eta: f64) -> R 
     (with_o.abs() * length2.max(one.lit(1e-12)).rsqrt()).clamp(0.0, 1.0)
 }
 
-/// The index that rough refraction is computed with: at 1 no facet bends light and the lobe has no width, so that
-/// values nearer to 1 than 0.01 count as 0.01 off.
+/// The index that rough refraction is computed with: at 1 nothing is refracted and the lobe has no width, so that values
+/// nearer to 1 than 0.01 count as 0.01 off.
 pub(crate) fn effective_eta(eta: f64) -> f64 {
     match eta - 1.0 {
         d if d.abs() >= 0.01 => eta,

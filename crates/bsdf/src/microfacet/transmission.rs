@@ -44,7 +44,7 @@ impl<D: Distribution> Model for SmithTransmission<D> {
     }
 
     fn eta(&self) -> f64 {
-        self.effective_eta
+        effective_eta(self.eta)
     }
 
     #[inline(always)]

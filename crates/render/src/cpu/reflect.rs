@@ -17,7 +17,8 @@ const IN_PLACE_OPERATIONS: u32 = 60;
 
 /// Cheap models that are calls all the same: [`general::reflect`] sums in another order, and their pictures would change in
 /// the last bits.
-const CALLED: [&str; 4] = ["cook-torrance", "oren-nayar-qualitative", "ashikhmin-shirley-diffuse", "minnaert"];
+const CALLED: [&str; 4] =
+    ["cook-torrance", "oren-nayar-qualitative", "ashikhmin-shirley-diffuse", "minnaert"];
 
 /// Whether [`reflect_classic`] evaluates a model: it must be cheap, read no tangent, and be black where the light is below
 /// the surface, since the loop leaves such light out.

@@ -1,16 +1,17 @@
-//! What a surface of GGX slopes sends out after more than one reflection, as a lobe that may have a tint of its own.
+//! Multiple-scattering compensation of GGX microfacets, as a lobe that may have its own tint.
 //!
-//! **Formula** f_cos = (1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg)), with E the directional albedo of single reflections
-//! and Eavg its mean over diffuse light.
-//! **Parameters** `alpha`, `alpha_y`: as of [`ggx`](crate::models::ggx), whose second part this is.
-//! **Laws** reciprocal; keeps energy: the albedo is 1−E(wo), to half a percent from below (elongated surfaces: see there).
-//! **Limits** towards α → 0 it vanishes. Where both widths are equal tangents are not read.
-//! **Source** C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017. Light
-//! reflected twice has met Fresnel's law twice: the tint is F²avg Eavg / (1 − Favg (1 − Eavg)), for which
-//! [`smith_albedo_average`](crate::terms::smith_albedo_average) gives Eavg.
-//! **Cost** two quotients, two polynomials.
+//! Formula, parameters, source and cost: [`INFO`], and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: the albedo is 1−E(wo), to half a percent from below (anisotropic
+//! surfaces: see there).
+//!
+//! **Limits** towards α → 0 it vanishes. Where both widths are equal the tangent is not read.
+//!
+//! **Notes** The second part of [`ggx`](crate::models::ggx). Light reflected twice has met Fresnel's law twice: the
+//! tint is F²avg Eavg / (1 − Favg (1 − Eavg)), for which
+//! [`smith_albedo_average`](crate::microfacet::smith_albedo_average) gives Eavg.
 
-use crate::microfacet::{GgxDistribution, SmithMultiple, ALPHA, ALPHA_Y};
+use crate::microfacet::{ALPHA, ALPHA_Y, GgxDistribution, SmithMultiple};
 use crate::{LightTerm, ModelInfo, Side};
 
 /// The multiple-scattering compensation of [`ggx`](crate::models::ggx).
@@ -20,7 +21,7 @@ pub type GgxMultiple = SmithMultiple<GgxDistribution>;
 pub const INFO: ModelInfo = ModelInfo {
     name: "ggx-multiple",
     title: "GGX slopes, reflected more than once (Kulla and Conty 2017)",
-    formula: "(1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg))",
+    formula: "(1−E(wo)) (1−E(wi)) cosθi / (π (1−Eavg)), E the directional albedo of single reflections, Eavg its mean over diffuse light",
     source: "C. Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017",
     params: &[ALPHA, ALPHA_Y],
     term: LightTerm::Specular,
