@@ -1,4 +1,4 @@
-"""The coefficients in crates/bsdf/src/terms/missing.rs, found again: `python tests/python/fit_ggx.py`.
+"""The coefficients in crates/bsdf/src/microfacet/compensation.rs, found again: `python tests/python/fit_ggx.py`.
 
 Needs numpy and scipy (tests/python/requirements.txt). Prints the matrix GGX, the greatest distance that is left, and the
 polynomial GGX_AVERAGE.

@@ -1,4 +1,4 @@
-//! How much of the light from all around leaves towards one direction.
+//! Directional albedos by quadrature.
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
@@ -20,10 +20,13 @@ const HALVINGS_HORIZON: u32 = 3;
 
 /// No cell is wider than this, so that kinks of a lobe far from its peak (where R·wo passes zero) are
 /// resolved.
-const WIDEST: f64 = PI / 16.0;
+pub(crate) const WIDEST: f64 = PI / 16.0;
 
 /// The same in slopes of half vectors, where lobes are smooth but at the horizon.
 const WIDEST_SLOPE: f64 = PI / 8.0;
+
+/// Borders of cells nearer to each other than this, in radians or slopes, are one.
+const NEAREST: f64 = 1e-6;
 
 /// Gauss–Legendre points per cell and direction.
 const POINTS: usize = 6;
@@ -74,23 +77,24 @@ pub(crate) fn directional(
         (_, Side::Reflection, true) => over_half_vectors(wo, value),
         (_, Side::Reflection, false) => {
             // Both halves of the circle are alike; their common borders are the peaks.
-            let around = refined(0.0, PI, WIDEST, &[(PI, HALVINGS_AROUND), (0.0, HALVINGS_BACK)]);
-            let polar = refined(0.0, PI / 2.0, WIDEST, &[(theta_o, HALVINGS)]);
+            let around = refined(0.0, PI, WIDEST, NEAREST, &[(PI, HALVINGS_AROUND), (0.0, HALVINGS_BACK)]);
+            let polar = refined(0.0, PI / 2.0, WIDEST, NEAREST, &[(theta_o, HALVINGS)]);
             2.0 * over_angles(&polar, &around, |theta, phi| value(Vec3::from_angles(theta, phi + azimuth)))
         }
         (_, Side::Transmission, anisotropic) => {
             let refracted = libm::asin((libm::sin(theta_o) / eta).min(1.0));
-            let polar = refined(0.0, PI / 2.0, WIDEST, &[(theta_o, HALVINGS), (refracted, HALVINGS)]);
-            let (end, share) = if anisotropic { (2.0 * PI, 1.0) } else { (PI, 2.0) };
-            let around = refined(0.0, end, WIDEST, &[(PI, HALVINGS_AROUND)]);
+            let polar =
+                refined(0.0, PI / 2.0, WIDEST, NEAREST, &[(theta_o, HALVINGS), (refracted, HALVINGS)]);
+            let (end, times) = if anisotropic { (2.0 * PI, 1.0) } else { (PI, 2.0) };
+            let around = refined(0.0, end, WIDEST, NEAREST, &[(PI, HALVINGS_AROUND)]);
             let below = |theta, phi| value(Vec3::from_angles(PI - theta, phi + azimuth));
-            share * over_angles(&polar, &around, below)
+            times * over_angles(&polar, &around, below)
         }
     }
 }
 
 /// ∫ f dω over cells in polar angle and azimuth.
-fn over_angles(polar: &[f64], around: &[f64], f: impl Fn(f64, f64) -> f64) -> f64 {
+pub(crate) fn over_angles(polar: &[f64], around: &[f64], f: impl Fn(f64, f64) -> f64) -> f64 {
     let rule = GaussLegendre::new(POINTS);
     let strip = |theta: f64| {
         let cells = around.windows(2);
@@ -107,7 +111,13 @@ fn over_half_vectors(wo: Vec3<f64>, f: impl Fn(Vec3<f64>) -> f64) -> f64 {
     let rule = GaussLegendre::new(POINTS);
     let back = |along: f64| libm::atan2(along, wo.z);
     let borders = |along: f64| {
-        refined(-PI / 2.0, PI / 2.0, WIDEST_SLOPE, &[(0.0, HALVINGS), (back(along), HALVINGS_BACK / 2)])
+        refined(
+            -PI / 2.0,
+            PI / 2.0,
+            WIDEST_SLOPE,
+            NEAREST,
+            &[(0.0, HALVINGS), (back(along), HALVINGS_BACK / 2)],
+        )
     };
     let (in_x, in_y) = (borders(wo.x), borders(wo.y));
     let cells = in_x.windows(2).flat_map(|x| in_y.windows(2).map(move |y| [x[0], x[1], y[0], y[1]]));
@@ -149,9 +159,9 @@ fn half_vector_cell(
     })
 }
 
-/// Cell borders from `low` to `high`, no further apart than `widest` and ever finer towards the peaks, each with the
-/// number of halvings.
-fn refined(low: f64, high: f64, widest: f64, peaks: &[(f64, i32)]) -> Vec<f64> {
+/// Cell borders from `low` to `high`, no further apart than `widest` nor nearer than `nearest`, and ever finer towards the peaks, each
+/// with the number of halvings.
+pub(crate) fn refined(low: f64, high: f64, widest: f64, nearest: f64, peaks: &[(f64, i32)]) -> Vec<f64> {
     let mut borders = vec![low, high];
     for (peak, halvings) in peaks {
         borders.push(*peak);
@@ -164,7 +174,7 @@ fn refined(low: f64, high: f64, widest: f64, peaks: &[(f64, i32)]) -> Vec<f64> {
     borders.extend((1..steps).map(|i| low + (high - low) * f64::from(i) / f64::from(steps)));
     borders.retain(|x| (low..=high).contains(x));
     borders.sort_by(f64::total_cmp);
-    borders.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    borders.dedup_by(|a, b| (*a - *b).abs() < nearest);
     borders
 }
 

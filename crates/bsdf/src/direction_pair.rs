@@ -2,10 +2,18 @@
 
 use glanz_math::{Real, Vec3};
 
-/// View and light direction in the local frame, as the numbers that lobes use.
+/// View and light direction in the local frame, as the numbers that lobes use, with the factor of a roughness texture.
 ///
-/// Isotropic models need the three cosines only, which the pixel loop gets without building a frame;
-/// what a model does not read costs nothing.
+/// Isotropic models read the three cosines only, which the pixel loop has without building a frame.
+///
+/// ```
+/// use glanz_bsdf::DirectionPair;
+/// use glanz_math::Vec3;
+///
+/// let pair = DirectionPair::new(Vec3::from_angles(0.3, 0.0), Vec3::from_angles(0.3, std::f64::consts::PI));
+/// // The light comes from the mirror direction of the viewer.
+/// assert!((pair.cos_mirror() - 1.0).abs() < 1e-12 && (pair.cos_half() - 1.0).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct DirectionPair<R> {
     /// n·wo, cosine of the view angle.
@@ -37,7 +45,7 @@ impl<R: Real> DirectionPair<R> {
         }
     }
 
-    /// The pair for models that do not ask where the tangent is.
+    /// The pair for models that do not read the tangent.
     #[inline(always)]
     pub fn isotropic(cos_o: R, cos_i: R, cos_io: R) -> Self {
         let zero = cos_o.zero();

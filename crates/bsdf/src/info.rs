@@ -3,26 +3,19 @@
 use glanz_math::names::suggestion;
 use thiserror::Error;
 
+use crate::laws::Law;
+
 /// Which of a light's colours a lobe answers to, after the classic lighting equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightTerm {
-    /// Light that comes from everywhere.
+    /// Ambient light, the same from all directions.
     Ambient,
-    /// Light scattered in all directions.
+    /// Diffusely reflected light.
     Diffuse,
-    /// Light mirrored around the direction of reflection.
+    /// Specularly reflected light.
     Specular,
-    /// Light of the surface itself; needs no lamp.
+    /// Light that the surface emits.
     Emission,
-}
-
-/// A law that the conformance tests hold every model to, unless it opts out with a reason.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
-    /// f(wo, wi) = f(wi, wo).
-    Reciprocity,
-    /// No more light leaves than arrives, for any view direction.
-    Energy,
 }
 
 /// On which side of the surface the light must be.
@@ -69,12 +62,15 @@ pub struct ModelInfo {
     pub term: LightTerm,
     /// On which side of the surface the light must be.
     pub side: Side,
-    /// Whether it may ask where the tangent is: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
+    /// Whether it may read the tangent: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
     /// parameters does is told by [`Shape::is_anisotropic`](crate::Shape::is_anisotropic).
     pub anisotropic: bool,
-    /// Whether it sends light into a single direction, as a mirror does. Such a lobe answers to
-    /// surroundings and not to lights, and its `f_cos` is 0.
+    /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. It reflects surroundings
+    /// and not lights, and its `f_cos` is 0.
     pub delta: bool,
+    /// About how many arithmetic operations one evaluation takes with the default parameters: sums, products, quotients,
+    /// roots and choices as 1, a logarithm as 24, an exponential as 20. A test counts them.
+    pub operations: u32,
     /// Laws that it breaks, each with the reason.
     pub exempt: &'static [(Law, &'static str)],
 }

@@ -1,7 +1,7 @@
-//! What lies over a lobe: factors that dim it by the angles alone.
+//! Angular weights of layers above a lobe: Schlick's approximation, the transmittance of a clear coat, sheen scaling.
 //!
-//! A clear coat takes away what it reflects before the light gets to what is below; a dielectric does so
-//! with the light that it scatters inside. None of these knows a wavelength, so they belong to the shape.
+//! A clear coat attenuates the lobes below it by what it reflects, a dielectric interface its diffuse base. None of these
+//! depends on the wavelength, so they belong to the shape.
 
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 
@@ -10,7 +10,7 @@ use crate::models::charlie;
 use crate::terms::{fresnel_dielectric, lambda_ggx};
 use crate::{Chebyshev, DirectionPair, Shape};
 
-/// The angle whose cosine a factor takes.
+/// The angle whose cosine a weight depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angle {
     /// Between viewer and half vector.
@@ -36,13 +36,24 @@ impl Angle {
     }
 }
 
-/// A factor of a lobe.
+/// The weight of a lobe below a layer.
+///
+/// ```
+/// use glanz_bsdf::{CoatSurface, LayerWeight, Shape, layered_albedo};
+///
+/// let lambert = Shape::named("lambert", &[])?;
+/// let coat = CoatSurface::new(1.5, 0.001);
+/// // Below a coat that reflects 4 % along the normal, a white base reflects the rest.
+/// let albedo = layered_albedo(&lambert, &[LayerWeight::over_matte(&coat)], 1.0);
+/// assert!((albedo - 0.96).abs() < 2e-3);
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum LayerWeight {
     /// The same for all directions.
     Constant(f64),
-    /// `at_zero + (at_grazing − at_zero)(1 − cosθ)⁵`: Fresnel's law in the form of C. Schlick 1994, or what it
-    /// leaves over.
+    /// `at_zero + (at_grazing − at_zero)(1 − cosθ)⁵`: the approximation of Fresnel's law by C. Schlick 1994, or of
+    /// the transmittance.
     Schlick {
         /// Which cosine.
         angle: Angle,
@@ -58,16 +69,16 @@ pub enum LayerWeight {
         /// The factor over it.
         factor: Chebyshev,
     },
-    /// A clear layer that light crosses on its way in and out: (1 − E(θo))(1 − E(θi)) · `gain`, E being what the
-    /// layer reflects.
+    /// A clear layer that light crosses on its way in and out: (1 − E(θo))(1 − E(θi)) · `gain`, E being the albedo of
+    /// the layer.
     Coat {
         /// 1 − E over the cosine.
         transmittance: Chebyshev,
-        /// What light that the layer throws back to the base adds; see [`LayerWeight::over_matte`].
+        /// The gain by internal reflection at the layer; see [`LayerWeight::over_matte`].
         gain: f64,
     },
-    /// What a sheen layer leaves to the layers below (KHR_materials_sheen): 1 − strength · the greater of
-    /// the sheen's albedos towards viewer and light.
+    /// The albedo scaling of layers below a sheen (KHR_materials_sheen): 1 − strength · the greater of the sheen's
+    /// albedos towards viewer and light.
     Sheen {
         /// The greatest channel of the sheen's colour.
         strength: f64,
@@ -77,14 +88,13 @@ pub enum LayerWeight {
 }
 
 impl LayerWeight {
-    /// A coat over a lobe that mirrors: what the coat throws back to it is lost.
+    /// A coat over a specular lobe: internal reflection is lost.
     pub fn over_glossy(coat: &CoatSurface) -> Self {
         Self::Coat { transmittance: coat.transmittance.clone(), gain: 1.0 }
     }
 
-    /// A coat over a matte base. Light that comes back from the base is partly reflected at the coat from
-    /// inside and gets a further chance; a base of reflectance 1 in the end gives everything back that the coat does
-    /// not reflect, and one of reflectance ρ the share [`CoatSurface::reflectance_of_coated`]. Source: J. L. Saunderson,
+    /// A coat over a diffuse base, with internal reflection between both: a base of reflectance 1 reflects all that the
+    /// coat does not, and one of reflectance ρ the fraction [`CoatSurface::reflectance_of_coated`] of it. Source: J. L. Saunderson,
     /// "Calculation of the color of pigmented plastics", JOSA 32, 1942; the angular part as in L. B. Wolff,
     /// "Diffuse-reflectance model for smooth dielectric surfaces", JOSA A 11, 1994.
     pub fn over_matte(coat: &CoatSurface) -> Self {
@@ -96,7 +106,7 @@ impl LayerWeight {
     pub fn factor<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let one = pair.cos_o.one();
         match self {
-            Self::Constant(share) => one.lit(*share),
+            Self::Constant(weight) => one.lit(*weight),
             Self::Schlick { angle, at_zero, at_grazing } => {
                 let rest = (one - angle.cosine(pair)).clamp(0.0, 1.0);
                 one.lit(*at_zero) + one.lit(at_grazing - at_zero) * (rest.sqr().sqr() * rest)
@@ -114,7 +124,7 @@ impl LayerWeight {
     }
 }
 
-/// Terms of what a coat lets through, over the cosine.
+/// Terms of a coat's transmittance over the cosine.
 const COAT_TERMS: usize = 24;
 
 /// Facets of a rough coat along each of two directions that its reflectance is the mean over.
@@ -125,7 +135,7 @@ const FACETS: usize = 24;
 pub struct CoatSurface {
     eta: f64,
     transmittance: Chebyshev,
-    /// What it reflects of light from everywhere outside.
+    /// Its reflectance for diffuse light from outside.
     diffuse: f64,
 }
 
@@ -138,21 +148,21 @@ impl CoatSurface {
         Self { eta, transmittance, diffuse }
     }
 
-    /// What it reflects of light from everywhere outside.
+    /// Its reflectance for diffuse light from outside.
     pub fn diffuse_reflectance(&self) -> f64 {
         self.diffuse
     }
 
-    /// The share that a matte base of reflectance `rho` gives back under it, of what one of reflectance 1
-    /// does: ρ(1 − K) / (1 − K ρ), K being what the coat reflects of diffuse light from inside.
+    /// What a diffuse base of reflectance `rho` below it reflects, in parts of what one of reflectance 1 does:
+    /// ρ(1 − K) / (1 − K ρ), K being the coat's reflectance for diffuse light from inside.
     pub fn reflectance_of_coated(&self, rho: f64) -> f64 {
         let inside = 1.0 - (1.0 - self.diffuse) / (self.eta * self.eta);
         rho * (1.0 - inside) / (1.0 - inside * rho)
     }
 }
 
-/// What GGX facets with Fresnel's law reflect towards a viewer, without light that meets several: the mean of
-/// F · G2/G1 over the facets that the viewer sees. Source of their distribution: E. Heitz, "Sampling the GGX
+/// The directional albedo of GGX facets with Fresnel's law, single reflections only: the mean of F · G2/G1 over the
+/// distribution of visible normals. Source of their distribution: E. Heitz, "Sampling the GGX
 /// Distribution of Visible Normals", JCGT 7(4), 2018.
 fn coat_reflectance(eta: f64, alpha: f64, cos_o: f64) -> f64 {
     let cos_o = cos_o.clamp(1e-4, 1.0);
@@ -183,7 +193,7 @@ fn coat_reflectance(eta: f64, alpha: f64, cos_o: f64) -> f64 {
     sum / (FACETS * FACETS) as f64
 }
 
-/// The directional albedo of a shape under veils.
+/// The directional albedo of a shape below layers.
 pub fn layered_albedo(shape: &Shape, layers: &[LayerWeight], cos_o: f64) -> f64 {
     let layer = |pair: &DirectionPair<f64>| layers.iter().map(|layer| layer.factor(pair)).product::<f64>();
     directional(shape.info(), shape.eta(), (cos_o, 0.0), |pair| shape.f_cos(pair) * layer(pair))

@@ -1,41 +1,62 @@
-//! The shapes of reflection lobes.
+//! The shapes of BSDF lobes: reflection and transmission models, and the laws that they keep.
 //!
-//! A lobe is a **shape** times a **tint**. A shape is a function of two directions and knows no
-//! colour; this crate holds the shapes. Every model is a room of its own below `models`, and
-//! the list in `models.rs` is the only place that names them all: the enum [`Shape`], the names, the
-//! parameters for command line and user interface and the conformance tests come from it.
+//! A lobe is a **shape** times a **tint**. A shape is a function of two directions and knows no colour; this crate holds
+//! the shapes. Every model is a folder of its own below [`models`], and the list in `models.rs` is the only place that names
+//! them all: the enum [`Shape`], the names, the parameters for command line and user interface and the tests of
+//! the [`laws`] come from it.
 //!
-//! Conventions: the local frame has z along the normal; `wo` points to the viewer, `wi` to the light,
-//! both of unit length and away from the surface. [`Model::f_cos`] is the BSDF **times the incident
-//! cosine**, in 1/sr.
+//! ```
+//! use glanz_bsdf::{DirectionPair, Shape, albedo};
+//! use glanz_math::Vec3;
+//!
+//! let phong = Shape::named("phong-normalized", &[("shininess", 50.0)])?;
+//! // Viewer and light 30° off the normal, in each other's mirror direction.
+//! let angle = 30_f64.to_radians();
+//! let (wo, wi) = (Vec3::from_angles(angle, 0.0), Vec3::from_angles(angle, std::f64::consts::PI));
+//! let peak: f64 = phong.f_cos(&DirectionPair::new(wo, wi));
+//! // (n+2)/(2π) cosθi.
+//! assert!((peak - 52.0 / (2.0 * std::f64::consts::PI) * angle.cos()).abs() < 1e-9);
+//! // All light comes back along the normal.
+//! assert!((albedo(&phong, 1.0) - 1.0).abs() < 1e-4);
+//! # Ok::<(), glanz_bsdf::ParamError>(())
+//! ```
+//!
+//! Conventions: the local frame has z along the normal; `wo` points to the viewer, `wi` to the light, both of unit length
+//! and away from the surface. [`Model::f_cos`] is the BSDF **times the incident cosine**, in 1/sr.
 
 mod albedo;
-pub mod certificate;
 #[cfg(test)]
-mod conformance;
+mod cost;
 mod direction_pair;
 mod info;
+pub mod laws;
 mod layers;
+pub mod microfacet;
 pub mod models;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
 pub use direction_pair::DirectionPair;
 pub use glanz_math::Chebyshev;
-pub use info::{Law, LightTerm, ModelInfo, ParamError, ParamInfo, Side};
+pub use info::{LightTerm, ModelInfo, ParamError, ParamInfo, Side};
+pub use laws::Law;
 pub use layers::{Angle, CoatSurface, LayerWeight, layered_albedo};
-pub use models::{MODELS, Shape};
+pub use models::{MODELS, Shape, ShapeVisitor};
 
 use glanz_math::{Real, Vec3};
 
-/// One reflection model.
+/// A reflection or transmission model.
+///
+/// ```
+/// use glanz_bsdf::{DirectionPair, Model, models::lambert::Lambert};
+///
+/// let pair = DirectionPair::isotropic(1.0_f64, 0.5, 0.5);
+/// assert_eq!(Lambert.f_cos(&pair), 0.5 / std::f64::consts::PI);
+/// assert_eq!(Lambert::INFO.name, "lambert");
+/// ```
 pub trait Model: Sized {
     /// Its name, parameters and laws.
     const INFO: ModelInfo;
-
-    /// Whether the pixel loop should hold its code in place rather than call it: for models so cheap that
-    /// a call would cost more.
-    const IN_PLACE: bool = false;
 
     /// The model from its parameters, in the order of `INFO.params` and already checked against
     /// their ranges.
@@ -48,34 +69,38 @@ pub trait Model: Sized {
     /// (see [`ModelInfo::side`]); the viewer is above it.
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R;
 
-    /// The index of refraction below the surface over that above it, where light is bent on its way through: then
-    /// the albedo of a lossless surface is 1/η², since radiance is spread or squeezed, and the law of reciprocity
-    /// is f(wo, wi) / η_o² = f(wi, wo) / η_i².
+    /// The index of refraction below the surface over that above it, for refraction: then the albedo of a lossless surface
+    /// is 1/η², since radiance is proportional to the square of the index, and the law of reciprocity is
+    /// f(wo, wi) / η_o² = f(wi, wo) / η_i².
     fn eta(&self) -> f64 {
         1.0
     }
 
-    /// Whether this very shape asks where the tangent is: an anisotropic model with equal widths does not.
+    /// Whether this shape reads the tangent: an anisotropic model with equal widths does not.
     fn is_anisotropic(&self) -> bool {
         Self::INFO.anisotropic
     }
 
-    /// The cosine, 0 … 1, that a tint by Fresnel's law takes: that of the angle at which light meets the facet
-    /// that sends it to the viewer.
+    /// The cosine, 0 … 1, at which Fresnel's law is evaluated: between the light and the normal of the facet that sends it
+    /// to the viewer.
     #[inline(always)]
     fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         pair.cos_view_half()
     }
 
-    /// The distribution D of facet normals towards the unit vector `half`, in 1/sr, so that ∫ D cosθ dω over the
-    /// hemisphere is 1. None for models that are not made of facets. For plots and certificates, not for
-    /// pictures.
+    /// The distribution D of microfacet normals towards the unit vector `half`, in 1/sr, so that ∫ D cosθ dω over the
+    /// hemisphere is 1. None for models that are not made of facets. For plots and laws, not for pictures.
     fn distribution(&self, _half: Vec3<f64>) -> Option<f64> {
         None
     }
 
-    /// The share G of facets that both directions see. None for models without such a factor.
+    /// The masking and shadowing factor G. None for models without one.
     fn shadowing(&self, _pair: &DirectionPair<f64>) -> Option<f64> {
         None
     }
 }
+
+/// The examples of the README run as tests of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

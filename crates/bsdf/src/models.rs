@@ -59,28 +59,11 @@ macro_rules! models {
                 }
             }
 
-            /// The BSDF times the incident cosine, in 1/sr.
+            /// What the visitor makes of the model, by static dispatch: it is compiled for every model of the list.
             #[inline(always)]
-            pub fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+            pub fn visit<V: ShapeVisitor>(&self, visitor: V) -> V::Output {
                 match self {
-                    $(Self::$model(model) if $module::$model::IN_PLACE => model.f_cos(pair),)+
-                    $(Self::$model(model) => outlined(model, pair),)+
-                }
-            }
-
-            /// [`Shape::f_cos`] of the models whose code is so short that loops hold it in place, 0 of the others.
-            #[inline(always)]
-            pub fn f_cos_in_place<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-                match self {
-                    $(Self::$model(model) if $module::$model::IN_PLACE => model.f_cos(pair),)+
-                    _ => pair.cos_o.zero(),
-                }
-            }
-
-            /// Whether [`Shape::f_cos_in_place`] has its values.
-            pub fn is_in_place(&self) -> bool {
-                match self {
-                    $(Self::$model(_) => $module::$model::IN_PLACE,)+
+                    $(Self::$model(model) => visitor.visit(model),)+
                 }
             }
 
@@ -117,7 +100,7 @@ macro_rules! models {
         #[cfg(test)]
         mod laws {
             $(mod $module {
-                crate::conformance::suite!(crate::models::$module::$model);
+                crate::laws::suite::suite!(crate::models::$module::$model);
             })+
         }
     };
@@ -156,10 +139,49 @@ models! {
     40 => charlie::Charlie,
 }
 
-/// The model's value by a call: code that all lobes share would be a thousand instructions per model and
-/// SIMD level.
+/// Something to do with the model inside a [`Shape`], compiled for each model by [`Shape::visit`].
+///
+/// ```
+/// use glanz_bsdf::{Model, Shape, ShapeVisitor};
+///
+/// /// How much memory a model takes.
+/// struct Size;
+///
+/// impl ShapeVisitor for Size {
+///     type Output = usize;
+///     fn visit<M: Model>(self, _model: &M) -> usize {
+///         size_of::<M>()
+///     }
+/// }
+///
+/// assert_eq!(Shape::named("lambert", &[])?.visit(Size), 0);
+/// assert_eq!(Shape::named("phong", &[])?.visit(Size), 8);
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
+pub trait ShapeVisitor {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn visit<M: Model>(self, model: &M) -> Self::Output;
+}
+
+/// Evaluates f_cos by a call.
+struct Evaluate<'a, R>(&'a DirectionPair<R>);
+
+impl<R: Real> ShapeVisitor for Evaluate<'_, R> {
+    type Output = R;
+
+    #[inline(always)]
+    fn visit<M: Model>(self, model: &M) -> R {
+        f_cos_outlined(model, self.0)
+    }
+}
+
+/// [`Model::f_cos`] as a function of its own: inlined, the models would be a thousand instructions each, once per SIMD
+/// level and caller, which takes the compiler minutes.
 #[inline(never)]
-fn outlined<M: Model, R: Real>(model: &M, pair: &DirectionPair<R>) -> R {
+fn f_cos_outlined<M: Model, R: Real>(model: &M, pair: &DirectionPair<R>) -> R {
     pair.cos_o.at_own_level(
         #[inline(always)]
         || model.f_cos(pair),
@@ -167,6 +189,14 @@ fn outlined<M: Model, R: Real>(model: &M, pair: &DirectionPair<R>) -> R {
 }
 
 impl Shape {
+    /// The BSDF times the incident cosine, in 1/sr. See [`Model::f_cos`].
+    ///
+    /// Every model is a call; a loop that wants some of them inlined takes [`Shape::visit`].
+    #[inline(always)]
+    pub fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+        self.visit(Evaluate(pair))
+    }
+
     /// The shape called `name`, with the parameters in `set` and the defaults for the others.
     pub fn named(name: &str, set: &[(&str, f64)]) -> Result<Self, ParamError> {
         let info = info_named(name)?;

@@ -12,8 +12,9 @@ What every shape of a lobe computes, after what it says of itself. A test keeps 
 
 A lobe is a shape times a tint. `f_cos` is the shape: the BSDF times the incident cosine, in 1/sr, for a tint of 1;
 Fresnel's law is a tint. θ is counted from the normal; `wi` points to the light, `wo` to the viewer, `h` is the half
-vector, φ the azimuth between both directions. Albedos are shares of light from all around that come back (or
-through), for the default parameters. The tests hold every model to both laws, and hold every exemption to be needed.
+vector, φ the azimuth between both directions. Albedos are directional albedos, for the default parameters. The tests
+hold every model to the laws, and hold every exemption to be needed. The cost counts sums, products, quotients, roots and
+choices as one operation each, a logarithm as 24 and an exponential as 20.
 ";
 
 const WARD: &str = "## Why Ward's highlight fades at flat views
@@ -35,9 +36,9 @@ fn kind(info: &ModelInfo) -> String {
         LightTerm::Emission => "emission",
     };
     let side = if info.side == Side::Transmission { ", light from the other side" } else { "" };
-    let grain = if info.anisotropic { ", has a grain" } else { "" };
-    let width = if info.delta { ", without width: answers to surroundings only" } else { "" };
-    format!("{part}{side}{grain}{width}")
+    let anisotropic = if info.anisotropic { ", anisotropic" } else { "" };
+    let width = if info.delta { ", a delta lobe: reflects surroundings only" } else { "" };
+    format!("{part}{side}{anisotropic}{width}")
 }
 
 /// Whether a surface that nothing shines on from a direction has an albedo.
@@ -90,11 +91,15 @@ fn section(page: &mut String, info: &ModelInfo) {
                 Some(reason) => *page += &format!("* {broken}: {reason}.\n"),
             }
         }
+        let others = info.exempt.iter().filter(|(law, _)| !matches!(law, Law::Reciprocity | Law::Energy));
+        for (law, reason) in others {
+            *page += &format!("* Breaks the law of {}: {reason}.\n", law.name());
+        }
         let shape = Shape::named(info.name, &[]).expect("a name from the list");
         let values: Vec<_> = ANGLES.iter().map(|a| format!("{:.3} at {a}°", seen(&shape, *a))).collect();
         *page += &format!("* Albedo {}.\n", values.join(", "));
     }
-    *page += &format!("* Source: {}.\n", info.source);
+    *page += &format!("* Cost: {} operations.\n* Source: {}.\n", info.operations, info.source);
 }
 
 fn ward(page: &mut String) {
@@ -114,9 +119,14 @@ fn the_page_of_models_in_the_docs_is_current() {
     overview(&mut page);
     MODELS.iter().for_each(|info| section(&mut page, info));
     ward(&mut page);
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/MODELS.md");
+    let docs = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    if !docs.is_dir() {
+        // The package by itself, without the workspace around it.
+        return;
+    }
+    let path = docs.join("MODELS.md");
     if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
-        std::fs::write(path, &page).unwrap();
+        std::fs::write(&path, &page).unwrap();
     }
     assert!(std::fs::read_to_string(path).unwrap_or_default() == page, "docs/MODELS.md is out of date");
 }

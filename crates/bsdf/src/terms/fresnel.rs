@@ -1,4 +1,4 @@
-//! What share of unpolarised light a smooth boundary reflects.
+//! Fresnel's equations: the reflectance of a smooth boundary.
 //!
 //! Source: A. Fresnel 1823; the forms for computing in M. Born and E. Wolf, Principles of Optics, §1.5
 //! and §14.2. Schlick: "An Inexpensive BRDF Model for Physically-based Rendering", 1994.
@@ -50,13 +50,13 @@ pub fn fresnel_polarized(cos_theta: f64, eta: f64, k: f64) -> (f64, f64) {
     let (re, im) = (eta * eta - k * k - sin2, 2.0 * eta * k);
     let length = libm::sqrt(re * re + im * im);
     let (a, b) = (libm::sqrt((0.5 * (length + re)).max(0.0)), libm::sqrt((0.5 * (length - re)).max(0.0)));
-    let share = |c: f64, (a, b): (f64, f64)| {
+    let ratio = |c: f64, (a, b): (f64, f64)| {
         ((c - a) * (c - a) + b * b) / ((c + a) * (c + a) + b * b).max(f64::MIN_POSITIVE)
     };
-    let s = share(cos_theta, (a, b));
+    let s = ratio(cos_theta, (a, b));
     // The ratio of p to s: |(a − sinθ tanθ) + i b|² over the same with +.
     let grazing = sin2 / cos_theta.max(1e-300);
-    let p = if cos_theta > 1e-12 { s * share(a, (grazing, b)) } else { 1.0 };
+    let p = if cos_theta > 1e-12 { s * ratio(a, (grazing, b)) } else { 1.0 };
     (s, p)
 }
 

@@ -1,4 +1,4 @@
-//! How much of the facets that face both ways is seen and lit: G, a share.
+//! Masking and shadowing of microfacets: Smith's Λ, G1 and G2, and the V-grooves of Torrance and Sparrow.
 //!
 //! Directions are given in the local frame, above the surface; widths as (along the tangent, along the bitangent).
 
@@ -34,7 +34,7 @@ pub fn lambda_beckmann<R: Real>(w: Vec3<R>, alpha: (R, R)) -> R {
     (above / below).select(a.lt(one.lit(1.6)), one.zero())
 }
 
-/// Share of the facets turned to a direction that is seen from it: 1 / (1 + Λ).
+/// Smith's G1, the fraction of the facets turned to a direction that is visible from it: 1 / (1 + Λ).
 ///
 /// B. G. Smith, Geometrical shadowing of a random rough surface, 1967.
 #[inline(always)]
@@ -42,7 +42,7 @@ pub fn smith_g1<R: Real>(lambda: R) -> R {
     lambda.one() / (lambda.one() + lambda)
 }
 
-/// Share that is both seen and lit, where the height of a facet counts for both: 1 / (1 + Λo + Λi).
+/// Smith's G2, the fraction that is both visible and lit, where the height of a facet counts for both: 1 / (1 + Λo + Λi).
 ///
 /// Height-correlated masking and shadowing: E. Heitz 2014, equation 99.
 #[inline(always)]
@@ -50,7 +50,7 @@ pub fn smith_g2<R: Real>(lambda_o: R, lambda_i: R) -> R {
     lambda_o.one() / (lambda_o.one() + lambda_o + lambda_i)
 }
 
-/// Share that is both seen and lit in a groove like a V: min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h)).
+/// The fraction that is both visible and lit in V-grooves: min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h)).
 ///
 /// K. E. Torrance and E. M. Sparrow, Theory for Off-Specular Reflection from Roughened Surfaces, 1967; the short form
 /// of J. F. Blinn 1977 as in R. L. Cook and K. E. Torrance 1982.
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn heights_that_count_for_both_leave_more_than_independent_shares() {
+    fn heights_that_count_for_both_leave_more_than_independent_fractions() {
         let lambda = lambda_ggx(view(70.0), (0.5, 0.5));
         assert!(smith_g2(lambda, lambda) > smith_g1(lambda) * smith_g1(lambda));
         assert!(smith_g2(lambda, lambda) < smith_g1(lambda));

@@ -1,26 +1,27 @@
-//! Terms that several models, and tints, share.
+//! Terms that models and tints are made of: distributions of microfacet normals, masking and shadowing, Fresnel's
+//! equations, thin films.
+//!
+//! ```
+//! use glanz_bsdf::terms::{fresnel_dielectric, fresnel_schlick};
+//!
+//! // Glass along the normal reflects 4 %, and so does Schlick's approximation.
+//! assert!((fresnel_dielectric(1.0_f64, 1.5) - 0.04).abs() < 1e-12);
+//! assert_eq!(fresnel_schlick(1.0_f64, 0.04), 0.04);
+//! ```
 
 mod distribution;
-pub(crate) mod facets;
-mod falloff;
-mod film;
+mod exp2_or_zero;
 mod fresnel;
-mod half;
 mod masking;
-mod multiscatter;
-mod refracted;
-mod smith;
+mod thin_film;
 pub(crate) mod ward;
 
 pub use distribution::{d_beckmann, d_charlie, d_gaussian, d_ggx, gaussian_scale};
-pub use film::{fresnel_film, fresnel_slab};
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_polarized, fresnel_schlick};
 pub use masking::{g_v_cavity, lambda_beckmann, lambda_ggx, smith_g1, smith_g2};
-pub use smith::{Distribution, smith_albedo, smith_albedo_average};
+pub use thin_film::{fresnel_film, fresnel_slab};
+pub use ward::{WardFactor, WardLobe, Widths};
 
 pub(crate) use distribution::exp_of_minus;
-pub(crate) use falloff::exp2_or_zero;
-pub(crate) use half::{Half, stretched2};
-pub(crate) use multiscatter::MultiScatter;
-pub(crate) use refracted::{Refracted, bending, refracted_cosine};
-pub(crate) use ward::{ALPHA, ALPHA_Y, Widths, above, height_squared};
+pub(crate) use exp2_or_zero::exp2_or_zero;
+pub(crate) use ward::{ALPHA, ALPHA_Y, above, height_squared};

@@ -4,10 +4,13 @@
 //! Source: B. Walter, "Notes on the Ward BRDF", technical report PCG-05-06, Cornell 2005: with H = wi + wo
 //! not normalised the exponent is −((Hx/αx)² + (Hy/αy)²) / Hz², so that nothing has to be normalised.
 
+use core::marker::PhantomData;
+
 use glanz_math::{PI, Real, Vec3};
 
-use crate::terms::{Distribution, exp2_or_zero, facets};
-use crate::{DirectionPair, ParamInfo};
+use crate::microfacet::{BeckmannDistribution, both_above, d_above};
+use crate::terms::exp2_or_zero;
+use crate::{DirectionPair, Model, ModelInfo, ParamInfo};
 
 #[cfg(test)]
 pub(crate) mod checks;
@@ -38,9 +41,50 @@ pub(crate) const ALPHA_Y: ParamInfo = ParamInfo {
     default: 0.0,
 };
 
+/// What tells the models of the family apart: the factor beside the Gaussian.
+pub trait WardFactor: Copy + core::fmt::Debug + PartialEq + Send + Sync + 'static {
+    /// What the model tells about itself.
+    const INFO: ModelInfo;
+
+    /// f_cos for viewer and light above the surface.
+    fn f_cos<R: Real>(widths: &Widths, pair: &DirectionPair<R>) -> R;
+}
+
+/// A model of the family.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WardLobe<F> {
+    widths: Widths,
+    factor: PhantomData<F>,
+}
+
+impl<F: WardFactor> Model for WardLobe<F> {
+    const INFO: ModelInfo = F::INFO;
+
+    fn from_params(values: &[f64]) -> Self {
+        Self { widths: Widths::from_params(values), factor: PhantomData }
+    }
+
+    fn params(&self) -> Vec<f64> {
+        vec![self.widths.alpha, self.widths.alpha_y]
+    }
+
+    #[inline(always)]
+    fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+        above(pair, F::f_cos(&self.widths, pair))
+    }
+
+    fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
+        Some(self.widths.distribution(half))
+    }
+
+    fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
+        Some(self.widths.factor_in_place_of_g(self.f_cos(pair), pair))
+    }
+}
+
 /// Both widths of a highlight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Widths {
+pub struct Widths {
     alpha: f64,
     alpha_y: f64,
     /// log₂e / αx² and log₂e / αy².
@@ -49,7 +93,7 @@ pub(crate) struct Widths {
     pub(crate) height: f64,
 }
 
-/// The Gaussian for a pair of directions, and what is left of its making.
+/// The Gaussian for a pair of directions, and the terms it was made from.
 pub(crate) struct Highlight<R> {
     /// exp(−((Hx/αx)² + (Hy/αy)²) / Hz²).
     pub(crate) gauss: R,
@@ -62,21 +106,21 @@ pub(crate) struct Highlight<R> {
 impl Widths {
     /// The distribution of facets whose slopes are the highlight's Gaussian, which is Beckmann's: the Gaussian over
     /// π αx αy cos⁴θh.
-    pub(crate) fn distribution(&self, half: Vec3<f64>) -> f64 {
+    fn distribution(&self, half: Vec3<f64>) -> f64 {
         let across = if self.alpha_y > 0.0 { self.alpha_y.max(NARROWEST) } else { self.alpha };
-        facets::distribution(Distribution::Beckmann, half, (self.alpha, across))
+        d_above::<BeckmannDistribution>(half, (self.alpha, across))
     }
 
-    /// What a model of this highlight has in the place of G, so that f_cos = D · G / (4 cosθo). It is none of a
-    /// theory of facets, and may be more than 1.
-    pub(crate) fn in_place_of_g(&self, f_cos: f64, pair: &DirectionPair<f64>) -> f64 {
-        let (wo, wi) = facets::both_above(pair);
+    /// What a model of this highlight has in the place of G, so that f_cos = D · G / (4 cosθo). It is no masking
+    /// factor of a microfacet theory, and may be more than 1.
+    fn factor_in_place_of_g(&self, f_cos: f64, pair: &DirectionPair<f64>) -> f64 {
+        let (wo, wi) = both_above(pair);
         let d = self.distribution((wo + wi).normalized());
         if d > 0.0 { 4.0 * pair.cos_o * f_cos / d } else { 0.0 }
     }
 
     /// From the values of [`ALPHA`] and [`ALPHA_Y`].
-    pub(crate) fn from_params(values: &[f64]) -> Self {
+    fn from_params(values: &[f64]) -> Self {
         let (alpha, alpha_y) = (values[0], values[1]);
         let across = if alpha_y > 0.0 { alpha_y.max(NARROWEST) } else { alpha };
         let steepness = |width: f64| core::f64::consts::LOG2_E / (width * width);
@@ -86,11 +130,6 @@ impl Widths {
             steepness: (steepness(alpha), steepness(across)),
             height: 1.0 / (PI * alpha * across),
         }
-    }
-
-    /// The values that it was made from.
-    pub(crate) fn params(&self) -> Vec<f64> {
-        vec![self.alpha, self.alpha_y]
     }
 
     /// The Gaussian of the facet between `wo` and `wi`.

@@ -1,15 +1,17 @@
 //! The ambient lobe: the same value whatever the geometry.
 //!
-//! **Formula** f_cos = 1 / π, so that ambient light 1 (π inside Glanz) on ambient tint 1 gives 1.
-//! **Parameters** none.
+//! Formula, parameters, source and cost: [`Ambient::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
 //! **Laws** none of a BSDF: ambient light has no direction. It hides what the other models leave dark.
+//!
 //! **Limits** the shape of an object is invisible in it.
-//! **Source** the classic lighting equation, I = Ia·ka.
-//! **Cost** none: it is folded into a constant before the pixel loop.
+//!
+//! **Notes** f_cos is such that ambient light 1 (π inside Glanz) on an ambient tint of 1 gives 1. It is a constant
+//! before the pixel loop.
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
 
 /// The ambient lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,13 +28,12 @@ impl Model for Ambient {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 0,
         exempt: &[
             (Law::Reciprocity, "ambient light has no direction to exchange"),
             (Law::Energy, "no cosine: over the hemisphere it would count twice"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

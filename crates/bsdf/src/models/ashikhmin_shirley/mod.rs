@@ -1,24 +1,22 @@
-//! The anisotropic Phong lobe of Ashikhmin and Shirley: reciprocal, and close to keeping energy.
+//! The anisotropic Phong lobe of Ashikhmin and Shirley: reciprocal, and close to energy conservation.
 //!
-//! **Formula** f_cos = cosθi · √((nu+1)(nv+1)) / (8π) · (n·h)^((nu hx² + nv hy²)/(1 − hz²)) /
-//! (wo·h · max(cosθi, cosθo)).
-//! **Parameters** `nu`: nu, the exponent along the tangent, 0 … 10⁵, default 100; `nv`: nv, the exponent
-//! across it, 0 … 10⁵, default 0, which means "as `nu`".
-//! **Laws** reciprocal; keeps energy, though not all of it: with F = 1 the exponent 100 returns 0.961 at 0°,
+//! Formula, parameters, source and cost: [`AshikhminShirley::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy, though not all of it: with F = 1 the exponent 100 returns 0.961 at 0°,
 //! 0.846 at 60°, and every exponent half of the light at the horizon.
+//!
 //! **Limits** n → ∞ is a perfect mirror of reflectance 1.
-//! **Source** M. Ashikhmin and P. Shirley, "An Anisotropic Phong BRDF Model", Journal of Graphics Tools 5(2),
-//! 2000, the specular part for F = 1: Fresnel's law (there Schlick's) is a tint. With H = wi + wo not
-//! normalised, (n·h)^… = exp(−(nu Hx² + nv Hy²)/(2 Hz²) · ln(1 + x)/x), x = (Hx² + Hy²)/Hz²; ln(1 + x)/x
-//! comes from a series where the light is near the mirror direction, so that great exponents cost no digits.
-//! **Cost** three divisions, a square root, a logarithm and an exponential.
+//!
+//! **Notes** The specular part for F = 1: Fresnel's law (there Schlick's) is a tint. With H = wi + wo not
+//! normalised, (n·h)^… = exp(−(nu Hx² + nv Hy²)/(2 Hz²) · ln(1 + x)/x), x = (Hx² + Hy²)/Hz²; ln(1 + x)/x comes from
+//! a series where the light is near the mirror direction, so that great exponents cost no digits.
 
 use core::f64::consts::LOG2_E;
 
 use glanz_math::{PI, Real};
 
 use crate::terms::{above, exp2_or_zero, height_squared};
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// Below this x the series is used: its first term left out is 1/15 · (x/(2+x))¹⁴ = 3e-15 there.
 const SERIES_UP_TO: f64 = 0.25;
@@ -62,6 +60,7 @@ impl Model for AshikhminShirley {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 91,
         exempt: &[],
     };
 

@@ -1,20 +1,19 @@
-//! The matte part of Ashikhmin and Shirley: light that a glossy coat let in, and lets out again.
+//! The diffuse part of Ashikhmin and Shirley's model: the substrate below a glossy coat.
 //!
-//! **Formula** f_cos = cosθi · 28/(23π) · (1 − Rs) (1 − (1 − cosθi/2)⁵) (1 − (1 − cosθo/2)⁵).
-//! **Parameters** `rs`: Rs, the reflectance of the coat along the normal, 0 … 1, default 0.04 (an index of
-//! 1.5).
-//! **Laws** reciprocal; keeps energy: seen at θo the albedo is (1 − Rs) (1 − (1 − cosθo/2)⁵), at most 31/32.
+//! Formula, parameters, source and cost: [`AshikhminShirleyDiffuse::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: seen at θo the albedo is (1 − Rs) (1 − (1 − cosθo/2)⁵), at most 31/32.
+//!
 //! **Limits** at the horizon all is reflected by the coat and the lobe vanishes. Rs = 1 is black.
-//! **Source** M. Ashikhmin and P. Shirley, "An Anisotropic Phong BRDF Model", Journal of Graphics Tools 5(2),
-//! 2000. The tint is the paper's Rd; since Rs may not depend on the wavelength here, metals and other
-//! coloured coats take an average.
-//! **Cost** a dozen products.
+//!
+//! **Notes** The tint is the paper's Rd; since Rs may not depend on the wavelength here, metals and other coloured
+//! coats take an average. The default of Rs is that of an index of 1.5.
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
-/// The matte lobe beneath a coat.
+/// The diffuse lobe below a coat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AshikhminShirleyDiffuse {
     /// The reflectance of the coat along the normal.
@@ -39,6 +38,7 @@ impl Model for AshikhminShirleyDiffuse {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 17,
         exempt: &[],
     };
 
@@ -54,13 +54,16 @@ impl Model for AshikhminShirleyDiffuse {
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));
-        cos_i * let_in(cos_i) * let_in(cos_o) * zero.lit(28.0 / (23.0 * PI) * (1.0 - self.rs))
+        cos_i
+            * coat_transmittance(cos_i)
+            * coat_transmittance(cos_o)
+            * zero.lit(28.0 / (23.0 * PI) * (1.0 - self.rs))
     }
 }
 
-/// 1 − (1 − cosθ/2)⁵.
+/// 1 − (1 − cosθ/2)⁵, the paper's stand-in for the transmittance of the coat.
 #[inline(always)]
-fn let_in<R: Real>(cosine: R) -> R {
+fn coat_transmittance<R: Real>(cosine: R) -> R {
     let rest = cosine.one() - cosine * cosine.lit(0.5);
     cosine.one() - rest.sqr().sqr() * rest
 }

@@ -1,19 +1,18 @@
 //! Blinn's highlight: a power of the cosine between normal and half vector.
 //!
-//! **Formula** f_cos = max(n·h, 0)ⁿ / π where cosθi > 0.
-//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
-//! **Laws** not reciprocal, as Phong's: f = f_cos / cosθi. Along the normal the albedo is
-//! 8/(n+2) · (1 − 2^(−(n+2)/2)), which is above 1 for n < 5.38; it falls towards grazing views.
-//! **Limits** n = 0 is constant, 1/π. An exponent of 4n resembles a Phong highlight of exponent n near
-//! its centre, seen along the normal; towards grazing angles it stays narrow across the plane of
-//! incidence, where Phong's stays round.
-//! **Source** J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
-//! **Cost** one power, one square root, one quotient.
+//! Formula, parameters, source and cost: [`BlinnPhong::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** not reciprocal, as Phong's: f = f_cos / cosθi. Along the normal the albedo is 8/(n+2) · (1 −
+//! 2^(−(n+2)/2)), which is above 1 for n < 5.38; it falls towards grazing views.
+//!
+//! **Limits** n = 0 is constant, 1/π. An exponent of 4n resembles a Phong highlight of exponent n near its centre,
+//! seen along the normal; towards grazing angles it stays narrow across the plane of incidence, where Phong's stays
+//! round.
 
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
 
 /// Blinn's highlight: a power of the cosine between normal and half vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,13 +32,15 @@ impl Model for BlinnPhong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 58,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
-            (Law::Energy, "for n < 5.38 the albedo seen along the normal, 8/(n+2)·(1 − 2^(−(n+2)/2)), is more than 1"),
+            (
+                Law::Energy,
+                "for n < 5.38 the albedo seen along the normal, 8/(n+2)·(1 − 2^(−(n+2)/2)), is more than 1",
+            ),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }
@@ -52,7 +53,8 @@ impl Model for BlinnPhong {
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
-        let cosine = pair.cos_half().max(zero);
+        // Rounding may leave more than 1 for the mirror direction near the horizon, which a power of 10⁵ makes infinite.
+        let cosine = pair.cos_half().clamp(0.0, 1.0);
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }

@@ -1,9 +1,9 @@
-//! How much light the sheen takes before it comes to what lies below.
+//! The directional albedo of the sheen, by which the layers below are scaled.
 
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 
 use super::Charlie;
-use crate::{Model, DirectionPair};
+use crate::{DirectionPair, Model};
 
 /// Terms of the series: enough for an error of 0.003 (see [`Albedo`]).
 const TERMS: usize = 13;
@@ -40,8 +40,8 @@ impl Albedo {
         });
         let series = core::array::from_fn(|term| {
             let wave = |(node, value): (usize, &f64)| value * libm::cos(term as f64 * angle(node));
-            let share = if term == 0 { 1.0 } else { 2.0 };
-            share / TERMS as f64 * values.iter().enumerate().map(wave).sum::<f64>()
+            let factor = if term == 0 { 1.0 } else { 2.0 };
+            factor / TERMS as f64 * values.iter().enumerate().map(wave).sum::<f64>()
         });
         Self { series }
     }

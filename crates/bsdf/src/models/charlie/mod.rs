@@ -1,20 +1,18 @@
 //! Sheen: the haze at the limb of cloth, from fibres that stand up from the surface.
 //!
-//! **Formula** f_cos = cosθi · D / (4 cosθi cosθo (1 + Λ(cosθo) + Λ(cosθi))), D = (2 + 1/α) sinθh^(1/α) /
-//! (2π); Λ(c) = exp(l(c)) for c < ½, else exp(2 l(½) − l(1 − c)); l(x) = a/(1 + b xᶜ) + d x + e, a … e from
-//! the table of the paper for α = 0 and 1, mixed by (1 − α)².
-//! **Parameters** `alpha`: α, how far the fibres lean, 0.001 … 1, default 0.25. glTF's `sheenRoughnessFactor`
-//! is √α.
-//! **Laws** reciprocal. Energy: smooth sheens break it. For α below 0.07 views within a few degrees of the
-//! horizon get more than arrives (α = 0.01 returns 1.29 at 88°); from 0.07 to 1 the albedo stays below 1 down
-//! to 89.9°. E at α = 0.25: 0.027 at 0°, 0.188 at 60°, 0.592 at 85°.
+//! Formula, parameters, source and cost: [`Charlie::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal. Energy: smooth sheens break it. For α below 0.07 views within a few degrees of the horizon
+//! get more than arrives (α = 0.01 returns 1.29 at 88°); from 0.07 to 1 the albedo stays below 1 down to 89.9°. E
+//! at α = 0.25: 0.027 at 0°, 0.188 at 60°, 0.592 at 85°.
+//!
 //! **Limits** α → 0 is dark but for a thin line at the limb; α = 1 is a soft haze.
-//! **Source** A. Conty Estevez and C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH course
-//! 2017, without the softening of the terminator. It is the form that the Khronos extension
-//! KHR_materials_sheen gives first; its implementation notes are not normative and allow Ashikhmin's
-//! visibility 1/(4 (cosθi + cosθo − cosθi cosθo)) instead, of which they say that it does not keep energy.
-//! **Cost** three powers, five divisions and two exponentials. [`Albedo`] is what a layer below has to give
-//! way to.
+//!
+//! **Notes** a … e come from the table of the paper for α = 0 and 1, mixed by (1 − α)², without the softening of
+//! the terminator. It is the form that the Khronos extension KHR_materials_sheen gives first; its implementation
+//! notes are not normative and allow Ashikhmin's visibility 1/(4 (cosθi + cosθo − cosθi cosθo)) instead, of which
+//! they say that it does not conserve energy. glTF's `sheenRoughnessFactor` is √α. [`Albedo`] is what glTF's
+//! scaling of the layers below needs.
 
 mod albedo;
 
@@ -23,7 +21,7 @@ use glanz_math::{PI, Real, Vec3};
 pub use albedo::Albedo;
 
 use crate::terms::{above, d_charlie, smith_g2};
-use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// a, b, c, d, e of l for α = 1 and for α = 0.
 const FIT: [[f64; 2]; 5] =
@@ -43,7 +41,7 @@ impl Model for Charlie {
     const INFO: ModelInfo = ModelInfo {
         name: "charlie",
         title: "Charlie sheen 2017",
-        formula: "(2 + 1/α) sinθh^(1/α) / (8π cosθo (1 + Λ(cosθo) + Λ(cosθi)))",
+        formula: "cosθi · D / (4 cosθi cosθo (1 + Λ(cosθo) + Λ(cosθi))), D = (2 + 1/α) sinθh^(1/α) / (2π), Λ(c) = exp(l(c)) for c < ½, else exp(2 l(½) − l(1 − c)), l(x) = a/(1 + b xᶜ) + d x + e",
         source: "A. Conty Estevez and C. Kulla, Production Friendly Microfacet Sheen BRDF, SIGGRAPH course 2017",
         params: &[ParamInfo {
             name: "alpha",
@@ -57,6 +55,7 @@ impl Model for Charlie {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 223,
         exempt: &[(
             Law::Energy,
             "for α below 0.07 views within a few degrees of the horizon get more than arrives",
@@ -99,7 +98,7 @@ impl Model for Charlie {
 }
 
 impl Charlie {
-    /// Λ, how many fibres stand in the way of a direction.
+    /// Smith's Λ of the fibres.
     #[inline(always)]
     fn lambda<R: Real>(&self, cosine: R) -> R {
         let rest = cosine.one() - cosine;

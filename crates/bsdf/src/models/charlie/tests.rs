@@ -31,7 +31,8 @@ fn is_the_microfacet_formula_of_the_paper() {
             let sine = libm::sqrt(h.x * h.x + h.y * h.y);
             let d = (2.0 + 1.0 / alpha) * libm::pow(sine, 1.0 / alpha) / (2.0 * PI);
             let g = 1.0 / (1.0 + printed_lambda(alpha, wo.z) + printed_lambda(alpha, wi.z));
-            let (got, expected): (f64, f64) = (sheen(alpha).f_cos(&DirectionPair::new(wo, wi)), d * g / (4.0 * wo.z));
+            let (got, expected): (f64, f64) =
+                (sheen(alpha).f_cos(&DirectionPair::new(wo, wi)), d * g / (4.0 * wo.z));
             assert!((got - expected).abs() <= 1e-9 * expected, "α = {alpha}: {got} for {expected}");
         }
     }

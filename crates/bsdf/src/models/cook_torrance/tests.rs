@@ -54,7 +54,8 @@ fn with_little_slope_is_a_mirror() {
     for degrees in [0.0, 30.0, 60.0, 80.0] {
         assert!((seen(0.002, degrees) - 1.0).abs() < 1e-3, "{degrees}°: {}", seen(0.002, degrees));
         let wo = Vec3::from_angles(degrees * PI / 180.0, 0.0);
-        let at = |angle: f64| lobe(0.01).f_cos(&DirectionPair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
+        let at =
+            |angle: f64| lobe(0.01).f_cos(&DirectionPair::new(wo, Vec3::from_angles(angle * PI / 180.0, PI)));
         assert!(at(degrees) > at(degrees + 0.5) && at(degrees) > at(degrees - 0.5));
     }
 }

@@ -1,20 +1,22 @@
-//! Cook and Torrance's reflection with the simpler distribution of their paper: angles of facets spread as a Gaussian.
+//! Cook and Torrance's reflection with the simpler distribution of their paper: angles of facets spread as a
+//! Gaussian.
 //!
-//! **Formula** f_cos = D · G / (4 cosθo), D = c exp(−(θh/m)²), G = min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h)).
-//! **Parameters** `m`: the spread of the angles in radians, 0.001 … 1, default 0.2.
-//! **Laws** reciprocal; keeps energy.
-//! **Limits** towards m → 0 Beckmann's distribution of the same m, and a perfect mirror; at m = 0.5 the peak is 1.16
-//! times as high.
-//! **Source** R. L. Cook and K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics
-//! 1(1), 1982, who call c arbitrary. Here c is such that the facets cover the surface, 1/∫ exp(−(θ/m)²) cosθ dω, about
-//! 1/(π m²), so that the lobe keeps its energy.
-//! **Cost** one arc, one exponential, one square root, three quotients.
+//! Formula, parameters, source and cost: [`CookTorranceGaussian::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy.
+//!
+//! **Limits** towards m → 0 Beckmann's distribution of the same m, and a perfect mirror; at m = 0.5 the peak is
+//! 1.16 times as high.
+//!
+//! **Notes** The paper calls c arbitrary. Here it is such that the facets cover the surface, 1/∫ exp(−(θ/m)²) cosθ
+//! dω, about 1/(π m²), so that the lobe conserves energy.
 
 use glanz_math::{Real, Vec3};
 
+use crate::microfacet::HalfVector;
 use crate::models::cook_torrance::{M, groove};
-use crate::terms::{Half, d_gaussian, g_v_cavity, gaussian_scale};
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::terms::{d_gaussian, g_v_cavity, gaussian_scale};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// Cook and Torrance's reflection with the Gaussian distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,13 +31,17 @@ impl Model for CookTorranceGaussian {
     const INFO: ModelInfo = ModelInfo {
         name: "cook-torrance-gaussian",
         title: "Cook–Torrance 1982, Gaussian angles",
-        formula: "c exp(−(θh/m)²) · min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h)) / (4 cosθo)",
+        formula: "D · G / (4 cosθo), D = c exp(−(θh/m)²), G = min(1, 2 (n·h)(n·wo)/(wo·h), 2 (n·h)(n·wi)/(wo·h))",
         source: "R. L. Cook and K. E. Torrance, A Reflectance Model for Computer Graphics, ACM Transactions on Graphics 1(1), 1982",
-        params: &[ParamInfo { doc: "spread of the angles of the facets, in radians: greater is rougher", ..M }],
+        params: &[ParamInfo {
+            doc: "spread of the angles of the facets, in radians: greater is rougher",
+            ..M
+        }],
         term: LightTerm::Specular,
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 76,
         exempt: &[],
     };
 
@@ -49,7 +55,7 @@ impl Model for CookTorranceGaussian {
 
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-        let half = Half::new(pair);
+        let half = HalfVector::new(pair);
         // From sine and cosine: an arc cosine alone is coarse about 0.
         let theta = (half.length2 - half.up2).sqrt().atan2(half.up2.sqrt());
         let d = d_gaussian(theta, theta.lit(self.m), theta.lit(self.scale));

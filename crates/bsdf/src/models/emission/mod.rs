@@ -1,15 +1,16 @@
 //! The emission lobe: light that the surface sends by itself, the same in all directions.
 //!
-//! **Formula** value = tint; as a shape, 1.
-//! **Parameters** none.
+//! Formula, parameters, source and cost: [`Emission::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
 //! **Laws** none of a BSDF: there is no incident light.
+//!
 //! **Limits** it lights nothing else; Glanz is about local illumination.
-//! **Source** document 000's lineage, the classic lighting equation with its emissive term.
-//! **Cost** none: it is folded into a constant before the pixel loop.
+//!
+//! **Notes** It is a constant before the pixel loop.
 
 use glanz_math::Real;
 
-use crate::{Law, Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
 
 /// The emission lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,13 +27,12 @@ impl Model for Emission {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 0,
         exempt: &[
             (Law::Reciprocity, "there is no incident direction"),
             (Law::Energy, "it sends light without receiving any"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

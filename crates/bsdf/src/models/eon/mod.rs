@@ -1,31 +1,29 @@
-//! A rough matte surface that keeps its energy: Oren–Nayar in Fujii's form, and what it loses given back.
+//! A rough diffuse surface that conserves energy: Oren–Nayar in Fujii's form, with multiple-scattering
+//! compensation.
 //!
-//! **Formula** f_cos = cosθi/π · [A (1 + r t) + M g(cosθo) g(cosθi)], t = s / max(cosθi, cosθo) where
-//! s = wo·wi − cosθi cosθo is positive, else s; A = 1/(1 + k1 r), k1 = 1/2 − 2/(3π);
-//! M = ρ Ē/(1 − ρ(1 − Ē)) · A r/(k1 − k2), Ē = A (1 + k2 r), k2 = 2/3 − 28/(15π);
-//! g(c) = k1 − [sinθ (θ − sinθ c) + ⅔ (sinθ (1 − sin³θ)/c − sinθ)]/π.
-//! **Parameters** `roughness`: r, a pure number, 0 … 1, default 0.5; `rho`: ρ, the reflectance at every
-//! scattering after the first, 0 … 1, default 1. The lobe is for a tint of ρ: the paper's f is the tint times
-//! this, and takes ρ² where light is scattered more than once.
-//! **Laws** reciprocal; keeps energy, and for ρ = 1 all of it: a white furnace stays white.
-//! **Limits** r = 0 is Lambert's law. Unlike the paper's listing nothing is divided by 1 − Ē, so that r = 0
-//! needs no floor: (1 − Eo)(1 − Ei)/(1 − Ē) = A r g(cosθo) g(cosθi)/(k1 − k2).
-//! **Source** J. Portsmouth, P. Kutz and S. Hill, "EON: A Practical Energy-Preserving Rough Diffuse BRDF",
-//! JCGT 14(1), 2025 (preprint 2024), with the exact albedo; sinθ (1 − sin³θ)/c is computed as sinθ c (1 +
-//! sinθ + sin²θ)/(1 + sinθ), which is finite at the horizon.
-//! **Cost** three divisions, four square roots and two arc cosines' polynomials.
+//! Formula, parameters, source and cost: [`Eon::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy, and for ρ = 1 all of it: a white furnace stays white.
+//!
+//! **Limits** r = 0 is Lambert's law. Unlike the paper's listing nothing is divided by 1 − Ē, so that r = 0 needs
+//! no floor: (1 − Eo)(1 − Ei)/(1 − Ē) = A r g(cosθo) g(cosθi)/(k1 − k2).
+//!
+//! **Notes** The lobe is for a tint of ρ: the paper's f is the tint times this, and takes ρ² where light is
+//! scattered more than once. The albedo is the exact one; sinθ (1 − sin³θ)/c is computed as sinθ c (1 + sinθ +
+//! sin²θ)/(1 + sinθ), which is finite at the horizon. Unlike in the paper's listing nothing is divided by 1 − Ē, so
+//! that r = 0 needs no floor: (1 − Eo)(1 − Ei)/(1 − Ē) = A r g(cosθo) g(cosθi)/(k1 − k2).
 
 use glanz_math::{PI, Real};
 
 use crate::models::oren_nayar::RHO;
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// What roughness takes from the albedo along the normal.
 const K1: f64 = 0.5 - 2.0 / (3.0 * PI);
 /// What it takes and gives on average.
 const K2: f64 = 2.0 / 3.0 - 28.0 / (15.0 * PI);
 
-/// The rough matte lobe that keeps energy.
+/// The rough diffuse lobe that conserves energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eon {
     roughness: f64,
@@ -38,7 +36,7 @@ impl Model for Eon {
     const INFO: ModelInfo = ModelInfo {
         name: "eon",
         title: "EON 2024",
-        formula: "cosθi/π · [A (1 + r t) + M g(cosθo) g(cosθi)]",
+        formula: "cosθi/π · [A (1 + r t) + M g(cosθo) g(cosθi)], t = s / max(cosθi, cosθo) where s = wo·wi − cosθi cosθo is positive, else s; A = 1/(1 + k1 r), k1 = 1/2 − 2/(3π); M = ρ Ē/(1 − ρ(1 − Ē)) · A r/(k1 − k2), Ē = A (1 + k2 r), k2 = 2/3 − 28/(15π); g(c) = k1 − [sinθ (θ − sinθ c) + ⅔ (sinθ (1 − sin³θ)/c − sinθ)]/π",
         source: "J. Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse BRDF, JCGT 14(1), 2025",
         params: &[
             ParamInfo {
@@ -55,6 +53,7 @@ impl Model for Eon {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 99,
         exempt: &[],
     };
 
@@ -78,13 +77,13 @@ impl Model for Eon {
         let s = pair.cos_io - cos_i * cos_o;
         let behind = s / cos_i.max(cos_o).max(zero.lit(1e-20));
         let single = even + rough * behind.select(zero.lt(s), s);
-        cos_i * (single.max(zero) + multiple * missing(cos_o) * missing(cos_i))
+        cos_i * (single.max(zero) + multiple * single_loss(cos_o) * single_loss(cos_i))
     }
 }
 
-/// g: what the single scattering of a fully rough surface lacks towards a direction, up to a factor.
+/// g: 1 − E of the single scattering of a fully rough surface, up to a factor.
 #[inline(always)]
-fn missing<R: Real>(cosine: R) -> R {
+fn single_loss<R: Real>(cosine: R) -> R {
     let one = cosine.one();
     let sine = (one - cosine.sqr()).max(one.zero()).sqrt();
     let cubes = sine * cosine * (one + sine + sine.sqr()) / (one + sine);

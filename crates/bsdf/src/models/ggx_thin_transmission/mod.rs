@@ -1,19 +1,20 @@
-//! A thin rough sheet seen through: the light mirrored to the viewer's side, then GGX.
+//! Transmission through a thin rough sheet: the light mirrored to the viewer's side, then GGX.
 //!
-//! **Formula** f_cos = D · G2 / (4 cosθo), with the light's direction mirrored at the sheet.
-//! **Parameters** `alpha`: the width of the distribution of slopes, a pure number, 0.001 … 1, default 0.2. A roughness
-//! texture multiplies it.
-//! **Laws** reciprocal; keeps energy: the albedo is that of a single reflection by [`ggx`](crate::models::ggx).
+//! Formula, parameters, source and cost: [`GgxThinTransmission::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: the albedo is that of a single reflection by [`ggx`](crate::models::ggx).
+//!
 //! **Limits** towards α → 0 light passes as if there were no sheet: a thin sheet does not bend it.
-//! **Source** Khronos Group, glTF extension KHR_materials_transmission, 2021, section "Implementation notes".
-//! **Cost** that of GGX and two products.
+//!
+//! **Notes** A roughness texture multiplies α.
 
 use glanz_math::{Real, Vec3};
 
-use crate::models::ggx::{ALPHA, Ggx};
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::microfacet::ALPHA;
+use crate::models::ggx::Ggx;
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 
-/// GGX for light that passes a thin sheet.
+/// GGX transmission through a thin sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GgxThinTransmission {
     /// The width of the distribution.
@@ -26,12 +27,13 @@ impl Model for GgxThinTransmission {
         name: "ggx-thin-transmission",
         title: "GGX through a thin sheet (glTF)",
         formula: "D · G2 / (4 cosθo) with the light mirrored at the sheet",
-        source: "Khronos Group, glTF extension KHR_materials_transmission, 2021",
+        source: "Khronos Group, glTF extension KHR_materials_transmission, 2021, section Implementation notes",
         params: &[ALPHA],
         term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
+        operations: 43,
         exempt: &[],
     };
 

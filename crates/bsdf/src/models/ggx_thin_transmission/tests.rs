@@ -22,7 +22,10 @@ fn a_smooth_sheet_is_as_if_it_were_not_there() {
         let got = albedo(&Shape::GgxThinTransmission(GgxThinTransmission::from_params(&[0.001])), wo.z);
         assert!((got - 1.0).abs() < 1e-3, "{degrees}°: {got}");
         let lobe = GgxThinTransmission::from_params(&[0.01]);
-        let tilted = Vec3::from_angles(glanz_math::PI - (degrees + 1.0) * glanz_math::PI / 180.0, 0.3 + glanz_math::PI);
+        let tilted = Vec3::from_angles(
+            glanz_math::PI - (degrees + 1.0) * glanz_math::PI / 180.0,
+            0.3 + glanz_math::PI,
+        );
         assert!(lobe.f_cos(&DirectionPair::new(wo, -wo)) > lobe.f_cos(&DirectionPair::new(wo, tilted)));
     }
 }

@@ -1,21 +1,20 @@
 //! The generalised cosine lobe: Phong's highlight about any direction that depends on the light's linearly.
 //!
-//! **Formula** f_cos = cosθi · (n+2)/(2π) · (max(Cx wox wix + Cy woy wiy + Cz cosθo cosθi, 0) / max|C|)ⁿ.
-//! **Parameters** `cx`, `cy`, `cz`: pure numbers, −2 … 2, default −1, −1, 1 (Phong's mirror); only their
-//! ratios count. `n`: the exponent, 0 … 1000, default 32.
-//! **Laws** reciprocal; keeps energy: the albedo is 1 at most, where the lobe stands on the normal.
-//! **Limits** Cx = Cy = −Cz is Phong's lobe, normalised after Lewis 1994; Cx = Cy = Cz sends light back; Cx =
-//! Cy = 0 is matte and darker at the limb; n = 0 is Lambert's law. All of C 0 is black. Lobes that lean to
-//! the horizon are cut by it and darken, as Phong's do.
-//! **Source** E. P. F. Lafortune, S.-C. Foo, K. E. Torrance and D. P. Greenberg, "Non-Linear Approximation of
-//! Reflectance Functions", SIGGRAPH 1997. The paper puts reflectance and normalisation into C; published fits
-//! are of that raw kind. Here a lobe is normalised as the paper's classic one, where (n+2)/(2π) goes with
-//! max|C| = 1, so that a tint is its greatest albedo: [`Lafortune::raw_tint`] gives the tint of a raw lobe.
-//! **Cost** one power.
+//! Formula, parameters, source and cost: [`Lafortune::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: the albedo is 1 at most, where the lobe stands on the normal.
+//!
+//! **Limits** Cx = Cy = −Cz is Phong's lobe, normalised after Lewis 1994; Cx = Cy = Cz sends light back; Cx = Cy =
+//! 0 is diffuse and darker at the limb; n = 0 is Lambert's law. All of C 0 is black. Lobes that lean to the horizon
+//! are cut by it and darken, as Phong's do.
+//!
+//! **Notes** Only the ratios of C count. The paper puts reflectance and normalisation into C; published fits are of
+//! that raw kind. Here a lobe is normalised as the paper's classic one, where (n+2)/(2π) goes with max|C| = 1, so
+//! that a tint is its greatest albedo: [`Lafortune::raw_tint`] gives the tint of a raw lobe.
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// The generalised cosine lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +62,7 @@ impl Model for Lafortune {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
+        operations: 59,
         exempt: &[],
     };
 

@@ -1,17 +1,16 @@
-//! Lambert's law: a matte surface looks equally bright from everywhere.
+//! Lambert's law: a perfectly diffuse surface has the same radiance in all directions.
 //!
-//! **Formula** f_cos = cosθi / π, zero below the horizon.
-//! **Parameters** none.
-//! **Laws** reciprocal; keeps all energy (albedo 1).
-//! **Limits** none; real matte surfaces are flatter at the limb (Oren–Nayar) and shine when grazed.
-//! **Source** J. H. Lambert, *Photometria*, 1760.
-//! **Cost** one product.
+//! Formula, parameters, source and cost: [`Lambert::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves all energy (albedo 1).
+//!
+//! **Limits** none; real diffuse surfaces are flatter at the limb (Oren–Nayar) and shine when grazed.
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 
-/// The matte lobe.
+/// The Lambertian lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lambert;
 
@@ -26,10 +25,9 @@ impl Model for Lambert {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 2,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_: &[f64]) -> Self {
         Self

@@ -1,16 +1,12 @@
-//! A thin sheet that scatters light from behind evenly: a leaf, a lampshade.
+//! Diffuse transmission of a thin sheet, such as a leaf or a lampshade.
 //!
-//! **Formula** f_cos = max(−cosθi, 0) / π.
-//! **Parameters** none.
-//! **Laws** reciprocal; keeps energy: all light from the other side leaves, in all directions alike.
-//! **Limits** none.
-//! **Source** J. H. Lambert, Photometria, 1760, for the light that passes; the refracted component "on the other side"
-//! of the local lighting equation.
-//! **Cost** one product.
+//! Formula, parameters, source and cost: [`LambertTransmission::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: all light from the other side leaves, in all directions alike.
 
 use glanz_math::{PI, Real};
 
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 
 /// Lambert's law for light from behind.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,10 +23,9 @@ impl Model for LambertTransmission {
         side: Side::Transmission,
         anisotropic: false,
         delta: false,
+        operations: 3,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_values: &[f64]) -> Self {
         Self

@@ -1,20 +1,19 @@
 //! Minnaert's law: how the brightness of the Moon's disc falls or rises towards its limb.
 //!
-//! **Formula** f_cos = (k+1)/(2π) · cosθiᵏ cosθoᵏ⁻¹.
-//! **Parameters** `k`: a pure number, 0 … 10, default 0.7. Below 1 the limb is brighter than Lambert's, as of
-//! dusty planets, above 1 it is darker.
-//! **Laws** reciprocal: Minnaert made it the simplest law that is. Energy: the albedo is cosθoᵏ⁻¹, which is 1
-//! along the normal and less elsewhere for k > 1; for k < 1 it grows without bound towards the horizon.
+//! Formula, parameters, source and cost: [`Minnaert::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal: Minnaert made it the simplest law that is. Energy: the albedo is cosθoᵏ⁻¹, which is 1 along
+//! the normal and less elsewhere for k > 1; for k < 1 it grows without bound towards the horizon.
+//!
 //! **Limits** k = 1 is Lambert's law; k = 1/2 makes a disc under light from the viewer evenly bright.
-//! **Source** M. Minnaert, "The Reciprocity Principle in Lunar Photometry", Astrophysical Journal 93, 1941,
-//! with the factor (k+1)/2 that makes the albedo along the normal that of the tint. Where cosθo is less than
-//! 1e-20 that is used for it.
-//! **Cost** one power and one division.
+//!
+//! **Notes** The factor (k+1)/2 makes the albedo along the normal that of the tint. Where cosθo is less than 1e-20
+//! that is used for it.
 
 use glanz_math::{PI, Real};
 
 use crate::terms::above;
-use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// Minnaert's lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +40,7 @@ impl Model for Minnaert {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 53,
         exempt: &[(Law::Energy, "for k < 1 the albedo cosθoᵏ⁻¹ is more than 1 off the normal")],
     };
 

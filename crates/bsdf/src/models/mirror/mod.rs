@@ -1,15 +1,14 @@
-//! A perfect mirror.
+//! A perfect mirror: a delta lobe.
 //!
-//! **Formula** no lobe: light arrives from the mirror direction only. f_cos is 0.
-//! **Parameters** none.
-//! **Laws** trivially reciprocal and within its energy as a lobe without width.
-//! **Limits** none.
-//! **Source** Euclid, Catoptrics.
-//! **Cost** none: it answers to surroundings, not to lights.
+//! Formula, parameters, source and cost: [`Mirror::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** trivially reciprocal and within its energy as a delta lobe.
+//!
+//! **Notes** It reflects surroundings, not lights.
 
 use glanz_math::Real;
 
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 
 /// A perfect mirror.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,10 +25,9 @@ impl Model for Mirror {
         side: Side::Reflection,
         anisotropic: false,
         delta: true,
+        operations: 0,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(_values: &[f64]) -> Self {
         Self

@@ -1,20 +1,20 @@
 //! Phong's highlight as he published it: a power of the cosine between mirrored light and viewer.
 //!
-//! **Formula** f_cos = max(R·wo, 0)ⁿ / π where cosθi > 0, else 0. The model has no cosine of its own:
-//! its BSDF is f = (R·wo)ⁿ / (π cosθi), which grows without bound towards grazing light.
-//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
-//! **Laws** not reciprocal, since f carries 1/cosθi of the light only. Seen along the normal under
-//! light from all around it returns 2/(n+1), so it keeps energy for n >= 1; for n < 1 it does not.
-//! Whatever n is, light from one direction near the horizon is returned 1/cosθi too strong.
-//! **Limits** n = 0 is constant, 1/π; n = 1 has the albedo (1 + cosθo)/2; n → ∞ is a mirror that
-//! returns nothing.
-//! **Source** B. T. Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, with the
-//! factor 1/π so that a unit light (π inside Glanz) and a unit tint give the classic (R·V)ⁿ.
-//! **Cost** one power: a logarithm and an exponential.
+//! Formula, parameters, source and cost: [`Phong::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** not reciprocal, since f carries 1/cosθi of the light only. Along the normal its albedo is 2/(n+1), so
+//! it conserves energy for n >= 1; for n < 1 it does not. Whatever n is, light from one direction near the horizon
+//! is returned 1/cosθi too strong.
+//!
+//! **Limits** n = 0 is constant, 1/π; n = 1 has the albedo (1 + cosθo)/2; n → ∞ is a mirror that returns nothing.
+//!
+//! **Notes** The model has no cosine of its own: its BSDF is f = (R·wo)ⁿ / (π cosθi), which grows without bound
+//! towards grazing light. The factor 1/π is such that a unit light (π inside Glanz) and a unit tint give the
+//! classic (R·V)ⁿ.
 
 use glanz_math::{PI, Real};
 
-use crate::{Law, Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// The exponent of the Phong and Blinn–Phong lobes, as files and command line name it.
 pub(crate) const SHININESS: ParamInfo = ParamInfo {
@@ -44,13 +44,12 @@ impl Model for Phong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 53,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),
         ],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { shininess: values[0] }

@@ -7,7 +7,10 @@ use super::*;
 /// Light 30° off the normal and a view this many degrees from its mirror direction, in one plane.
 fn beside_the_mirror(degrees: f64) -> DirectionPair<f64> {
     let radians = PI / 180.0;
-    DirectionPair::new(Vec3::from_angles((30.0 + degrees) * radians, 0.0), Vec3::from_angles(30.0 * radians, PI))
+    DirectionPair::new(
+        Vec3::from_angles((30.0 + degrees) * radians, 0.0),
+        Vec3::from_angles(30.0 * radians, PI),
+    )
 }
 
 #[test]

@@ -1,17 +1,16 @@
 //! The Phong lobe scaled so that it keeps its energy whatever the exponent.
 //!
-//! **Formula** f_cos = (n+2)/(2π) · max(R·wo, 0)ⁿ · cosθi.
-//! **Parameters** `shininess`: the exponent n, a pure number, 0 … 10⁵, default 32.
-//! **Laws** reciprocal; keeps energy: the albedo is 1 along the normal for every n and less elsewhere.
-//! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind
-//! darkens towards grazing angles. LightTerm of the lobe is below the horizon there and is lost as well.
-//! **Source** R. R. Lewis, Making Shaders More Physically Plausible, Computer Graphics Forum 13(2), 1994.
-//! **Cost** one power and three products.
+//! Formula, parameters, source and cost: [`PhongNormalized::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** reciprocal; conserves energy: the albedo is 1 along the normal for every n and less elsewhere.
+//!
+//! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind darkens
+//! towards grazing angles. LightTerm of the lobe is below the horizon there and is lost as well.
 
 use glanz_math::{PI, Real};
 
 use crate::models::phong::SHININESS;
-use crate::{Model, ModelInfo, DirectionPair, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 
 /// The Phong lobe scaled so that it keeps its energy whatever the exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,10 +32,9 @@ impl Model for PhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
+        operations: 54,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         let shininess = values[0];

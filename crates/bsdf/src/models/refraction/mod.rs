@@ -1,18 +1,18 @@
-//! A perfectly smooth boundary to another medium: the light that is bent on its way through.
+//! A perfectly smooth boundary to another medium: refraction as a delta lobe.
 //!
-//! **Formula** no lobe: light arrives from one direction only, sinθt = sinθo / η on the other side. f_cos is 0.
-//! **Parameters** `eta`: the index of refraction below the surface over that above, 0.25 … 4, default 1.5.
-//! **Laws** trivially reciprocal and within its energy as a lobe without width; radiance is divided by η², as that of
-//! all that is refracted.
+//! Formula, parameters, source and cost: [`Refraction::INFO`](crate::Model::INFO), and docs/MODELS.md.
+//!
+//! **Laws** trivially reciprocal and within its energy as a delta lobe; radiance is divided by η², as that of all
+//! that is refracted.
+//!
 //! **Limits** η = 1 lets light pass as if there were no surface. For η < 1 nothing passes beyond the angle of total
 //! reflection.
-//! **Source** W. Snellius 1621; the factor of radiance in E. Veach, Robust Monte Carlo Methods for Light Transport
-//! Simulation, 1997, §5.2.
-//! **Cost** none: it answers to surroundings, not to lights.
+//!
+//! **Notes** It refracts surroundings, not lights.
 
 use glanz_math::Real;
 
-use crate::{Model, ModelInfo, DirectionPair, ParamInfo, LightTerm, Side};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
 /// The index below over the index above.
 pub const ETA: ParamInfo = ParamInfo {
@@ -24,7 +24,7 @@ pub const ETA: ParamInfo = ParamInfo {
     default: 1.5,
 };
 
-/// A perfectly smooth boundary, seen through.
+/// Refraction at a perfectly smooth boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refraction {
     /// The index below over the index above.
@@ -36,16 +36,15 @@ impl Model for Refraction {
         name: "refraction",
         title: "Perfect refraction",
         formula: "0, but for the one direction with sinθt = sinθo / η",
-        source: "W. Snellius, 1621",
+        source: "W. Snellius, 1621; the factor of radiance in E. Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997, §5.2",
         params: &[ETA],
         term: LightTerm::Specular,
         side: Side::Transmission,
         anisotropic: false,
         delta: true,
+        operations: 0,
         exempt: &[],
     };
-
-    const IN_PLACE: bool = true;
 
     fn from_params(values: &[f64]) -> Self {
         Self { eta: values[0] }

@@ -1,4 +1,4 @@
-//! What the rooms of Ward's family check their lobes with.
+//! What the tests of Ward's family have in common.
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 

@@ -48,10 +48,16 @@ impl ShowArgs {
         }
         for law in [Law::Reciprocity, Law::Energy] {
             match info.exempt.iter().find(|(exempt, _)| *exempt == law) {
-                Some((_, reason)) => line(&mut text, format_args!("  {:<12} no: {reason}", law_name(law))),
-                None => line(&mut text, format_args!("  {:<12} yes", law_name(law))),
+                Some((_, reason)) => line(&mut text, format_args!("  {:<12} no: {reason}", law.name())),
+                None => line(&mut text, format_args!("  {:<12} yes", law.name())),
             }
         }
+        for (law, reason) in
+            info.exempt.iter().filter(|(law, _)| !matches!(law, Law::Reciprocity | Law::Energy))
+        {
+            line(&mut text, format_args!("  {:<12} no: {reason}", law.name()));
+        }
+        line(&mut text, format_args!("  cost     {} operations", info.operations));
         line(&mut text, format_args!("  source   {}", info.source));
         print::text(&text)
     }
@@ -63,13 +69,6 @@ fn term_name(term: LightTerm) -> &'static str {
         LightTerm::Diffuse => "diffuse",
         LightTerm::Specular => "specular",
         LightTerm::Emission => "emission",
-    }
-}
-
-fn law_name(law: Law) -> &'static str {
-    match law {
-        Law::Reciprocity => "reciprocity",
-        Law::Energy => "energy",
     }
 }
 
@@ -106,10 +105,10 @@ fn describe(info: &ModelInfo) -> Value {
             "min": param.min, "max": param.max, "default": param.default,
         })
     });
-    let exempt = info.exempt.iter().map(|(law, reason)| json!({ "law": law_name(*law), "reason": reason }));
+    let exempt = info.exempt.iter().map(|(law, reason)| json!({ "law": law.name(), "reason": reason }));
     json!({
         "name": info.name, "title": info.title, "part": term_name(info.term), "formula": info.formula,
         "source": info.source, "transmission": info.side == Side::Transmission, "anisotropic": info.anisotropic,
-        "delta": info.delta, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
+        "delta": info.delta, "operations": info.operations, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
     })
 }

@@ -8,6 +8,7 @@ use glanz_bsdf::DirectionPair;
 use glanz_math::{Lanes, Real, Vec3};
 
 use crate::cpu::lighting::general;
+use crate::cpu::lighting::inlined_models::Inline;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::prepare::TintCoordinate;
 use crate::view::lights::{ViewCone, ViewLight, splat, turned};
@@ -112,7 +113,7 @@ pub(crate) fn reflect_classic<R: Real>(
         // none with what happens to be in memory, which is slow where that is a denormal number.
         let attenuation = incident.attenuation.unwrap_or(like.one());
         for (k, (lobe, tint)) in lobes.iter().zip(row).enumerate() {
-            let value = lobe.shape.f_cos_in_place(&pair) * attenuation;
+            let value = lobe.shape.visit(Inline(&pair)) * attenuation;
             let tint = match &mix {
                 _ if lobe.coordinate == TintCoordinate::HalfAngle => {
                     material.series[first + k].at(pair.cos_view_half())

@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::ops::Deref;
 
-use glanz_bsdf::Side;
 use glanz_scene::Metalness;
 
+use crate::cpu::lighting::inlined_models::is_inlined;
 use crate::prepare::{DirectLobe, PreparedMaterial, TintCoordinate};
 use crate::view::lights::{ViewLight, ViewLights};
 
@@ -46,7 +46,6 @@ impl Deref for ShadeMaterial<'_> {
 /// light from behind is none of its business.
 fn is_simple(lobe: &DirectLobe) -> bool {
     let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any;
-    let reflects = lobe.shape.info().side == Side::Reflection;
     bare && reflects
         && lobe.shape.is_in_place()
         && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })

@@ -1,32 +1,34 @@
-//! Whether the facets cover the surface.
+//! Normalization: the microfacets cover the surface, ∫ D cosθ dω = 1.
 
 use glanz_math::{GaussLegendre, PI, Vec3};
 
-use super::directional::refined;
-use super::report::{Check, Finding};
+use super::hemisphere::borders;
 use super::subject::Subject;
+use super::verdict::{Finding, Law};
 
-/// What may be missing: distributions that are cut off at grazing facets are not normalised again.
+/// The error of the quadrature and of the model: distributions that are cut off at grazing facets are not normalised again.
 const TOLERANCE: f64 = 1e-3;
+/// Why the law does not apply to most models.
+pub(super) const NO_FACETS: &str = "it is not made of facets";
 /// Gauss–Legendre points per cell and direction.
 const POINTS: usize = 6;
 
 /// Integrates the projected area of the facets over their normals.
-pub(super) fn check(subject: &dyn Subject) -> Finding {
+pub(super) fn judge(subject: &dyn Subject) -> Finding {
     if subject.distribution(Vec3::new(0.0, 0.0, 1.0)).is_none() {
-        return Finding::not_applicable(Check::Normalization, "it is not made of facets");
+        return Finding::not_applicable(Law::Normalization, NO_FACETS);
     }
     let area = projected_area(|half| subject.distribution(half).unwrap_or(0.0));
     let detail = format!("∫ D cosθ dω is {area:.6}");
     let holds = (area - 1.0).abs() <= TOLERANCE;
-    Finding::judged(Check::Normalization, subject.info(), holds, area, detail)
+    Finding::judged(Law::Normalization, subject.info(), holds, area, detail)
 }
 
-/// ∫ D cosθ dω over the hemisphere. A grain lies along x and y; cells are refined towards both.
+/// ∫ D cosθ dω over the hemisphere. Anisotropic ones have their axes along x and y; cells are refined towards both.
 pub(super) fn projected_area(distribution: impl Fn(Vec3<f64>) -> f64) -> f64 {
     let rule = GaussLegendre::new(POINTS);
-    let polar = refined(0.0, 0.5 * PI, 0.0);
-    let quarter = refined(0.0, 0.25 * PI, 0.0);
+    let polar = borders(0.0, 0.5 * PI, 0.0);
+    let quarter = borders(0.0, 0.25 * PI, 0.0);
     let strip = |theta: f64| {
         let ring = |from: f64, sign: f64| -> f64 {
             let value = |phi: f64| distribution(Vec3::from_angles(theta, from + sign * phi));

@@ -1,5 +1,5 @@
-//! What share of unpolarised light more than one boundary reflects. In `f64` only: evaluated where tints are
-//! prepared, not per pixel.
+//! Reflectance and transmittance of more than one boundary, coherent (thin films) and incoherent (sheets). In `f64` only:
+//! evaluated where tints are prepared, not per pixel.
 
 use core::ops::{Add, Div, Mul, Sub};
 
@@ -58,7 +58,7 @@ fn airy(cos_theta: f64, lambda_nm: f64, eta_film: f64, thickness_nm: f64, substr
 pub fn fresnel_slab(cos_theta: f64, eta: f64, transmittance: f64) -> (f64, f64) {
     let cos_0 = cos_theta.clamp(0.0, 1.0);
     let cos_1 = libm::sqrt((1.0 - (1.0 - cos_0 * cos_0) / (eta * eta)).max(0.0));
-    let share = |before: f64, behind: f64| {
+    let reflectance = |before: f64, behind: f64| {
         let amplitude = if before + behind > 0.0 { (before - behind) / (before + behind) } else { 1.0 };
         amplitude * amplitude
     };
@@ -70,7 +70,7 @@ pub fn fresnel_slab(cos_theta: f64, eta: f64, transmittance: f64) -> (f64, f64) 
         let through = (1.0 - r) * (1.0 - r) * transmittance / (1.0 - around);
         (r + r * transmittance * through, through)
     };
-    let (s, p) = (sheet(share(cos_0, eta * cos_1)), sheet(share(eta * cos_0, cos_1)));
+    let (s, p) = (sheet(reflectance(cos_0, eta * cos_1)), sheet(reflectance(eta * cos_0, cos_1)));
     (0.5 * (s.0 + p.0), 0.5 * (s.1 + p.1))
 }
 

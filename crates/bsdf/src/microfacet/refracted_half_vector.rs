@@ -8,7 +8,7 @@ use glanz_math::Real;
 use crate::DirectionPair;
 
 /// H = wo + η wi.
-pub(crate) struct Refracted<R: Real> {
+pub struct RefractedHalfVector<R: Real> {
     /// (n·H)².
     pub(crate) up2: R,
     /// |H|², at least `up2`; not below (η − 1)².
@@ -19,7 +19,7 @@ pub(crate) struct Refracted<R: Real> {
     pub(crate) lit: R::Mask,
 }
 
-impl<R: Real> Refracted<R> {
+impl<R: Real> RefractedHalfVector<R> {
     #[inline(always)]
     pub(crate) fn new(pair: &DirectionPair<R>, eta: f64) -> Self {
         let (zero, one, eta) = (pair.cos_o.zero(), pair.cos_o.one(), pair.cos_o.lit(eta));
@@ -43,9 +43,9 @@ pub(crate) fn refracted_cosine<R: Real>(pair: &DirectionPair<R>, eta: f64) -> R 
     (with_o.abs() * length2.max(one.lit(1e-12)).rsqrt()).clamp(0.0, 1.0)
 }
 
-/// The index that rough refraction is computed with: at 1 no facet bends light and the lobe has no width, so that
-/// values nearer to 1 than 0.01 count as 0.01 off.
-pub(crate) fn bending(eta: f64) -> f64 {
+/// The index that rough refraction is computed with: at 1 nothing is refracted and the lobe has no width, so that values
+/// nearer to 1 than 0.01 count as 0.01 off.
+pub(crate) fn effective_eta(eta: f64) -> f64 {
     match eta - 1.0 {
         d if d.abs() >= 0.01 => eta,
         d if d < 0.0 => 0.99,

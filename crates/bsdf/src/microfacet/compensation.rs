@@ -1,16 +1,17 @@
-//! The energy that single reflections miss, as a lobe of its own.
+//! Multiple-scattering compensation (Kulla and Conty 2017): a reciprocal lobe with the energy that single reflections lack.
 //!
-//! (1 − E(wo)) (1 − E(wi)) cosθi / (π (1 − Eavg)) sends out exactly what is missing, reciprocally: C. Kulla and
-//! A. Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH course, 2017, after C. Kelemen and
-//! L. Szirmay-Kalos 2001. Here 1 − E is the series x Σ pₖ (1 − x)ᵏ, or x Σ pₖ (½ − x)ᵏ, with x = cosθ / (cosθ + c α), c a constant near 2: in
-//! x, and not in cosθ, surfaces of all widths are alike, since what is missing is missing at cosines about α.
-//! Along an elongated surface α is the width along the direction, and p has a part that goes with the cosine of twice
-//! the azimuth. The series lies below what is missing rather than above it, so that no energy is made.
+//! (1 − E(wo)) (1 − E(wi)) cosθi / (π (1 − Eavg)) has the albedo 1 − E(wo): C. Kulla and A. Conty, Revisiting Physically
+//! Based Shading at Imageworks, SIGGRAPH course, 2017, after C. Kelemen and L. Szirmay-Kalos 2001. Here 1 − E is the series x Σ pₖ (1 − x)ᵏ, or x Σ pₖ (½ − x)ᵏ, with x = cosθ / (cosθ + c α), c a constant near 2: in
+//! x, and not in cosθ, surfaces of all widths are alike, since 1 − E is greatest at cosines about α.
+//! On an anisotropic surface α is the width along the direction, and p has a part that goes with the cosine of twice
+//! the azimuth. The series lies below 1 − E rather than above it, so that no energy is made.
+
+use core::marker::PhantomData;
 
 use glanz_math::{GaussLegendre, PI, Real};
 
+use super::{Distribution, smith_albedo};
 use crate::DirectionPair;
-use crate::terms::{Distribution, smith_albedo};
 
 /// Terms of the series.
 const TERMS: usize = 7;
@@ -18,7 +19,7 @@ const TERMS: usize = 7;
 /// pₖ of an isotropic GGX surface as polynomials in α, 0.001 … 1, lowest power first.
 ///
 /// By linear programming: the greatest distance to [`smith_albedo`] on 25 widths and 40 cosines is the least
-/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of what is missing. It is 0.0041.
+/// possible for coefficients up to 60 whose sum is never above and never below 0.3 of 1 − E. It is 0.0041.
 /// `tests/python/fit_ggx.py` finds them again, the tests here what they are worth.
 const GGX: [[f64; 6]; TERMS] = [
     [-7.3287927e-08, -0.000253404659, -2.14054226, -0.319312619, 5.85471844, -3.57643332],
@@ -33,8 +34,7 @@ const GGX: [[f64; 6]; TERMS] = [
 /// The c of [`GGX`], a polynomial in α.
 const GGX_CENTER: [f64; 2] = [1.8, -1.3];
 
-/// (1 − Eavg) / α² of the series with [`GGX`], a polynomial in √α: at most 0.7 % of what is missing too much,
-/// never too little. For widths that only the pixel knows.
+/// (1 − Eavg) / α² of the series with [`GGX`], a polynomial in √α: at most 0.7 % too great, never too small. For widths that only the pixel knows.
 const GGX_AVERAGE: [f64; 5] = [5.205616, -9.513936, 6.237659, -0.700107, -0.640273];
 
 /// The c of series that are fitted to one surface.
@@ -47,13 +47,13 @@ const MARGIN: f64 = 5e-4;
 /// exact to 1e-5.
 const RIDGE: f64 = 1e-10;
 
-/// The lobe of the energy that single reflections miss.
+/// The lobe of a surface with this distribution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct MultiScatter {
+pub(super) struct Compensation<D> {
     alpha: (f64, f64),
     /// c α where the width along the direction is α; the width itself is a factor where it is not everywhere the same.
     center: f64,
-    /// What is taken off 1 − x before its powers: 0 keeps all digits where little is missing, ½ keeps coefficients small.
+    /// What is taken off 1 − x before its powers: 0 keeps all digits where 1 − E is small, ½ keeps coefficients small.
     origin: f64,
     /// pₖ, and what goes with the cosine of twice the azimuth.
     series: [[f64; TERMS]; 2],
@@ -62,14 +62,15 @@ pub(crate) struct MultiScatter {
     /// weight / (π (1 − Eavg)).
     scale: f64,
     weight: f64,
+    distribution: PhantomData<D>,
 }
 
-impl MultiScatter {
+impl<D: Distribution> Compensation<D> {
     /// The lobe times `weight` for a surface of the two widths, 0.001 … 1.
     ///
     /// A series is known for GGX surfaces of one width; for others one is fitted, which takes a millisecond, and
     /// ten where the widths differ.
-    pub(crate) fn new(distribution: Distribution, alpha: (f64, f64), weight: f64) -> Self {
+    pub(super) fn new(alpha: (f64, f64), weight: f64) -> Self {
         let none = Self {
             alpha,
             center: 1.0,
@@ -78,18 +79,19 @@ impl MultiScatter {
             less: 0.0,
             scale: 0.0,
             weight,
+            distribution: PhantomData,
         };
         if weight == 0.0 {
             return none;
         }
         let mut lobe = none;
-        if distribution == Distribution::Ggx && alpha.0 == alpha.1 {
+        if D::TABULATED && alpha.0 == alpha.1 {
             lobe.center = (GGX_CENTER[0] + GGX_CENTER[1] * alpha.0) * alpha.0;
             lobe.series[0] = GGX.map(|row| polynomial(&row, alpha.0));
         } else {
             lobe.center = if lobe.is_isotropic() { CENTER * alpha.0 } else { CENTER };
             lobe.origin = 0.5;
-            lobe.fit(distribution);
+            lobe.fit();
         }
         let average = lobe.average();
         lobe.scale = if average > 0.0 { weight / (PI * average) } else { 0.0 };
@@ -100,13 +102,13 @@ impl MultiScatter {
         self.alpha.0 == self.alpha.1
     }
 
-    /// The lobe's `f_cos`, for light and viewer above. `alpha_scale` multiplies the widths where it is known to this
-    /// distribution (GGX), to a product of 0.001 at least.
+    /// The lobe's `f_cos`, for light and viewer above. The pair's `alpha_scale` multiplies the widths where the distribution
+    /// reads it, to a product of 0.001 at least.
     #[inline(always)]
-    pub(crate) fn f_cos<R: Real>(&self, pair: &DirectionPair<R>, alpha_scale: Option<R>) -> R {
+    pub(super) fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let known = self.at(pair.cos_o, pair.tangent_o) * self.at(pair.cos_i, pair.tangent_i);
         let known = known * pair.cos_i * pair.cos_i.lit(self.scale);
-        match alpha_scale {
+        match D::alpha_scale(pair) {
             Some(w) if R::any(w.lt(w.one())) => self.widened(pair, w).select(w.lt(w.one()), known),
             _ => known,
         }
@@ -148,7 +150,7 @@ impl MultiScatter {
         (width, (x2 - y2) * q)
     }
 
-    /// The `f_cos` of a GGX surface whose widths are multiplied by `w`; an elongated one is taken as one of the
+    /// The `f_cos` of a GGX surface whose widths are multiplied by `w`; an anisotropic one is taken as one of the
     /// geometric mean of its widths with the cosines stretched, which is a few parts in a hundred off.
     #[inline(always)]
     fn widened<R: Real>(&self, pair: &DirectionPair<R>, w: R) -> R {
@@ -207,9 +209,8 @@ impl MultiScatter {
         borders.windows(2).map(|cell| rule.integrate(cell[0], cell[1], mean)).sum()
     }
 
-    /// Least squares over cosines spread as the zeros of a Chebyshev polynomial in x, then moved below what is
-    /// missing everywhere.
-    fn fit(&mut self, distribution: Distribution) {
+    /// Least squares over cosines spread as the zeros of a Chebyshev polynomial in x, then moved below 1 − E everywhere.
+    fn fit(&mut self) {
         let (cosines, azimuths, parts) = if self.is_isotropic() { (20, 1, 1) } else { (12, 7, 2) };
         let mut rows: Vec<Row> = Vec::new();
         let mut points = Vec::new();
@@ -227,7 +228,7 @@ impl MultiScatter {
                 let factors = [1.0, twice];
                 let row =
                     factors[..parts].iter().flat_map(|f| (0..TERMS).map(move |k| f * x * power(0.5 - x, k)));
-                rows.push((row.collect(), 1.0 - smith_albedo(distribution, self.alpha, cosine, azimuth)));
+                rows.push((row.collect(), 1.0 - smith_albedo::<D>(self.alpha, cosine, azimuth)));
             }
         }
         for (k, value) in least_squares(&rows).into_iter().enumerate() {
@@ -296,5 +297,5 @@ fn least_squares(rows: &[Row]) -> Vec<f64> {
 }
 
 #[cfg(test)]
-#[path = "multiscatter_tests.rs"]
+#[path = "compensation_tests.rs"]
 mod tests;

@@ -8,7 +8,7 @@ use crate::DirectionPair;
 
 /// H = wo + wi.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Half<R> {
+pub struct HalfVector<R> {
     /// (n·H)², at least 1e-12: below are directions at grazing angles both, which no picture shows, and quotients
     /// stay finite.
     pub(crate) up2: R,
@@ -16,7 +16,7 @@ pub(crate) struct Half<R> {
     pub(crate) length2: R,
 }
 
-impl<R: Real> Half<R> {
+impl<R: Real> HalfVector<R> {
     #[inline(always)]
     pub(crate) fn new(pair: &DirectionPair<R>) -> Self {
         let up2 = (pair.cos_o + pair.cos_i).sqr().max(pair.cos_o.lit(1e-12));

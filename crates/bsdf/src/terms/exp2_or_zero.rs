@@ -1,4 +1,4 @@
-//! How highlights fade: powers of two that end in zero.
+//! Powers of two that become exactly 0, so that highlights fade without denormal numbers.
 
 use glanz_math::{POW_FLOOR_LOG2, Real};
 
