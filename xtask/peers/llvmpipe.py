@@ -4,7 +4,7 @@ The work is that of `cargo xtask bench`: 1920×1080, one sphere whose silhouette
 Phong shading, Phong's model of 1975, point lights with attenuation, into RGBA8. OpenGL writes linear
 values as they are; Glanz also encodes sRGB.
 
-    python llvmpipe.py [--quick] [--picture FILE.ppm] [--probe]
+    python llvmpipe.py [--quick] [--picture FILE.ppm] [--probe] [--serve]
 """
 
 import argparse
@@ -12,6 +12,7 @@ import json
 import math
 import os
 import statistics
+import sys
 import time
 
 # Before Mesa is loaded: as many threads as Glanz gets.
@@ -147,18 +148,40 @@ def measure(context, target, array, frames):
     pixels = bytearray(4 * WIDTH * HEIGHT)
     drawn, read = [], []
     for frame in range(frames + frames // 4):
+        seconds = draw(context, target, array)
         start = time.perf_counter()
-        target.clear(0.05, 0.05, 0.08, 1.0, depth=1.0)
-        array.render()
-        context.finish()
-        target.read(viewport=(WIDTH // 2, HEIGHT // 2, 1, 1), components=4)
-        done = time.perf_counter()
         target.read_into(pixels, components=4)
-        end = time.perf_counter()
         if frame >= frames // 4:
-            drawn.append(done - start)
-            read.append(end - start)
+            drawn.append(seconds)
+            read.append(seconds + time.perf_counter() - start)
     return drawn, read, pixels
+
+
+def serve(context, target):
+    """Answers each line "64x32 1 10" (sphere, lights, frames) with the milliseconds of each frame."""
+    kept = {}
+    for line in sys.stdin:
+        sphere_name, count, frames = line.split()
+        slices, stacks = map(int, sphere_name.split("x"))
+        key = (slices, stacks, int(count))
+        if key not in kept:
+            kept[key], _ = prepare(context, *key)
+            # A picture that is not the one that everybody draws would be noticed here.
+            check(measure(context, target, kept[key], 1)[2], slices)
+        times = []
+        for _ in range(int(frames)):
+            times.append(1e3 * draw(context, target, kept[key]))
+        print(json.dumps(times), flush=True)
+
+
+def draw(context, target, array):
+    """Draws a frame; seconds until all of it is there."""
+    start = time.perf_counter()
+    target.clear(0.05, 0.05, 0.08, 1.0, depth=1.0)
+    array.render()
+    context.finish()
+    target.read(viewport=(WIDTH // 2, HEIGHT // 2, 1, 1), components=4)
+    return time.perf_counter() - start
 
 
 def check(pixels, slices):
@@ -177,6 +200,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--quick", action="store_true", help="fewer frames")
     parser.add_argument("--probe", action="store_true", help="only see whether OpenGL works without a screen")
+    parser.add_argument("--serve", action="store_true", help="draw what lines on standard input ask for")
     parser.add_argument("--picture", help="write the picture of 8 lights to this PPM file")
     options = parser.parse_args()
 
@@ -188,6 +212,8 @@ def main():
         [context.renderbuffer((WIDTH, HEIGHT), 4)], context.depth_renderbuffer((WIDTH, HEIGHT))
     )
     target.use()
+    if options.serve:
+        return serve(context, target)
     for slices, stacks, frames in [(64, 32, 200), (1024, 512, 40)]:
         for count in (1, 4, 8):
             array, triangles = prepare(context, slices, stacks, count)

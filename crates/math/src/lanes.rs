@@ -165,8 +165,12 @@ impl<S: Simd> Real for Lanes<S> {
     }
     #[inline(always)]
     fn exp2(self) -> Self {
+        self.max(self.lit(-126.0)).exp2_above_floor()
+    }
+    #[inline(always)]
+    fn exp2_above_floor(self) -> Self {
         let simd = self.0.simd;
-        let x = self.clamp(-126.0, 127.0);
+        let x = self.min(self.lit(127.0));
         let round = Self::splat(simd, poly::ROUND_TO_INT);
         let shifted = x + round;
         let whole = shifted - round;

@@ -17,6 +17,7 @@ pub mod names;
 mod poly;
 mod quadrature;
 mod real;
+mod twice;
 mod vec3;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
@@ -24,6 +25,7 @@ pub use lanes::{Lanes, LanesMask};
 pub use level::{LevelError, SimdLevel, narrowest};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
+pub use twice::Twice;
 pub use vec3::{Frame, Vec3};
 
 /// π as the field writes it, for code that is generic over [`Real`] through [`Real::lit`].

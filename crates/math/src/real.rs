@@ -37,6 +37,9 @@ pub trait Real:
     /// 2 to the power `self`, for arguments in −126 … 127 (clamped to that range).
     fn exp2(self) -> Self;
 
+    /// [`Real::exp2`] for arguments of −126 and more; others give a number without meaning.
+    fn exp2_above_floor(self) -> Self;
+
     /// The lanes one by one; a scalar is all sixteen.
     fn to_array(self) -> [f32; 16];
     /// The lanes from an array; a scalar takes the first.
@@ -112,7 +115,7 @@ pub trait Real:
     fn exp(self) -> Self {
         (self * self.lit(core::f64::consts::LOG2_E)).exp2()
     }
-    /// `self` to the power `n`, for a base in 0 … 1 or a little above it and `n` >= 0.
+    /// `self` to the power `n`, for a base of up to 1 or a little above it and `n` >= 0; a base below 0 counts as 0.
     ///
     /// 0^0 is 1, as the limit of a Phong lobe wants it. Results below 2^-100 are exactly 0
     /// (see [`POW_FLOOR_LOG2`]).
@@ -124,7 +127,7 @@ pub trait Real:
         if !Self::any(kept) {
             return self.zero();
         }
-        exponent.exp2().select(kept, self.zero())
+        exponent.exp2_above_floor().select(kept, self.zero())
     }
 }
 
@@ -172,6 +175,10 @@ impl Real for f64 {
     #[inline(always)]
     fn exp2(self) -> Self {
         libm::exp2(self.clamp(-126.0, 127.0))
+    }
+    #[inline(always)]
+    fn exp2_above_floor(self) -> Self {
+        self.exp2()
     }
     #[inline(always)]
     fn acos(self) -> Self {
@@ -231,7 +238,11 @@ impl Real for f32 {
     }
     #[inline(always)]
     fn exp2(self) -> Self {
-        let x = self.clamp(-126.0, 127.0);
+        Real::max(self, -126.0).exp2_above_floor()
+    }
+    #[inline(always)]
+    fn exp2_above_floor(self) -> Self {
+        let x = Real::min(self, 127.0);
         let shifted = x + poly::ROUND_TO_INT;
         let whole = shifted - poly::ROUND_TO_INT;
         let exponent = (shifted.to_bits() as i32).wrapping_shl(23);

@@ -5,6 +5,7 @@
 
 #![expect(clippy::print_stdout, reason = "its output is its purpose")]
 
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -78,6 +79,9 @@ fn main() {
     let asked = std::env::var("GLANZ_SIMD").ok();
     let level = asked
         .map_or(SimdLevel::best(), |name| SimdLevel::named(&name).expect("a level that this machine has"));
+    if arguments.iter().any(|a| a == "--serve") {
+        return serve(level);
+    }
     for (slices, stacks) in [(64, 32), (1024, 512)] {
         for (shading, name) in [(Shading::Phong, "phong"), (Shading::Gouraud, "gouraud")] {
             for lights in [1, 4, 8] {
@@ -116,6 +120,31 @@ fn main() {
     }
     if only.is_empty() || only == "models" {
         models(quick, level);
+    }
+}
+
+/// Draws what lines on standard input ask for, so that several programs can take turns: `64x32 1 10`, ten frames of
+/// that sphere with Phong shading and one light. The answer is a line with the milliseconds of each.
+fn serve(level: SimdLevel) {
+    let mut bench = FrameBench::new(level);
+    let mut kept = HashMap::new();
+    for line in std::io::stdin().lines() {
+        let line = line.expect("text");
+        let mut words = line.split_whitespace();
+        let mut next = || words.next().expect("a sphere, a number of lights and one of frames");
+        let (sphere, lights, frames) = (next(), next(), next().parse().expect("a number of frames"));
+        let (prepared, view) = kept.entry(format!("{sphere} {lights}")).or_insert_with(|| {
+            let (slices, stacks) = sphere.split_once('x').expect("slices and stacks");
+            let [slices, stacks, lights] =
+                [slices, stacks, lights].map(|n| n.parse::<u32>().expect("a number"));
+            let scene = sphere_scene(slices, stacks, lights as usize, Shading::Phong);
+            let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
+            (prepare(&scene, &PrepareOptions::default()).expect("a sound scene"), view)
+        });
+        let times: Vec<String> = (0..frames)
+            .map(|_: usize| format!("{:.4}", bench.time(prepared, &Develop::default(), view)))
+            .collect();
+        println!("[{}]", times.join(","));
     }
 }
 

@@ -7,6 +7,7 @@
 
 mod peers;
 mod report;
+mod turns;
 mod whole;
 
 use std::io::{BufRead, BufReader};
@@ -39,10 +40,15 @@ pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
         lines.extend(measured(&mut workspace.cargo(&kernels))?);
         lines.extend(whole::run_all(workspace, options.quick)?);
     }
+    let mut turns = String::new();
     if options.peers || options.only_peers {
         lines.extend(peers::run_all(workspace, options.quick));
+        match peers::in_turn(workspace, options.quick) {
+            Ok(table) => turns = table,
+            Err(failure) => println!("!!! nothing was measured in turn with llvmpipe: {failure}"),
+        }
     }
-    let report = report::report(workspace, &lines, options);
+    let report = report::report(workspace, &lines, options) + &turns;
     println!("\n{report}");
     if options.write {
         report::write(workspace, &report)?;

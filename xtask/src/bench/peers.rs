@@ -3,10 +3,11 @@
 //! What they need is set up in the target folder.
 
 use std::path::PathBuf;
+use std::process::Command;
 
 use serde_json::Value;
 
-use super::measured;
+use super::{measured, turns};
 use crate::Result;
 use crate::workspace::{Workspace, run, works};
 
@@ -26,6 +27,18 @@ pub fn run_all(workspace: &Workspace, quick: bool) -> Vec<Value> {
 }
 
 fn llvmpipe(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
+    measured(llvmpipe_command(workspace)?.args(quick.then_some("--quick")))
+}
+
+/// Glanz and llvmpipe in turn; a table.
+pub fn in_turn(workspace: &Workspace, quick: bool) -> Result<String> {
+    let mut command = llvmpipe_command(workspace)?;
+    command.arg("--serve");
+    turns::run_all(workspace, command, quick)
+}
+
+/// The program that draws with llvmpipe, with all that it needs set up.
+fn llvmpipe_command(workspace: &Workspace) -> Result<Command> {
     let python = python(workspace)?;
     let mut probe = workspace.command(&python);
     if !works(probe.args(["xtask/peers/llvmpipe.py", "--probe"])) {
@@ -36,7 +49,8 @@ fn llvmpipe(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
             .args(MESA.split(' ')))?;
     }
     let mut command = workspace.command(&python);
-    measured(command.arg("xtask/peers/llvmpipe.py").args(quick.then_some("--quick")))
+    command.arg("xtask/peers/llvmpipe.py");
+    Ok(command)
 }
 
 /// A Python with moderngl and numpy, in an environment of its own.

@@ -1,6 +1,6 @@
 //! What laws judge: a shape, or any function of two directions with a description.
 
-use glanz_math::{Lanes, Real, Vec3, SimdLevel, at_level};
+use glanz_math::{Lanes, Real, SimdLevel, Vec3, at_level};
 
 use crate::{DirectionPair, LightTerm, ModelInfo, Shape, Side};
 

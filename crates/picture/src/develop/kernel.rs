@@ -4,6 +4,7 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, Real};
 
 use super::{Develop, ToneMap, dither, encode, pack, tone_map};
+use glanz_math::Twice;
 
 /// [`Develop`] as the pixel loop wants it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +70,27 @@ impl DevelopKernel {
         self.pack_opaque(rgb, dither::block_offsets(at), out);
     }
 
+    /// [`Self::store_block`] of two blocks in step.
+    #[inline(always)]
+    pub fn store_two<S: Simd>(
+        &self,
+        rgb: [Twice<Lanes<S>>; 3],
+        at: [[usize; 2]; 2],
+        out: &mut [[u8; 64]; 2],
+    ) {
+        let mut rgb = self.exposed(rgb);
+        if self.tone_map != ToneMap::None {
+            let [r, g, b] = rgb;
+            let (mut first, mut second) = ([r.0, g.0, b.0], [r.1, g.1, b.1]);
+            tone_map_lanes(self.tone_map, &mut first);
+            tone_map_lanes(self.tone_map, &mut second);
+            rgb = [Twice(first[0], second[0]), Twice(first[1], second[1]), Twice(first[2], second[2])];
+        }
+        let [r, g, b] = self.encoded(rgb);
+        pack::pack_opaque(self.dithered([r.0, g.0, b.0], dither::block_offsets(at[0])), &mut out[0]);
+        pack::pack_opaque(self.dithered([r.1, g.1, b.1], dither::block_offsets(at[1])), &mut out[1]);
+    }
+
     /// Develops 4×4 pixels into RGBA bytes, row by row; `at` is the column and row of the first,
     /// multiples of 4.
     #[inline(always)]
@@ -129,6 +151,8 @@ impl DevelopKernel {
                     *c = x * x.lit(f64::from(*a)) + y * x.lit(f64::from(*b)) + z * x.lit(f64::from(*d));
                 }
             }
+            // A factor of 1 would change nothing.
+            None if self.gain == 1.0 => {}
             None => {
                 for c in &mut rgb {
                     *c = *c * c.lit(f64::from(self.gain));

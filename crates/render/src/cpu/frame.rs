@@ -2,9 +2,11 @@
 
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
+use crate::cpu::lighting::matte_highlight::MatteHighlight;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::polygons::PolygonView;
+use crate::cpu::shading::shade_block::is_simple;
 use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
 use crate::view::camera::ViewCamera;
 use crate::view::lights::ViewLights;
@@ -25,6 +27,8 @@ pub(crate) struct ObjectView {
     /// The anchor along right, up and away from the eye.
     pub anchor: [f32; 3],
     pub polygons: Option<PolygonView>,
+    /// Whether [`ShadeBlock::simple`](super::group::ShadeBlock::simple) gives its colours.
+    pub simple: bool,
 }
 
 /// Where attribute groups of three values are among an object's interpolated attributes.
@@ -50,6 +54,8 @@ pub(crate) struct FrameView<'a> {
     pub camera: ViewCamera,
     pub lights: ShadeLights<'a>,
     pub materials: Vec<ShadeMaterial<'a>>,
+    /// Of each material the loop for a matte lobe and a highlight, if that is all that it is.
+    pub loops: Vec<Option<MatteHighlight>>,
     pub objects: Vec<ObjectView>,
     pub options: &'a DrawOptions,
     pub samples: &'static [[i32; 2]],
@@ -63,6 +69,7 @@ impl<'a> FrameView<'a> {
         let camera = ViewCamera::new(prepared, view);
         let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options));
         let materials = ShadeMaterial::all(shown_materials(prepared, options.show));
+        let loops = materials.iter().map(|material| MatteHighlight::new(material, &lights)).collect();
         let objects: Vec<_> = prepared
             .objects
             .iter()
@@ -73,7 +80,7 @@ impl<'a> FrameView<'a> {
             |object: &ObjectView| object.shading == Shading::Gouraud && object.layout.mix.is_some();
         let any_mix = objects.iter().any(is_mixed);
         let samples = samples::positions(options.samples);
-        Self { prepared, camera, lights, materials, objects, options, samples, any_gouraud, any_mix }
+        Self { prepared, camera, lights, materials, loops, objects, options, samples, any_gouraud, any_mix }
     }
 }
 
@@ -110,10 +117,12 @@ impl ObjectView {
             layout: Layout::new(object, material, show),
             anchor,
             polygons: None,
+            simple: false,
         };
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
             view.polygons = Some(PolygonView::new(polygons, object, camera, lights, material));
         }
+        view.simple = is_simple(&view, show);
         view
     }
 }

@@ -47,9 +47,8 @@ impl Backend for Renderer {
         let view_frame = FrameView::new(prepared, view, options);
         let (width, height) = (view.width as usize, view.height as usize);
         let mut frame = empty_frame(width, height, prepared, options);
-        self.project(&view_frame);
         let bands = plane_bands(&mut frame);
-        self.draw_bands(&view_frame, bands);
+        self.draw_all(&view_frame, bands);
         frame
     }
 
@@ -65,7 +64,6 @@ impl Backend for Renderer {
         let (width, height) = (view.width as usize, view.height as usize);
         assert_eq!(out.len(), 4 * width * height, "four bytes for each pixel");
         let frame = FrameView::new(prepared, view, options);
-        self.project(&frame);
         let kernel = DevelopKernel::new(develop);
         let opaque = options.background != Background::Transparent;
         let empty = empty_block(develop, &kernel, &frame.background());
@@ -73,12 +71,20 @@ impl Backend for Renderer {
             .chunks_mut(4 * width * TILE_HEIGHT)
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))
             .collect();
-        self.draw_bands(&frame, bands);
+        self.draw_all(&frame, bands);
         Ok(())
     }
 }
 
 impl Renderer {
+    /// Both passes. The threads are entered once for both: to be woken up takes longer than a small task.
+    fn draw_all(&mut self, frame: &FrameView, bands: Vec<Band>) {
+        in_pool(|| {
+            self.project(frame);
+            self.draw_bands(frame, bands);
+        });
+    }
+
     /// The first pass.
     fn project(&mut self, frame: &FrameView) {
         let geometry = &frame.prepared.geometry;
@@ -125,7 +131,10 @@ impl Renderer {
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
         let columns = frame.camera.width.div_ceil(TILE_WIDTH);
         let level = self.level;
-        let tasks: Vec<_> = bands.into_iter().enumerate().collect();
+        let mut tasks: Vec<_> = bands.into_iter().enumerate().collect();
+        // From the middle of the picture outwards: there is most to do there, and what comes last should be short.
+        let middle = tasks.len() / 2;
+        tasks.sort_by_key(|(row, _)| row.abs_diff(middle));
         for_each(tasks, |(row, mut band)| {
             // No two threads have the same number, so none ever waits here.
             let own = self.tiles[thread_number().min(self.tiles.len() - 1)].lock();
@@ -230,14 +239,36 @@ fn thread_number() -> usize {
     0
 }
 
-/// Runs `work` on every task.
+/// Runs `work` on a thread of the pool.
+#[cfg(feature = "rayon")]
+fn in_pool(work: impl FnOnce() + Send) {
+    rayon::scope(|_| work());
+}
+
+#[cfg(not(feature = "rayon"))]
+fn in_pool(work: impl FnOnce()) {
+    work();
+}
+
+/// Runs `work` on every task, begun in their order. Each thread takes the next one whenever it is done, so that none
+/// waits for long at the end.
 #[cfg(feature = "rayon")]
 fn for_each<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync + Send) {
-    use rayon::prelude::*;
-    if tasks.len() < 2 {
+    let workers = threads().min(tasks.len());
+    if workers < 2 {
         return tasks.into_iter().for_each(work);
     }
-    tasks.into_par_iter().with_max_len(1).for_each(work);
+    let queue = Mutex::new(tasks.into_iter());
+    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+    rayon::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|_| {
+                while let Some(task) = next() {
+                    work(task);
+                }
+            });
+        }
+    });
 }
 
 /// Runs `work` on every task, one after the other.

@@ -54,7 +54,7 @@ impl Model for BlinnPhong {
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
         // Rounding may leave more than 1 for the mirror direction near the horizon, which a power of 10⁵ makes infinite.
-        let cosine = pair.cos_half().clamp(0.0, 1.0);
+        let cosine = pair.cos_half().min(zero.one());
         let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }

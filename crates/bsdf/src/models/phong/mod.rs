@@ -62,7 +62,8 @@ impl Model for Phong {
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
-        let cosine = pair.cos_mirror().max(zero);
+        // Below 0 it counts as 0.
+        let cosine = pair.cos_mirror();
         // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.
         if self.shininess >= 1.0 && !R::any(zero.lt(cosine)) {
             return zero;

@@ -41,9 +41,9 @@ pub(crate) struct ChunkOutput {
 
 /// Fixed-point positions of a cluster's vertices, and which of them need clipping.
 pub(crate) struct Local {
-    pub x: [i32; 256],
-    pub y: [i32; 256],
-    pub outside: [bool; 256],
+    pub at: [[i32; 2]; 256],
+    /// One bit for each, sixteen to a row.
+    pub outside: [u16; 16],
 }
 
 /// Projects and bins the clusters `range`. `screen` and `lit` are the parts of the frame's arrays that
@@ -60,7 +60,7 @@ pub(crate) fn process<S: Simd>(
     let geometry = &frame.prepared.geometry;
     let Some(first) = geometry.clusters.get(range.start) else { return };
     let base = first.first_vertex as usize;
-    let mut local = Local { x: [0; 256], y: [0; 256], outside: [false; 256] };
+    let mut local = Local { at: [[0; 2]; 256], outside: [0; 16] };
     for number in range {
         let cluster = &geometry.clusters[number];
         let object = &frame.objects[cluster.object as usize];
@@ -140,13 +140,13 @@ fn project<S: Simd>(
             #[inline(always)]
             |v: Lanes<S>| -> i32x16<S> { simd.cvt_i32_f32x16((v * subpixel + v.lit(0.5)).0.floor()) },
         );
-        fixed(x).store_slice(&mut local.x[row..row + 16]);
-        fixed(y).store_slice(&mut local.y[row..row + 16]);
-        let bits = inside.0.to_bitmask() as u32;
+        let (low, high) = fixed(x).interleave(fixed(y));
+        let rows = local.at[row..row + 16].as_flattened_mut();
+        low.store_slice(&mut rows[..16]);
+        high.store_slice(&mut rows[16..]);
+        let bits = inside.0.to_bitmask() as u16;
         clipped |= bits != 0xffff;
-        for lane in 0..16 {
-            local.outside[row + lane] = bits >> lane & 1 == 0;
-        }
+        local.outside[row / 16] = !bits;
         let zero = Lanes::splat(simd, 0.0);
         let (even, odd) = (x.0.interleave(depth.0), y.0.interleave(zero.0));
         let rows = screen[row..row + 16].as_flattened_mut().as_chunks_mut::<16>().0;

@@ -86,20 +86,21 @@ pub(crate) fn sort<S: Simd>(
 
 #[inline(always)]
 fn gather<S: Simd>(simd: S, local: &Local, sixteen: &[[u8; 3]]) -> Corners<S> {
-    let mut x = [[0i32; 16]; 3];
-    let mut y = [[0i32; 16]; 3];
+    let mut rows = [[[0i32; 2]; 16]; 3];
     for (lane, corners) in sixteen.iter().enumerate() {
         for c in 0..3 {
-            let vertex = corners[c] as usize;
-            x[c][lane] = local.x[vertex];
-            y[c][lane] = local.y[vertex];
+            rows[c][lane] = local.at[corners[c] as usize];
         }
     }
-    let load = inlined(
+    let [a, b, c] = three(
+        rows.each_ref(),
         #[inline(always)]
-        |values: [i32; 16]| i32x16::from_slice(simd, &values),
+        |rows| {
+            let (low, high) = rows.as_flattened().split_at(16);
+            i32x16::from_slice(simd, low).deinterleave(i32x16::from_slice(simd, high))
+        },
     );
-    Corners { x: three(x, load), y: three(y, load) }
+    Corners { x: [a.0, b.0, c.0], y: [a.1, b.1, c.1] }
 }
 
 #[inline(always)]
@@ -118,7 +119,8 @@ fn depths<S: Simd>(simd: S, screen: &[Screen], sixteen: &[[u8; 3]]) -> [Lanes<S>
 }
 
 fn needing_clip(local: &Local, sixteen: &[[u8; 3]]) -> u32 {
-    let outside = |corners: &[u8; 3]| corners.iter().any(|&v| local.outside[v as usize]);
+    let outside =
+        |corners: &[u8; 3]| corners.iter().any(|&v| local.outside[usize::from(v / 16)] >> (v % 16) & 1 == 1);
     sixteen.iter().enumerate().fold(0, |bits, (lane, corners)| bits | u32::from(outside(corners)) << lane)
 }
 

@@ -75,7 +75,12 @@ mod tests {
     fn other_models_are_none_of_the_loop() {
         for info in MODELS.iter().filter(|info| !is_inlined(info)) {
             let shape = Shape::named(info.name, &[]).expect("a name from the list");
-            assert_eq!(shape.visit(Inline(&DirectionPair::isotropic(0.8_f64, 0.7, 0.2))), 0.0, "{}", info.name);
+            assert_eq!(
+                shape.visit(Inline(&DirectionPair::isotropic(0.8_f64, 0.7, 0.2))),
+                0.0,
+                "{}",
+                info.name
+            );
         }
     }
 }

@@ -5,6 +5,7 @@ pub(crate) mod environment;
 pub(crate) mod form_factor;
 pub(crate) mod general;
 pub(crate) mod inlined_models;
+pub(crate) mod matte_highlight;
 pub(crate) mod punctual;
 pub(crate) mod reflect;
 pub(crate) mod shade_material;

@@ -46,9 +46,7 @@ impl Deref for ShadeMaterial<'_> {
 /// light from behind is none of its business.
 fn is_simple(lobe: &DirectLobe) -> bool {
     let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any;
-    bare && reflects
-        && lobe.shape.is_in_place()
-        && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })
+    bare && is_inlined(lobe.shape.info()) && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })
 }
 
 /// The lights of a frame, and whether the fast path serves them.

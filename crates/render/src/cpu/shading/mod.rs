@@ -5,6 +5,7 @@ pub(crate) mod debug_view;
 pub(crate) mod gouraud;
 pub(crate) mod polygons;
 pub(crate) mod shade_block;
+pub(crate) mod surface;
 pub(crate) mod texturing;
 pub(crate) mod triangle_batch;
 pub(crate) mod triangle_setup;

@@ -2,8 +2,9 @@
 
 use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
-use glanz_scene::{Interpolation, Shading};
+use glanz_scene::Shading;
 
+use super::surface::{interpolated, on_surface, place};
 use crate::cpu::frame::{FrameView, ObjectView};
 use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, mixed, reflect_lanes};
 use crate::cpu::lighting::shade_material::ShadeMaterial;
@@ -95,11 +96,7 @@ pub(crate) fn is_simple(object: &ObjectView, show: DebugView) -> bool {
 /// The three values of the attribute group with these rows.
 #[inline(always)]
 pub(crate) fn interpolate<S: Simd>(rows: &[Lanes<S>; GROUP], place: &Place<S>) -> [Lanes<S>; 3] {
-    three(
-        [0, 1, 2],
-        #[inline(always)]
-        |c| rows[c] + place.u * rows[3 + c] + place.v * rows[6 + c],
-    )
+    interpolated(rows, place.u, place.v)
 }
 
 impl<S: Simd> Shaded<S> {
@@ -192,32 +189,18 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         lanes
     }
 
-    /// The place on the surface that pixel positions show. Positions outside the triangle, by rounding
-    /// or because a pixel is shaded at its centre, are brought to its border.
+    /// See [`place`].
     #[inline(always)]
     pub fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
-        let [x0, y0, ux, uy, vx, vy, ..] = *rows;
-        let (dx, dy) = (px - x0, py - y0);
-        let u = (dx * ux + dy * uy).clamp(0.0, 1.0);
-        let v = (dx * vx + dy * vy).clamp(0.0, 1.0).min(u.one() - u);
-        self.on_surface(rows, u, v)
+        let [u, v, distance] = place(self.frame, self.object, rows, px, py);
+        Place { u, v, distance }
     }
 
-    /// The place on the surface that shows at barycentric coordinates of the screen.
+    /// See [`on_surface`].
     #[inline(always)]
     fn on_surface(&self, rows: &[Lanes<S>; GROUP], u: Lanes<S>, v: Lanes<S>) -> Place<S> {
-        let [.., q0, dq1, dq2] = *rows;
-        let depth = q0 + u * dq1 + v * dq2;
-        if !self.frame.camera.perspective {
-            return Place { u, v, distance: -depth };
-        }
-        let distance = depth.one() / depth;
-        match self.object.interpolation {
-            Interpolation::Perspective => {
-                Place { u: u * (q0 + dq1) * distance, v: v * (q0 + dq2) * distance, distance }
-            }
-            _ => Place { u, v, distance },
-        }
+        let [u, v, distance] = on_surface(self.frame, self.object, rows, u, v);
+        Place { u, v, distance }
     }
 
     /// The three values of an attribute group.

@@ -18,7 +18,7 @@ use glanz_math::inline::three;
 /// From this number of triangles on, setting all of them up at once is cheaper than one by one, where
 /// they are set up for the block alone; and where they serve several blocks.
 const MANY_TINY: usize = 3;
-const MANY: usize = 8;
+pub(crate) const MANY: usize = 8;
 
 /// Whether [`Dust`] is cheaper than records.
 #[inline(always)]
@@ -29,10 +29,18 @@ pub(crate) fn pays(owners: &Owners) -> bool {
 /// What records would give: the rows of the position, and of one group of attributes.
 pub(crate) type Rows<S> = [[Lanes<S>; GROUP]; 2];
 
+/// Which triangles sixteen pixels see.
+struct Lookup<'a> {
+    frame: &'a FrameView<'a>,
+    visible: &'a Visible,
+    each: &'a [u32; BLOCK],
+    owners: &'a Owners,
+    object: usize,
+}
+
 /// The corners of sixteen triangles.
 #[derive(Debug, Default)]
 pub(crate) struct TriangleBatch {
-    vertices: [[u32; BLOCK]; 3],
     screen: [[[f32; 4]; BLOCK]; 3],
     /// Normals, or light.
     values: [[[f32; 4]; BLOCK]; 3],
@@ -57,33 +65,29 @@ impl TriangleBatch {
         if view.shading == Shading::Flat || gouraud && !view.cull_back {
             return false;
         }
-        let geometry = &frame.prepared.geometry;
-        let (any, covered) = (owners.runs[0].setup, owners.bits);
-        let each = visible.each(at);
-        for (lane, own) in each.iter().enumerate() {
-            let owner = if covered >> lane & 1 == 1 { *own } else { any };
-            let Some(name) = visible.whole(owner) else { return false };
-            let cluster = &geometry.clusters[(name >> 7) as usize];
-            if cluster.object as usize != object {
-                return false;
+        let lanes = Lookup { frame, visible, each: visible.each(at), owners, object };
+        match gouraud {
+            true => {
+                let rows = projected.lit;
+                lanes.fetch(
+                    self,
+                    projected,
+                    rows,
+                    #[inline(always)]
+                    |[front, _]| sum(front),
+                )
             }
-            let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
-            for (vertices, corner) in self.vertices.iter_mut().zip(triangle) {
-                vertices[lane] = cluster.first_vertex + u32::from(corner);
+            false => {
+                let rows = &frame.prepared.geometry.normals;
+                lanes.fetch(
+                    self,
+                    projected,
+                    rows,
+                    #[inline(always)]
+                    |normal| *normal,
+                )
             }
         }
-        let vertices = self.vertices.as_flattened();
-        for (screen, vertex) in self.screen.as_flattened_mut().iter_mut().zip(vertices) {
-            *screen = projected.screen[*vertex as usize];
-        }
-        let normals = geometry.normals.as_flattened();
-        for (value, vertex) in self.values.as_flattened_mut().iter_mut().zip(vertices) {
-            *value = match gouraud {
-                true => lit(&projected.lit[*vertex as usize][0]),
-                false => normal(normals, *vertex as usize),
-            };
-        }
-        true
     }
 
     /// The rows of the triangles that were fetched.
@@ -107,16 +111,44 @@ impl TriangleBatch {
     }
 }
 
-/// A vertex's normal; the fourth number is of no use.
-#[inline(always)]
-fn normal(normals: &[f32], vertex: usize) -> [f32; 4] {
-    let row = &normals[3 * vertex..];
-    row.first_chunk().copied().unwrap_or_else(|| [row[0], row[1], row[2], 0.0])
+impl Lookup<'_> {
+    /// Brings the corners' places and their values into lanes; false where a triangle does not fit.
+    #[inline(always)]
+    fn fetch<T>(
+        &self,
+        triangle_batch: &mut TriangleBatch,
+        projected: &Projected,
+        rows: &[T],
+        value: impl Fn(&T) -> [f32; 3],
+    ) -> bool {
+        let geometry = &self.frame.prepared.geometry;
+        // As many of both, so that one comparison does for a vertex.
+        let count = projected.screen.len().min(rows.len());
+        let (screen, rows) = (&projected.screen[..count], &rows[..count]);
+        let (any, covered) = (self.owners.runs[0].setup, self.owners.bits);
+        for (lane, own) in self.each.iter().enumerate() {
+            let owner = if covered >> lane & 1 == 1 { *own } else { any };
+            let Some(name) = self.visible.whole(owner) else { return false };
+            let cluster = &geometry.clusters[(name >> 7) as usize];
+            if cluster.object as usize != self.object {
+                return false;
+            }
+            let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
+            for (c, corner) in triangle.into_iter().enumerate() {
+                let vertex = cluster.first_vertex as usize + corner as usize;
+                triangle_batch.screen[c][lane] = screen[vertex];
+                // The fourth number is of no use, whatever it is.
+                let [x, y, z, _] = &mut triangle_batch.values[c][lane];
+                [*x, *y, *z] = value(&rows[vertex]);
+            }
+        }
+        true
+    }
 }
 
 #[inline(always)]
-fn lit([textured, plain]: &[[f32; 3]; 2]) -> [f32; 4] {
-    [textured[0] + plain[0], textured[1] + plain[1], textured[2] + plain[2], 0.0]
+fn sum([textured, plain]: &[[f32; 3]; 2]) -> [f32; 3] {
+    [textured[0] + plain[0], textured[1] + plain[1], textured[2] + plain[2]]
 }
 
 /// The three columns of sixteen rows.

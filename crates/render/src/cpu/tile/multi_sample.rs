@@ -59,7 +59,7 @@ fn find_layers<S: Simd, const C: usize>(
     layers.clear();
     for (sample, position) in frame.samples.iter().enumerate() {
         let place = sample * TILE_PIXELS + at;
-        visible.owners(simd, place, &mut owners);
+        visible.owners(simd, place, BLOCK, &mut owners);
         let runs = &mut owners.runs[..owners.count];
         visible.set_up(frame, tile.projected, setups, runs);
         let mut weights = [[0.0; BLOCK]; C];

@@ -3,9 +3,10 @@
 use fearless_simd::Simd;
 use glanz_math::Lanes;
 
-use crate::cpu::block;
-use crate::cpu::lighting::reflect::{reflect_classic, reflect_lanes};
-use crate::cpu::shading::shade_block::{self, ShadeBlock, Shaded, is_simple};
+use super::block_pair::{self, Whole};
+use crate::cpu::block::{self, BLOCK};
+use crate::cpu::lighting::reflect::reflect_lanes;
+use crate::cpu::shading::shade_block::{self, Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_batch;
 use crate::cpu::tile::draw::{Tile, TileScratch, keep_planes};
 use crate::cpu::tile::target::Codes;
@@ -18,10 +19,17 @@ use glanz_math::inline::three;
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
     let background = tile.frame.background();
     let mut owners = Owners::default();
+    let mut waiting: Option<Whole> = None;
     tile.slot.for_each_block(
         #[inline(always)]
         |at| {
-            scratch.visible.owners(simd, at, &mut owners);
+            scratch.visible.owners(simd, at, triangle_batch::MANY, &mut owners);
+            if let (true, Some(codes)) = (block_pair::pays(simd), &mut codes)
+                && let Some(block) = whole(tile, scratch, &mut owners, at)
+            {
+                waiting = pair_up(simd, tile, scratch, [waiting, Some(block)], codes);
+                return;
+            }
             let mut rgb = [Lanes::splat(simd, 0.0); 3];
             if owners.count > 0 {
                 rgb = colors(simd, tile, scratch, &mut owners, at);
@@ -36,6 +44,42 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
             codes.put(&tile.slot, at, rgb);
         },
     );
+    if let (Some(last), Some(codes)) = (waiting, codes) {
+        block_pair::shade(simd, tile, &scratch.setups, [last; 2], codes);
+    }
+}
+
+/// Shades a block with the one that waits, or lets it wait; gives the one that waits then.
+#[inline(always)]
+fn pair_up<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &TileScratch,
+    [first, block]: [Option<Whole>; 2],
+    codes: &mut Codes,
+) -> Option<Whole> {
+    let (Some(first), Some(second)) = (first, block) else { return block };
+    let fits = first.object == second.object;
+    let second = if fits { second } else { first };
+    block_pair::shade(simd, tile, &scratch.setups, [first, second], codes);
+    if fits { None } else { block }
+}
+
+/// The block, if it shows one triangle throughout, of the commonest kind.
+#[inline(always)]
+fn whole(tile: &Tile, scratch: &mut TileScratch, owners: &mut Owners, at: usize) -> Option<Whole> {
+    let Tile { frame, projected, .. } = *tile;
+    if owners.count != 1 || owners.bits != 0xffff {
+        return None;
+    }
+    let object = scratch.visible.object(frame, owners.runs[0].setup);
+    let view = &frame.objects[object];
+    if !view.simple || frame.loops[view.material].is_none() {
+        return None;
+    }
+    scratch.visible.set_up(frame, projected, &mut scratch.setups, &mut owners.runs[..1]);
+    let setup = owners.runs[0].setup as usize;
+    Some(Whole { at, object, offset: scratch.setups.list[setup].offset as usize })
 }
 
 /// Puts a block into the tile's pixels, behind what is blended.
@@ -84,7 +128,7 @@ fn colors<S: Simd>(
     let place = block::coordinates(simd, &tile.grid, at, [0.5, 0.5]);
     let number = scratch.visible.object(frame, owners.runs[0].setup);
     let object = &frame.objects[number];
-    let simple = is_simple(object, frame.options.show) && !tile.keeps_planes();
+    let simple = object.simple && !tile.keeps_planes();
     let (located, value);
     let batched = simple
         && triangle_batch::pays(owners)
@@ -93,11 +137,16 @@ fn colors<S: Simd>(
         let rows = scratch.triangle_batch.rows(simd, frame, object);
         (located, value) = ShadeBlock::bare(simd, frame, &scratch.setups, object, place).locate(&rows);
     } else {
+        if !owners.all {
+            scratch.visible.owners(simd, at, BLOCK, owners);
+        }
         let runs = &mut owners.runs[..owners.count];
         scratch.visible.set_up(frame, projected, &mut scratch.setups, runs);
         let list = &scratch.setups.list;
         if !simple || runs.iter().any(|run| list[run.setup as usize].object as usize != number) {
-            return any_colors(simd, tile, scratch, runs, at);
+            let mut own = [Lanes::splat(simd, 0.0); 3];
+            any_colors(simd, tile, scratch, runs, at, &mut own);
+            return [own[0], own[1], own[2]];
         }
         let mut shade_block = ShadeBlock::bare(simd, frame, &scratch.setups, object, place);
         shade_block.runs = runs;
@@ -107,19 +156,41 @@ fn colors<S: Simd>(
         };
     }
     let shade_block = ShadeBlock::bare(simd, frame, &scratch.setups, object, place);
-    let material = &frame.materials[object.material];
+    let Some(classic) = &frame.loops[object.material] else {
+        // A variable of its own: what a call writes to lives in memory, for all that it is merged with.
+        let mut own = value;
+        simple_colors(&shade_block, located, &mut own);
+        return [own[0], own[1], own[2]];
+    };
     shade_block
         .simple(
-            material,
+            &frame.materials[object.material],
             &located,
             value,
             #[inline(always)]
-            |point| match material.fast_path && frame.lights.fast_path {
-                true => reflect_classic(&frame.lights.list, material, point, None),
-                false => reflect_lanes(simd, &frame.lights, material, point, None),
-            },
+            |point| classic.reflect(point),
         )
         .0
+}
+
+/// [`ShadeBlock::simple`] for any material; `value` becomes the colours.
+#[inline(never)]
+fn simple_colors<S: Simd>(shade_block: &ShadeBlock<S>, place: Place<S>, value: &mut [Lanes<S>; 3]) {
+    let ShadeBlock { simd, frame, object, .. } = *shade_block;
+    let material = &frame.materials[object.material];
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let lit = shade_block.simple(
+                material,
+                &place,
+                *value,
+                #[inline(always)]
+                |point| reflect_lanes(simd, &frame.lights, material, point, None),
+            );
+            *value = lit.0;
+        },
+    );
 }
 
 /// The colours of a block of any kind; keeps the planes that are asked for.
@@ -130,7 +201,8 @@ fn any_colors<S: Simd>(
     scratch: &mut TileScratch,
     runs: &[Run],
     at: usize,
-) -> [Lanes<S>; 3] {
+    out: &mut [Lanes<S>; 3],
+) {
     simd.vectorize(
         #[inline(always)]
         || {
@@ -141,7 +213,7 @@ fn any_colors<S: Simd>(
                 scratch.pixels.touch(simd, &tile.frame.background(), &tile.grid, at);
                 keep_planes(simd, &mut scratch.pixels, &scratch.setups, &shaded, runs, at);
             }
-            shaded.rgb
+            *out = shaded.rgb;
         },
     )
 }

@@ -1,7 +1,7 @@
 //! Where finished blocks go.
 
 use fearless_simd::Simd;
-use glanz_math::{Lanes, SimdLevel};
+use glanz_math::{Lanes, SimdLevel, Twice};
 
 use crate::Develop;
 use crate::cpu::block::{self, BLOCK, SIDE};
@@ -225,6 +225,22 @@ impl Codes<'_> {
         let [column, row] = block::pixel(place);
         self.kernel.store_block(rgb, [slot.left + column, slot.top + row], &mut bytes);
         self.copy(slot, place, &bytes);
+    }
+
+    /// Develops two blocks of opaque pixels, in step, into their places.
+    #[inline(always)]
+    pub fn put_two<S: Simd>(&mut self, slot: &Slot, places: [usize; 2], rgb: [Twice<Lanes<S>>; 3]) {
+        let mut bytes = [[0; 4 * BLOCK]; 2];
+        let at = inlined(
+            #[inline(always)]
+            |place: usize| {
+                let [column, row] = block::pixel(place);
+                [slot.left + column, slot.top + row]
+            },
+        );
+        self.kernel.store_two(rgb, [at(places[0]), at(places[1])], &mut bytes);
+        self.copy(slot, places[0], &bytes[0]);
+        self.copy(slot, places[1], &bytes[1]);
     }
 
     /// Writes a block of background, if it is the same everywhere.

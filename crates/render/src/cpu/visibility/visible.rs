@@ -30,6 +30,7 @@ struct Seen {
     /// The same, or the name of the extra triangle that it is, in this chunk.
     key: u32,
     chunk: u32,
+    object: u32,
     /// Its number among the records, or [`NONE`] as long as it is not set up.
     setup: u32,
 }
@@ -50,11 +51,13 @@ pub(crate) struct Owners {
     pub count: usize,
     /// Which samples are owned at all.
     pub bits: u32,
+    /// Whether there are no more owners than these.
+    pub all: bool,
 }
 
 impl Default for Owners {
     fn default() -> Self {
-        Self { runs: [Run { setup: 0, bits: 0 }; BLOCK], count: 0, bits: 0 }
+        Self { runs: [Run { setup: 0, bits: 0 }; BLOCK], count: 0, bits: 0, all: true }
     }
 }
 
@@ -94,7 +97,8 @@ impl Visible {
         (chunk, key): (usize, u32),
     ) {
         let triangle = triangle(frame, projected, chunk, key);
-        let view = &frame.objects[object_of(frame, triangle.name)];
+        let object = object_of(frame, triangle.name);
+        let view = &frame.objects[object];
         let masked = view.pass == Pass::Masked;
         let setup = if masked { setups.add(frame, projected, chunk, &triangle) } else { NONE };
         let number = self.seen.len() as u32;
@@ -115,7 +119,8 @@ impl Visible {
             );
         }
         if used {
-            self.seen.push(Seen { name: triangle.name, key, chunk: chunk as u32, setup });
+            let (chunk, object) = (chunk as u32, object as u32);
+            self.seen.push(Seen { name: triangle.name, key, chunk, object, setup });
         }
     }
 
@@ -166,34 +171,43 @@ impl Visible {
         self.owners[at..].first_chunk().expect("planes are whole blocks")
     }
 
-    /// Finds who owns the block at a place of the planes.
+    /// Finds who owns the block at a place of the planes; the first so many where there are more.
     #[inline(always)]
-    pub fn owners<S: Simd>(&self, simd: S, at: usize, found: &mut Owners) {
+    pub fn owners<S: Simd>(&self, simd: S, at: usize, most: usize, found: &mut Owners) {
         let each = self.each(at);
         let lanes = u32x16::from_slice(simd, each);
         let same = inlined(
             #[inline(always)]
             |owner: u32| LanesMask(simd.simd_eq_u32x16(lanes, simd.splat_u32x16(owner))).bits(),
         );
+        let first = same(each[0]);
+        if first == 0xffff {
+            // Most blocks: one owner, or none.
+            found.runs[0] = Run { setup: each[0], bits: first };
+            (found.count, found.bits, found.all) =
+                if each[0] == NONE { (0, 0, true) } else { (1, first, true) };
+            return;
+        }
         found.count = 0;
-        found.bits = 0;
-        let mut left = 0xffff_u32;
-        while left != 0 {
+        found.bits = !same(NONE) & 0xffff;
+        let mut left = found.bits;
+        while left != 0 && found.count < most {
             let owner = each[left.trailing_zeros() as usize & (BLOCK - 1)];
             let bits = same(owner);
             left &= !bits;
-            if owner != NONE {
-                found.runs[found.count & (BLOCK - 1)] = Run { setup: owner, bits };
-                found.count += 1;
-                found.bits |= bits;
-            }
+            found.runs[found.count & (BLOCK - 1)] = Run { setup: owner, bits };
+            found.count += 1;
         }
+        found.all = left == 0;
     }
 
     /// The number of an owner's object.
     #[inline(always)]
     pub fn object(&self, frame: &FrameView, owner: u32) -> usize {
-        object_of(frame, name(&self.seen, owner).expect("runs have owners"))
+        match owner & NAMED {
+            0 => self.seen[owner as usize].object as usize,
+            _ => object_of(frame, owner & !NAMED),
+        }
     }
 
     /// The name of an owner that is no part of a clipped triangle.
