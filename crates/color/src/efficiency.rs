@@ -1,26 +1,37 @@
-//! Document 004's "efficacité de la représentation": how wrong colours are that are computed with few
-//! numbers instead of the whole spectrum.
+//! Efficiency of representations of spectra: the error of colours that are computed with few numbers instead of
+//! the whole spectrum.
+//!
+//! ```
+//! use glanz_color::efficiency::Representation;
+//! use glanz_color::{colorchecker, light};
+//!
+//! let patches: Vec<_> = colorchecker().map(|(_, reflectance)| reflectance).collect();
+//! let d65 = light("D65")?;
+//! let of_8 = Representation::Uniform(8).errors(&patches, &d65);
+//! let of_32 = Representation::Uniform(32).errors(&patches, &d65);
+//! assert!(of_32.mean < of_8.mean);
+//! # Ok::<_, glanz_color::UnknownName>(())
+//! ```
 
 use std::sync::LazyLock;
 
-use glanz_color::difference::ciede2000;
-use glanz_color::meyer::{MeyerSamples, sample};
-use glanz_color::models::{ColorModel, LinearSrgb, Xyz};
-use glanz_color::upsample::rgb_of_reflectance;
-use glanz_color::{FIRST_NM, LAST_NM, Observer, STEP_NM, Spectrum};
-
-use super::judge::lab;
+use crate::colorimetry::lab;
+use crate::difference::ciede2000;
+use crate::meyer::{MeyerSamples, sample};
+use crate::models::{ColorModel, LinearSrgb, Xyz};
+use crate::upsample::rgb_of_reflectance;
+use crate::{FIRST_NM, LAST_NM, Observer, STEP_NM, Spectrum};
 
 /// The numbers of uniform samples.
 pub const COUNTS: std::ops::RangeInclusive<usize> = 3..=32;
 
-/// A way to compute colours with few numbers.
+/// A representation of spectra by few numbers, with which colours are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum Representation {
     /// So many wavelengths in the middles of equal bands of 300 … 780 nm, as `--mode sampled:N` takes them.
-    Whole(usize),
-    /// The same of 400 … 700 nm, where almost all is that an eye sees.
-    Seen(usize),
+    Uniform(usize),
+    /// The same of 400 … 700 nm, where the observer's sensitivity is concentrated.
+    UniformVisible(usize),
     /// Linear sRGB of the light times that of the surface.
     Rgb,
     /// Meyer's four wavelengths with the published weights.
@@ -42,18 +53,18 @@ pub struct Errors {
     pub max: f64,
 }
 
-impl Way {
-    /// All ways, the fewest samples first within each kind.
+impl Representation {
+    /// All representations, the fewest samples first within each kind.
     pub fn all() -> Vec<Self> {
-        let uniform = COUNTS.map(Self::Whole).chain(COUNTS.map(Self::Seen));
+        let uniform = COUNTS.map(Self::Uniform).chain(COUNTS.map(Self::UniformVisible));
         uniform.chain([Self::Rgb, Self::Meyer, Self::MeyerAdapted]).collect()
     }
 
-    /// What kind it is.
+    /// The name of its kind, whatever the number of samples.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Whole(_) => "uniform, 300-780 nm",
-            Self::Seen(_) => "uniform, 400-700 nm",
+            Self::Uniform(_) => "uniform, 300-780 nm",
+            Self::UniformVisible(_) => "uniform, 400-700 nm",
             Self::Rgb => "sRGB product",
             Self::Meyer => "Meyer, published",
             Self::MeyerAdapted => "Meyer, adapted",
@@ -63,20 +74,20 @@ impl Way {
     /// How many numbers stand for a spectrum.
     pub fn samples(self) -> usize {
         match self {
-            Self::Whole(count) | Self::Seen(count) => count,
+            Self::Uniform(count) | Self::UniformVisible(count) => count,
             Self::Rgb => 3,
             Self::Meyer | Self::MeyerAdapted => 4,
         }
     }
 
-    /// X, Y, Z of a surface under a light, computed this way; their scale is the way's own.
+    /// X, Y, Z of a surface under a light in this representation; their scale is its own.
     fn xyz(self, surface: &Spectrum, light: &Spectrum) -> [f64; 3] {
         match self {
             // The outermost of the grid's bands reach half a step beyond its wavelengths.
-            Self::Whole(count) => {
+            Self::Uniform(count) => {
                 uniform(surface, light, count, (FIRST_NM - 0.5 * STEP_NM, LAST_NM + 0.5 * STEP_NM))
             }
-            Self::Seen(count) => uniform(surface, light, count, (400.0, 700.0)),
+            Self::UniformVisible(count) => uniform(surface, light, count, (400.0, 700.0)),
             Self::Rgb => {
                 let LinearSrgb(light) = LinearSrgb::from_xyz(Xyz(tristimulus(light)));
                 let LinearSrgb(surface) = rgb_of_reflectance(surface);
@@ -92,8 +103,8 @@ impl Way {
 
     /// The errors over these surfaces under a light, against all 97 wavelengths.
     ///
-    /// Each way has a white of its own, the perfect diffuser computed that way, as a renderer that adapts to
-    /// its white has: what counts is the error of colours, not that of the white.
+    /// Each representation has a white of its own, the perfect diffuser computed with it, as a renderer that adapts
+    /// to its white has: what counts is the error of colours, not that of the white.
     pub fn errors(self, surfaces: &[Spectrum], light: &Spectrum) -> Errors {
         let (white, white_true) = (self.xyz(&Spectrum::ONE, light), tristimulus(light));
         let error = |surface: &Spectrum| {
@@ -137,27 +148,27 @@ fn uniform(surface: &Spectrum, light: &Spectrum, count: usize, (from, to): (f64,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glanz_color::{colorchecker, light};
+    use crate::{colorchecker, light};
 
-    fn mean(way: Way, name: &str) -> f64 {
+    fn mean(representation: Representation, name: &str) -> f64 {
         let patches: Vec<_> = colorchecker().map(|(_, spectrum)| spectrum).collect();
-        way.errors(&patches, &light(name).unwrap()).mean
+        representation.errors(&patches, &light(name).unwrap()).mean
     }
 
     #[test]
     fn all_97_wavelengths_make_no_error() {
         for name in ["D65", "A", "FL11"] {
             // The sum of f64 in another order.
-            assert!(mean(Way::Whole(97), name) < 1e-9, "{name}");
+            assert!(mean(Representation::Uniform(97), name) < 1e-9, "{name}");
         }
     }
 
     #[test]
-    fn greys_have_no_error_in_any_way() {
+    fn greys_have_no_error_in_any_representation() {
         let grey = [Spectrum::constant(0.2)];
-        for way in Way::all() {
-            let errors = way.errors(&grey, &light("FL2").unwrap());
-            assert!(errors.max < 1e-3, "{way:?}: {errors:?}");
+        for representation in Representation::all() {
+            let errors = representation.errors(&grey, &light("FL2").unwrap());
+            assert!(errors.max < 1e-3, "{representation:?}: {errors:?}");
         }
     }
 
@@ -165,17 +176,17 @@ mod tests {
     fn the_known_errors_over_the_colorchecker_are_found() {
         // Mean ΔE00 against sums by 1 nm: Meyer 3.2 under E, 2.9 under D65, 9.4 under A; the product of
         // sRGB 4.2 under A; weights solved for A 2.3.
-        for (way, name, known) in [
-            (Way::Meyer, "E", 3.2),
-            (Way::Meyer, "D65", 2.9),
-            (Way::Meyer, "A", 9.4),
-            (Way::Rgb, "A", 4.2),
-            (Way::MeyerAdapted, "A", 2.3),
+        for (representation, name, known) in [
+            (Representation::Meyer, "E", 3.2),
+            (Representation::Meyer, "D65", 2.9),
+            (Representation::Meyer, "A", 9.4),
+            (Representation::Rgb, "A", 4.2),
+            (Representation::MeyerAdapted, "A", 2.3),
         ] {
-            let found = mean(way, name);
-            assert!((found - known).abs() < 0.5, "{way:?} under {name}: {found}, not {known}");
+            let found = mean(representation, name);
+            assert!((found - known).abs() < 0.5, "{representation:?} under {name}: {found}, not {known}");
         }
         // The white of sRGB is given with four digits, which is what is left.
-        assert!(mean(Way::Rgb, "D65") < 1e-2, "the product of sRGB is made for D65");
+        assert!(mean(Representation::Rgb, "D65") < 1e-2, "the product of sRGB is made for D65");
     }
 }

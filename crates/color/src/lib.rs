@@ -6,9 +6,11 @@
 
 pub mod adaptation;
 pub mod chromaticity;
+pub mod colorimetry;
 pub mod cri;
 pub mod difference;
 pub mod dominant;
+pub mod efficiency;
 #[cfg(feature = "exr")]
 pub mod exr;
 mod fluorescent;

@@ -1,34 +1,23 @@
-//! A value of the scene that takes several values in turn.
+//! Variations of values of a scene, from the command line.
 
-use super::print::number;
+use glanz_plot::{Variation, number};
 
 /// The most values that one range may count.
 const MAX_COUNT: usize = 10_000;
 
-/// A path into the scene and the values that it takes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Vary {
-    /// The value's path, such as `materials.red.shininess`.
-    pub path: String,
-    /// Its values, as they would be written in the scene.
-    pub values: Vec<String>,
-}
-
-impl Vary {
-    /// `PATH=a,b,c` or `PATH=start:stop:count`. Commas inside brackets or quotes do not separate.
-    pub fn parse(text: &str) -> Result<Self, String> {
-        const EXPECTED: &str = "expected PATH=1,4,16 or PATH=start:stop:count";
-        let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
-        let (path, values) = (path.trim(), values.trim());
-        if path.is_empty() || values.is_empty() {
-            return Err(EXPECTED.to_owned());
-        }
-        let values = match range(values)? {
-            Some(values) => values,
-            None => list(values)?,
-        };
-        Ok(Self { path: path.to_owned(), values })
+/// `PATH=a,b,c` or `PATH=start:stop:count`. Commas inside brackets or quotes do not separate.
+pub fn variation(text: &str) -> Result<Variation, String> {
+    const EXPECTED: &str = "expected PATH=1,4,16 or PATH=start:stop:count";
+    let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
+    let (path, values) = (path.trim(), values.trim());
+    if path.is_empty() || values.is_empty() {
+        return Err(EXPECTED.to_owned());
     }
+    let values = match range(values)? {
+        Some(values) => values,
+        None => list(values)?,
+    };
+    Ok(Variation { path: path.to_owned(), values })
 }
 
 /// The values of `start:stop:count`, evenly apart; `None` if the text is no range.
@@ -76,29 +65,12 @@ fn list(text: &str) -> Result<Vec<String>, String> {
     }
 }
 
-/// The shortest ends of the paths that tell them apart: `shininess` and `specular`, but
-/// `a.shininess` and `b.shininess`.
-pub fn short_names(paths: &[&str]) -> Vec<String> {
-    let end = |path: &str, parts: usize| {
-        let all: Vec<_> = path.split('.').collect();
-        all[all.len().saturating_sub(parts)..].join(".")
-    };
-    let longest = paths.iter().map(|path| path.split('.').count()).max().unwrap_or(1);
-    let distinct = |parts: &usize| {
-        let mut ends: Vec<_> = paths.iter().map(|path| end(path, *parts)).collect();
-        ends.sort();
-        ends.windows(2).all(|pair| pair[0] != pair[1])
-    };
-    let parts = (1..=longest).find(distinct).unwrap_or(longest);
-    paths.iter().map(|path| end(path, parts)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn values(text: &str) -> Vec<String> {
-        Vary::parse(text).unwrap().values
+        variation(text).unwrap().values
     }
 
     #[test]
@@ -120,15 +92,7 @@ mod tests {
     #[test]
     fn what_is_neither_is_refused() {
         for wrong in ["a", "a=", "=1", "a=1,,2", "a=0:1:0", "a=0:1:99999999999", "a=0:inf:3", "a=0:1:x"] {
-            assert!(Vary::parse(wrong).is_err(), "{wrong}");
+            assert!(variation(wrong).is_err(), "{wrong}");
         }
-    }
-
-    #[test]
-    fn short_names_are_as_short_as_tells_them_apart() {
-        assert_eq!(short_names(&["m.ball.shininess", "m.ball.specular"]), ["shininess", "specular"]);
-        assert_eq!(short_names(&["m.a.n", "m.b.n"]), ["a.n", "b.n"]);
-        assert_eq!(short_names(&["n", "m.n"]), ["n", "m.n"]);
-        assert_eq!(short_names(&["same.n", "same.n"]), ["same.n", "same.n"]);
     }
 }

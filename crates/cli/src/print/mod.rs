@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use clap::{Args, ValueEnum};
+pub use glanz_plot::number;
 use serde_json::Value;
 
 use super::failure::{Failure, without_number};
@@ -66,42 +67,5 @@ pub fn notes(input: &std::path::Path, notes: &[String]) {
             notes.len(),
             input.display()
         )),
-    }
-}
-
-/// A number for people: up to six significant digits, no trailing zeros.
-pub fn number(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    if !value.is_finite() {
-        return value.to_string();
-    }
-    let magnitude = value.abs().log10().floor() as i32;
-    if !(-4..9).contains(&magnitude) {
-        return format!("{value:.4e}");
-    }
-    let text = format!("{value:.*}", (5 - magnitude).max(0) as usize);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_six_digits_and_no_trailing_zeros() {
-        let cases = [
-            (0.0, "0"),
-            (1.0, "1"),
-            (0.1 + 0.2, "0.3"),
-            (-1.234_567_8, "-1.23457"),
-            (1e12, "1.0000e12"),
-            (123_456_789.0, "123456789"),
-            (0.000_012_3, "1.2300e-5"),
-        ];
-        for (value, text) in cases {
-            assert_eq!(number(value), text);
-        }
     }
 }

@@ -1,11 +1,14 @@
-//! Axes: from values to points of a picture, with a grid, numbers and labels.
+//! Axes: from values to points of a page, with a grid, numbers and labels.
 
-use super::letters;
-use super::picture::{Anchor, Picture, Rect};
-use super::style::{GRAY, GRID, INK, LABEL, NUMBER};
+use crate::page::letters;
+use crate::page::style::{GRAY, GRID, INK, LABEL, NUMBER};
+use crate::page::{Anchor, Page, Rect};
 
 /// How long a mark at a number is, in points.
 const MARK: f64 = 5.0;
+
+/// The most decades that [`Axis::decades_over`] shows.
+const DECADES: i32 = 6;
 
 /// One axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +55,20 @@ impl Axis {
         let step = ((high - low + 9) / 10).max(1) as usize;
         let ticks: Vec<_> = (low..=high).step_by(step).map(power).collect();
         Self::log(label, (power(low), power(high)), &ticks)
+    }
+
+    /// A logarithmic axis from the least of the values that are above 0 to `most`, of at most six decades.
+    pub fn decades_over(label: impl Into<String>, values: impl Iterator<Item = f64>, most: f64) -> Self {
+        let high = if most > 0.0 { (libm::log10(most) - 1e-9).ceil() as i32 } else { 0 };
+        let least = values.filter(|value| *value > 0.0).fold(most.max(f64::MIN_POSITIVE), f64::min);
+        let low = (libm::log10(least).floor() as i32).clamp(high - DECADES, high - 1);
+        Self::decades(label, (low, high))
+    }
+
+    /// Angles from 0 to 90°, with a number at every 15°.
+    pub fn quarter_turn(label: impl Into<String>) -> Self {
+        let ticks = (0..=6).map(|i| 15.0 * f64::from(i)).collect();
+        Self { ticks, decimals: 0, ..Self::exact(label, (0.0, 90.0), 6) }
     }
 
     /// A logarithmic axis with numbers at these values.
@@ -122,40 +139,40 @@ impl Axes {
     }
 
     /// Draws the lines of the grid.
-    pub fn grid(&self, picture: &mut Picture) {
+    pub fn grid(&self, page: &mut Page) {
         for tick in &self.x.ticks {
             let (x, bottom) = self.below(*tick);
-            picture.line([(x, self.rect.y), (x, bottom)], GRID, 1.0);
+            page.line([(x, self.rect.y), (x, bottom)], GRID, 1.0);
         }
         for tick in &self.y.ticks {
             let (_, y) = self.at(self.x.range.0, *tick);
-            picture.line([(self.rect.x, y), (self.rect.right(), y)], GRID, 1.0);
+            page.line([(self.rect.x, y), (self.rect.right(), y)], GRID, 1.0);
         }
     }
 
     /// Draws the axes with numbers and labels.
-    pub fn frame(&self, picture: &mut Picture) {
-        picture.outline(self.rect, GRAY, 1.2);
+    pub fn frame(&self, page: &mut Page) {
+        page.outline(self.rect, GRAY, 1.2);
         for tick in &self.x.ticks {
             let (x, bottom) = self.below(*tick);
             let bottom = bottom + self.gap;
-            picture.line([(x, bottom), (x, bottom + MARK)], GRAY, 1.2);
+            page.line([(x, bottom), (x, bottom + MARK)], GRAY, 1.2);
             let at = (x, bottom + MARK + NUMBER + 2.0);
-            picture.text(self.x.number(*tick), at, Anchor::Middle, NUMBER, GRAY);
+            page.text(self.x.number(*tick), at, Anchor::Middle, NUMBER, GRAY);
         }
         for tick in &self.y.ticks {
             let (_, y) = self.at(self.x.range.0, *tick);
-            picture.line([(self.rect.x - MARK, y), (self.rect.x, y)], GRAY, 1.2);
+            page.line([(self.rect.x - MARK, y), (self.rect.x, y)], GRAY, 1.2);
             let at = (self.rect.x - MARK - 5.0, y + 0.36 * NUMBER);
-            picture.text(self.y.number(*tick), at, Anchor::End, NUMBER, GRAY);
+            page.text(self.y.number(*tick), at, Anchor::End, NUMBER, GRAY);
         }
         let middle = self.rect.x + 0.5 * self.rect.width;
         let below = self.rect.bottom() + self.gap + MARK + 2.6 * NUMBER + 4.0;
-        picture.text(&self.x.label, (middle, below), Anchor::Middle, LABEL, INK);
+        page.text(&self.x.label, (middle, below), Anchor::Middle, LABEL, INK);
         let widest = self.y.ticks.iter().map(|tick| letters::width(&self.y.number(*tick), NUMBER));
         let widest = widest.fold(0.0, f64::max);
         let at = (self.rect.x - MARK - 5.0 - widest - 14.0, self.rect.y + 0.5 * self.rect.height);
-        picture.text_upwards(&self.y.label, at, LABEL, INK);
+        page.text_upwards(&self.y.label, at, LABEL, INK);
     }
 }
 
@@ -167,7 +184,7 @@ mod tests {
     fn numbers_at_axes_are_round() {
         let axis = Axis::exact("nm", (380.0, 780.0), 8);
         assert_eq!(axis.ticks, [400.0, 450.0, 500.0, 550.0, 600.0, 650.0, 700.0, 750.0]);
-        let axis = Axis::round("share", (-0.03, 0.97), 5);
+        let axis = Axis::round("part", (-0.03, 0.97), 5);
         assert_eq!(axis.range, (-0.2, 1.0));
         assert_eq!(axis.number(axis.ticks[0]), "–0.2");
         assert_eq!(axis.number(axis.ticks[1]), "0.0");

@@ -6,8 +6,8 @@ use glanz_color::models::RgbSpace;
 use glanz_color::{FIRST_NM, LAST_NM, cie1931_by_1_nm};
 
 use super::axes::Axes;
-use super::picture::{Anchor, Picture, Rect};
-use super::style::{GRAY, NUMBER, Rgb8, WHITE};
+use crate::page::style::{GRAY, NUMBER, Rgb8, WHITE};
+use crate::page::{Anchor, Page, Rect};
 
 /// How high a band is, in points.
 pub const HEIGHT: f64 = 16.0;
@@ -25,7 +25,7 @@ static COLORS: LazyLock<Vec<Rgb8>> =
 /// The colour that stands for a wavelength.
 ///
 /// No screen shows single wavelengths: negative primaries are left out, and brightness is kept high and
-/// falls towards the ends of the spectrum. It is a picture, not a measurement.
+/// falls towards the ends of the spectrum. It is a page, not a measurement.
 pub fn color(nm: f64) -> Rgb8 {
     let index = (nm.clamp(FIRST_NM, LAST_NM) - FIRST_NM).round() as usize;
     COLORS[index]
@@ -48,40 +48,40 @@ fn of_nm(nm: f64) -> Rgb8 {
 }
 
 /// Draws the band below axes whose x are wavelengths in nm.
-pub fn below(picture: &mut Picture, axes: &Axes) {
+pub fn below(page: &mut Page, axes: &Axes) {
     let (from, to) = axes.x.range;
     let mut nm = from;
     while nm < to {
         let (left, right) = (axes.at(nm, 0.0).0, axes.at((nm + 1.0).min(to), 0.0).0);
         // Each piece reaches under the next: no gap shows between them.
         let width = (right - left + 1.0).min(axes.rect.right() - left);
-        picture.fill(Rect { x: left, y: axes.rect.bottom(), width, height: HEIGHT }, color(nm + 0.5));
+        page.fill(Rect { x: left, y: axes.rect.bottom(), width, height: HEIGHT }, color(nm + 0.5));
         nm += 1.0;
     }
     let whole = Rect { y: axes.rect.bottom(), height: HEIGHT, ..axes.rect };
-    picture.outline(whole, GRAY, 1.2);
+    page.outline(whole, GRAY, 1.2);
     if from < 360.0 {
         let at = (0.5 * (axes.at(from, 0.0).0 + axes.at(380.0, 0.0).0), whole.bottom() - 3.5);
-        picture.text("ultraviolet", at, Anchor::Middle, NUMBER - 2.0, WHITE);
+        page.text("ultraviolet", at, Anchor::Middle, NUMBER - 2.0, WHITE);
     }
 }
 
 /// Draws the band to the left of axes whose y are wavelengths in nm.
-pub fn beside(picture: &mut Picture, axes: &Axes) {
+pub fn beside(page: &mut Page, axes: &Axes) {
     let (from, to) = axes.y.range;
     let x = axes.rect.x - HEIGHT;
     let mut nm = from;
     while nm < to {
         let (bottom, top) = (axes.at(0.0, nm).1, axes.at(0.0, (nm + 1.0).min(to)).1);
         let y = (top - 1.0).max(axes.rect.y);
-        picture.fill(Rect { x, y, width: HEIGHT, height: bottom - y }, color(nm + 0.5));
+        page.fill(Rect { x, y, width: HEIGHT, height: bottom - y }, color(nm + 0.5));
         nm += 1.0;
     }
-    picture.outline(Rect { x, width: HEIGHT, ..axes.rect }, GRAY, 1.2);
+    page.outline(Rect { x, width: HEIGHT, ..axes.rect }, GRAY, 1.2);
 }
 
 /// Fills what lies under a curve of wavelengths with their colours.
-pub fn under(picture: &mut Picture, axes: &Axes, value: impl Fn(f64) -> f64) {
+pub fn under(page: &mut Page, axes: &Axes, value: impl Fn(f64) -> f64) {
     let (from, to) = axes.x.range;
     let mut nm = from;
     while nm < to {
@@ -90,7 +90,7 @@ pub fn under(picture: &mut Picture, axes: &Axes, value: impl Fn(f64) -> f64) {
         let ground = axes.at(nm, 0.0).1;
         let right_edge = (right.0 + 1.0).min(axes.rect.right());
         let corners = [(left.0, ground), left, (right_edge, right.1), (right_edge, ground)];
-        picture.area(corners, color(nm + 0.5));
+        page.area(corners, color(nm + 0.5));
         nm += 1.0;
     }
 }

@@ -1,8 +1,8 @@
 //! A scale of colours for values, and the bar that explains it.
 
 use super::axes::Axis;
-use super::picture::{Anchor, Picture, Raster, Rect};
-use super::style::{GRAY, NUMBER, Rgb8};
+use crate::page::style::{GRAY, NUMBER, Rgb8};
+use crate::page::{Anchor, Page, Raster, Rect};
 
 /// The scale "magma" of S. van der Walt and N. Smith (2015, CC0) from its light end, at even steps.
 const SCALE: [Rgb8; 8] = [
@@ -28,15 +28,15 @@ pub fn magma(part: f64) -> Rgb8 {
 }
 
 /// Draws the scale upwards, with the numbers of an axis beside it.
-pub fn bar(picture: &mut Picture, rect: Rect, axis: &Axis) {
+pub fn bar(page: &mut Page, rect: Rect, axis: &Axis) {
     let rows = (rect.height as usize).max(1);
     let rgb = (0..rows).rev().flat_map(|row| magma((row as f64 + 0.5) / rows as f64));
-    picture.rasters.push(Raster { rect, columns: 1, rows, rgb: rgb.collect() });
-    picture.outline(rect, GRAY, 1.2);
+    page.rasters.push(Raster { rect, columns: 1, rows, rgb: rgb.collect() });
+    page.outline(rect, GRAY, 1.2);
     for tick in &axis.ticks {
         let y = rect.bottom() - rect.height * axis.part(*tick);
-        picture.line([(rect.right(), y), (rect.right() + 5.0, y)], GRAY, 1.2);
+        page.line([(rect.right(), y), (rect.right() + 5.0, y)], GRAY, 1.2);
         let at = (rect.right() + 9.0, y + 0.36 * NUMBER);
-        picture.text(axis.number(*tick), at, Anchor::Start, NUMBER, GRAY);
+        page.text(axis.number(*tick), at, Anchor::Start, NUMBER, GRAY);
     }
 }

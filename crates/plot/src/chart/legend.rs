@@ -1,9 +1,9 @@
-//! Curves and their names.
+//! Legends: the names of curves, each beside a piece of its curve.
 
-use super::curves::Curve;
-use super::letters;
-use super::picture::{Anchor, Picture};
-use super::style::{INK, NUMBER};
+use super::curve::Curve;
+use crate::page::letters;
+use crate::page::style::{INK, NUMBER};
+use crate::page::{Anchor, Page};
 
 /// From one name to the next below it.
 const NAME: f64 = 24.0;
@@ -12,33 +12,23 @@ const PIECE: f64 = 26.0;
 /// From the end of the piece to the name.
 const GAP: f64 = 8.0;
 
-impl Curve {
-    /// Draws a line in the curve's style.
-    pub fn stroke(&self, picture: &mut Picture, points: &[(f64, f64)], width: f64) {
-        match self.dash {
-            Some(dash) => picture.dashes(points, self.color, width, dash),
-            None => picture.line(points.iter().copied(), self.color, width),
-        }
-    }
-}
-
-/// The room that the names take to the right.
+/// The width of the legend in points.
 pub fn width(curves: &[Curve]) -> f64 {
     let widest = curves.iter().map(|curve| letters::width(&curve.name, NUMBER)).fold(0.0, f64::max);
     if widest == 0.0 { 0.0 } else { PIECE + GAP + widest }
 }
 
-/// The room that the names take downwards.
+/// The height of the legend in points.
 pub fn height(curves: &[Curve]) -> f64 {
     NAME * curves.iter().filter(|curve| !curve.name.is_empty()).count() as f64
 }
 
 /// Writes the names below each other, each beside a piece of its curve.
-pub fn draw(picture: &mut Picture, (x, y): (f64, f64), curves: &[Curve]) {
+pub fn draw(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
     for (index, curve) in curves.iter().filter(|curve| !curve.name.is_empty()).enumerate() {
         let y = y + NAME * index as f64;
-        curve.stroke(picture, &[(x, y), (x + PIECE, y)], 2.8);
+        curve.stroke(page, &[(x, y), (x + PIECE, y)], 2.8);
         let at = (x + PIECE + GAP, y + 0.36 * NUMBER);
-        picture.text(&curve.name, at, Anchor::Start, NUMBER, INK);
+        page.text(&curve.name, at, Anchor::Start, NUMBER, INK);
     }
 }

@@ -1,4 +1,4 @@
-//! A picture of 8-bit codes that other pictures and words are put on.
+//! A picture of 8-bit codes that other pictures and texts are put on.
 
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
@@ -33,9 +33,9 @@ impl Lettering {
         text.chars().count() * get_raster_width(FontWeight::Regular, self.0)
     }
 
-    /// `text`, with its middle left out if it is wider than `room`.
-    pub fn fit(self, text: &str, room: usize) -> String {
-        let letters = room / get_raster_width(FontWeight::Regular, self.0);
+    /// `text`, with its middle left out if it is wider than `width`.
+    pub fn fit(self, text: &str, width: usize) -> String {
+        let letters = width / get_raster_width(FontWeight::Regular, self.0);
         let count = text.chars().count();
         if count <= letters {
             return text.to_owned();
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn words_leave_ink_within_their_width() {
+    fn texts_leave_ink_within_their_width() {
         let mut canvas = Canvas::new(100, 20, [0; 3]);
         canvas.write(10, 2, "Hé 7", Lettering::SMALL, [255; 3]);
         let right = 10 + Lettering::SMALL.width("Hé 7");

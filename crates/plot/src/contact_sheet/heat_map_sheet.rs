@@ -1,27 +1,30 @@
-//! A sheet with two pictures and the maps of their differences, each over its scale.
+//! Heat-map sheets: two pictures and the maps of their differences, each above its scale.
 
 use glanz_color::srgb_encode;
 use glanz_picture::compare::{Measurement, Metric, Pair, heat_color, heat_colors};
 
 use super::canvas::{Canvas, Lettering};
-use super::failure::Failure;
-use super::print::number;
-use super::sheet::Sheet;
+use super::sheet::ContactSheet;
+use crate::{Error, number};
 
-/// The paper of a sheet and its words, in sRGB codes.
+/// The background of a sheet and its texts, in sRGB codes.
 const PAPER: [u8; 3] = [30, 30, 34];
 const INK: [u8; 3] = [232, 232, 228];
-/// Narrower pictures are enlarged to at least this, in pixels, so that words fit under them.
+/// Narrower pictures are enlarged to at least this, in pixels, so that captions fit under them.
 const LEAST_WIDTH: usize = 300;
-/// The widest and highest sheet is 16384 pixels; greater ones are shrunk to this, which leaves room for
-/// gaps and words.
+/// The widest and highest sheet is 16384 pixels; greater ones are shrunk to this, which leaves space for
+/// gaps and texts.
 const MOST: usize = 15_000;
 /// The height of the bar with the colours of the scale, and the gap over it, in pixels.
 const BAR: usize = 14;
 const GAP: usize = 6;
 
-/// The pictures and maps on one sheet. `names` are those of the reference and of the other.
-pub fn draw(pair: &Pair, names: [String; 2], measured: &[Measurement]) -> Result<Canvas, Failure> {
+/// A sheet with both pictures of a pair and a heat map for each measurement. `names` are those of the reference and
+/// of the other picture.
+///
+/// # Errors
+/// [`Error::SheetSize`] if the sheet were larger than a picture can be.
+pub fn heat_map_sheet(pair: &Pair, names: [String; 2], measured: &[Measurement]) -> Result<Canvas, Error> {
     let shown: Vec<_> = measured.iter().filter(|one| has_panel(one, measured)).collect();
     let count = 2 + shown.len();
     let per_row = if count <= 4 { count } else { count.div_ceil(2) };
@@ -31,7 +34,7 @@ pub fn draw(pair: &Pair, names: [String; 2], measured: &[Measurement]) -> Result
     let mut captions: Vec<_> = names.into_iter().map(|name| vec![name]).collect();
     captions.extend(shown.iter().map(|one| caption(one)));
     let cell = (wide, high + GAP + BAR + Lettering::SMALL.height());
-    let sheet = Sheet { captions, per_row, count, cell, ..Sheet::default() };
+    let sheet = ContactSheet { captions, per_row, count, cell, ..ContactSheet::default() };
     let mut canvas = sheet.begin()?;
     for (index, light) in pair.light().iter().enumerate() {
         sheet.put(&mut canvas, index, &panel(cell, &zoom.picture(&codes(light)), None));
@@ -77,7 +80,7 @@ fn top_of_scale(one: &Measurement) -> f64 {
     [1.0, 2.0, 5.0].map(|step| step * power).into_iter().find(|top| *top >= max).unwrap_or(10.0 * power)
 }
 
-/// A picture with room under it, in which its scale may stand.
+/// A picture with space below it, in which its scale may stand.
 fn panel((width, height): (usize, usize), picture: &Canvas, top: Option<f64>) -> Canvas {
     let mut canvas = Canvas::new(width, height, PAPER);
     canvas.put(0, 0, picture);
@@ -88,8 +91,8 @@ fn panel((width, height): (usize, usize), picture: &Canvas, top: Option<f64>) ->
     let row: Vec<u8> = colors.flat_map(|[r, g, b]| [r, g, b, u8::MAX]).collect();
     let bar = picture.height + GAP;
     canvas.put(0, bar, &Canvas { width, height: BAR, rgba: row.repeat(BAR) });
-    for (part, share) in [(0, 0.0), (1, 0.5), (2, 1.0)] {
-        let label = number(top * share);
+    for (part, fraction) in [(0, 0.0), (1, 0.5), (2, 1.0)] {
+        let label = number(top * fraction);
         let x = (width - Lettering::SMALL.width(&label).min(width)) * part / 2;
         canvas.write(x, bar + BAR, &label, Lettering::SMALL, INK);
     }
@@ -113,8 +116,8 @@ struct Zoom {
 impl Zoom {
     fn new((width, height): (usize, usize), (columns, rows): (usize, usize)) -> Self {
         let shrink = (width * columns).div_ceil(MOST).max((height * rows).div_ceil(MOST));
-        let room = (MOST / (columns * width)).min(MOST / (rows * height)).max(1);
-        let grow = LEAST_WIDTH.div_ceil(width).min(room);
+        let greatest = (MOST / (columns * width)).min(MOST / (rows * height)).max(1);
+        let grow = LEAST_WIDTH.div_ceil(width).min(greatest);
         Self { width, height, grow: if shrink > 1 { 1 } else { grow }, shrink }
     }
 

@@ -1,22 +1,22 @@
-//! A sheet of pictures in rows and columns, with words to them.
+//! Contact sheets: pictures in rows and columns, with titles and captions.
 
 use super::canvas::{Canvas, Lettering};
-use super::failure::{Failure, Report};
+use crate::Error;
 
 /// Between pictures, and around them.
 const GAP: usize = 6;
 /// The sheet itself, in sRGB codes.
 const PAPER: [u8; 3] = [30, 30, 34];
-/// Words, in sRGB codes.
+/// Texts, in sRGB codes.
 const INK: [u8; 3] = [232, 232, 228];
 /// The widest and highest sheet, in pixels.
 const MAX_SIDE: usize = 16_384;
 /// Pictures from this width on carry large letters.
 const LARGE_FROM: usize = 320;
 
-/// The words of a sheet, and from them its layout.
+/// The layout of a contact sheet and its texts.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Sheet {
+pub struct ContactSheet {
     /// Over everything; may be empty.
     pub title: String,
     /// Over each column; empty for none.
@@ -43,19 +43,21 @@ struct Layout {
     height: usize,
 }
 
-impl Sheet {
-    /// An empty sheet, ready for its pictures; fails if it were larger than a picture can be.
-    pub fn begin(&self) -> Result<Canvas, Failure> {
+impl ContactSheet {
+    /// An empty sheet, ready for its pictures.
+    ///
+    /// # Errors
+    /// [`Error::SheetSize`] if it were larger than a picture can be.
+    pub fn begin(&self) -> Result<Canvas, Error> {
         let layout = self.layout();
         if layout.width > MAX_SIDE || layout.height > MAX_SIDE {
-            let message = format!(
-                "a sheet of {}×{} pictures would have {}×{} pixels; at most {MAX_SIDE}×{MAX_SIDE} are possible",
-                self.per_row,
-                self.row_count(),
-                layout.width,
-                layout.height
-            );
-            return Err(Report::new(message).help("draw smaller pictures, or fewer").into());
+            return Err(Error::SheetSize {
+                columns: self.per_row,
+                rows: self.row_count(),
+                width: layout.width,
+                height: layout.height,
+                most: MAX_SIDE,
+            });
         }
         let mut canvas = Canvas::new(layout.width, layout.height, PAPER);
         let lettering = layout.lettering;
@@ -131,8 +133,8 @@ fn centered(canvas: &mut Canvas, (x, y): (usize, usize), width: usize, text: &st
 mod tests {
     use super::*;
 
-    fn sheet(count: usize, per_row: usize) -> Sheet {
-        Sheet { count, per_row, cell: (40, 30), ..Sheet::default() }
+    fn sheet(count: usize, per_row: usize) -> ContactSheet {
+        ContactSheet { count, per_row, cell: (40, 30), ..ContactSheet::default() }
     }
 
     #[test]
@@ -148,9 +150,9 @@ mod tests {
     }
 
     #[test]
-    fn words_make_room_for_themselves() {
+    fn texts_widen_the_sheet() {
         let plain = sheet(4, 2).begin().unwrap();
-        let words = Sheet {
+        let words = ContactSheet {
             title: "t".to_owned(),
             columns: vec!["a".to_owned(), "b".to_owned()],
             rows: vec!["first".to_owned(), "second".to_owned()],

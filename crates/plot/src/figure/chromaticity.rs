@@ -5,13 +5,13 @@ use glanz_color::dominant::locus;
 use glanz_color::models::RgbSpace;
 use glanz_color::temperature::planckian;
 
-use super::axes::{Axes, Axis};
-use super::curves::title;
-use super::letters;
-use super::picture::{Anchor, Picture, Raster, Rect};
-use super::style::{GRAY, INK, NUMBER, Rgb8, WHITE};
+use crate::chart::heading;
+use crate::chart::{Axes, Axis};
+use crate::page::letters;
+use crate::page::style::{GRAY, INK, NUMBER, Rgb8, WHITE};
+use crate::page::{Anchor, Figure, Page, Raster, Rect};
 
-/// The size of the picture in points; values of x and y have the same scale.
+/// The size of the page in points; values of x and y have the same scale.
 const SIZE: (u32, u32) = (860, 920);
 /// The values of x and y shown.
 const RANGE: ((f64, f64), (f64, f64)) = ((-0.05, 0.8), (0.0, 0.9));
@@ -46,31 +46,39 @@ const GAMUTS: [Gamut; 3] = [
 /// Black bodies that are marked, in K.
 const TEMPERATURES_K: [f64; 5] = [2000.0, 3000.0, 4000.0, 6500.0, 10_000.0];
 
-/// The diagram with gamuts, black bodies and the marks given.
-pub fn chromaticity(marks: &[Mark]) -> Picture {
-    let mut picture = Picture::new(SIZE.0, SIZE.1);
-    let (x, y) = RANGE;
-    let rect = Rect { x: 84.0, y: 88.0, width: 720.0, height: 720.0 * (y.1 - y.0) / (x.1 - x.0) };
-    let axes = Axes { rect, x: Axis::exact("x", x, 9), y: Axis::exact("y", y, 9), gap: 0.0 };
-    let subtitle = "Spectral colours by wavelength in nm, black bodies by temperature in K";
-    title(&mut picture, rect.x, "Chromaticity, CIE 1931", subtitle);
-    picture.rasters.push(colors(&axes));
-    axes.grid(&mut picture);
-    border(&mut picture, &axes);
-    gamuts(&mut picture, &axes);
-    let mut taken = Vec::new();
-    black_bodies(&mut picture, &axes, &mut taken);
-    for mark in marks {
-        let at = axes.at(mark.xy.x, mark.xy.y);
-        picture.disc(at, 6.0, WHITE);
-        picture.disc(at, 4.5, INK);
-        taken.push(Rect { x: at.0 - 6.0, y: at.1 - 6.0, width: 12.0, height: 12.0 });
+/// The chromaticity diagram of CIE 1931 with the gamuts of displays, black bodies and marked colours.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChromaticityDiagram {
+    /// The colours that are marked.
+    pub marks: Vec<Mark>,
+}
+
+impl Figure for ChromaticityDiagram {
+    fn page(&self) -> Page {
+        let mut page = Page::new(SIZE.0, SIZE.1);
+        let (x, y) = RANGE;
+        let rect = Rect { x: 84.0, y: 88.0, width: 720.0, height: 720.0 * (y.1 - y.0) / (x.1 - x.0) };
+        let axes = Axes { rect, x: Axis::exact("x", x, 9), y: Axis::exact("y", y, 9), gap: 0.0 };
+        let subtitle = "Spectral colours by wavelength in nm, black bodies by temperature in K";
+        heading(&mut page, rect.x, "Chromaticity, CIE 1931", subtitle);
+        page.rasters.push(colors(&axes));
+        axes.grid(&mut page);
+        border(&mut page, &axes);
+        gamuts(&mut page, &axes);
+        let mut taken = Vec::new();
+        black_bodies(&mut page, &axes, &mut taken);
+        for mark in &self.marks {
+            let at = axes.at(mark.xy.x, mark.xy.y);
+            page.disc(at, 6.0, WHITE);
+            page.disc(at, 4.5, INK);
+            taken.push(Rect { x: at.0 - 6.0, y: at.1 - 6.0, width: 12.0, height: 12.0 });
+        }
+        for mark in &self.marks {
+            label(&mut page, &mut taken, axes.at(mark.xy.x, mark.xy.y), &mark.name, NUMBER);
+        }
+        axes.frame(&mut page);
+        page
     }
-    for mark in marks {
-        label(&mut picture, &mut taken, axes.at(mark.xy.x, mark.xy.y), &mark.name, NUMBER);
-    }
-    axes.frame(&mut picture);
-    picture
 }
 
 /// The colours within the border, as bright as a screen can; to those that it cannot show white is added
@@ -112,11 +120,11 @@ fn crossings(y: f64) -> Vec<f64> {
 }
 
 /// The locus with its wavelengths, and the purples.
-fn border(picture: &mut Picture, axes: &Axes) {
+fn border(page: &mut Page, axes: &Axes) {
     let points: Vec<_> = locus().iter().map(|xy| axes.at(xy.x, xy.y)).collect();
     let (first, last) = (points[0], points[points.len() - 1]);
-    picture.line([first, last], GRAY, 1.4);
-    picture.line(points.iter().copied(), INK, 2.2);
+    page.line([first, last], GRAY, 1.4);
+    page.line(points.iter().copied(), INK, 2.2);
     for nm in (460..=640).step_by(10) {
         let index = nm - LOCUS_FROM_NM;
         let (before, at, after) = (points[index - 1], points[index], points[index + 1]);
@@ -124,7 +132,7 @@ fn border(picture: &mut Picture, axes: &Axes) {
         let length = libm::hypot(along.0, along.1);
         // Along the locus of growing wavelengths the outside is to the left on the page.
         let out = (along.1 / length, -along.0 / length);
-        picture.line([at, (at.0 + 7.0 * out.0, at.1 + 7.0 * out.1)], INK, 1.6);
+        page.line([at, (at.0 + 7.0 * out.0, at.1 + 7.0 * out.1)], INK, 1.6);
         if let Some(label) = label_of(nm) {
             let anchor = if out.0 < -0.4 {
                 Anchor::End
@@ -134,51 +142,51 @@ fn border(picture: &mut Picture, axes: &Axes) {
                 Anchor::Middle
             };
             let point = (at.0 + 11.0 * out.0, at.1 + 14.0 * out.1 + 0.36 * NUMBER);
-            picture.text(label, point, anchor, NUMBER, INK);
+            page.text(label, point, anchor, NUMBER, INK);
         }
     }
 }
 
-/// The wavelengths that have room for a number.
+/// The number at a wavelength, where it does not crowd others.
 fn label_of(nm: usize) -> Option<String> {
     let crowded = nm > 620 && nm != 640 || nm == 610;
     (!crowded).then(|| nm.to_string())
 }
 
-fn gamuts(picture: &mut Picture, axes: &Axes) {
+fn gamuts(page: &mut Page, axes: &Axes) {
     let (x, y) = (axes.rect.right() - 190.0, axes.rect.y + 26.0);
     for (index, gamut) in GAMUTS.iter().enumerate() {
         let [r, g, b] = gamut.space.primaries.map(|[x, y]| axes.at(x, y));
         let y = y + 24.0 * index as f64;
         for line in [vec![r, g, b, r], vec![(x, y), (x + 30.0, y)]] {
             match gamut.dash {
-                Some(dash) => picture.dashes(&line, gamut.color, 1.8, dash),
-                None => picture.line(line, gamut.color, 1.8),
+                Some(dash) => page.dashes(&line, gamut.color, 1.8, dash),
+                None => page.line(line, gamut.color, 1.8),
             }
         }
-        picture.text(gamut.name, (x + 40.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
+        page.text(gamut.name, (x + 40.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
     }
 }
 
-fn black_bodies(picture: &mut Picture, axes: &Axes, taken: &mut Vec<Rect>) {
+fn black_bodies(page: &mut Page, axes: &Axes, taken: &mut Vec<Rect>) {
     // Even steps of the reciprocal, for the curve runs evenly along it: 1000 K to 1e6 K.
     let kelvin = (0..=120).map(|i| 1e6 / (1.0 + 999.0 * (1.0 - f64::from(i) / 120.0)));
     let curve = kelvin.filter_map(planckian).map(|xy| axes.at(xy.x, xy.y));
-    picture.line(curve, INK, 1.6);
+    page.line(curve, INK, 1.6);
     for kelvin in TEMPERATURES_K {
         let Some(xy) = planckian(kelvin) else { continue };
         let at = axes.at(xy.x, xy.y);
-        picture.disc(at, 3.2, INK);
-        label(picture, taken, at, &kelvin.to_string(), NUMBER - 1.5);
+        page.disc(at, 3.2, INK);
+        label(page, taken, at, &kelvin.to_string(), NUMBER - 1.5);
     }
 }
 
-/// The farthest that a label may stand from its point, in points of the picture.
+/// The farthest that a label may stand from its point, in points of the page.
 const FARTHEST: f64 = 200.0;
 
 /// Writes a label beside a point, where it covers no other: above, below, to the left or to the right, else on
-/// the smallest circle with room, with a line to its point.
-fn label(picture: &mut Picture, taken: &mut Vec<Rect>, at: (f64, f64), text: &str, size: f64) {
+/// the smallest circle with space for it, with a line to its point.
+fn label(page: &mut Page, taken: &mut Vec<Rect>, at: (f64, f64), text: &str, size: f64) {
     let (width, height) = (letters::width(text, size), 0.9 * size);
     let place = |x: f64, y: f64| Rect { x: at.0 + x, y: at.1 + y, width, height };
     let places = [
@@ -201,9 +209,9 @@ fn label(picture: &mut Picture, taken: &mut Vec<Rect>, at: (f64, f64), text: &st
     let place = near.or_else(|| far_places(at, (width, height)).find(is_free)).unwrap_or(places[0]);
     if near.is_none() {
         let end = (at.0.clamp(place.x, place.right()), at.1.clamp(place.y, place.bottom()));
-        picture.line([at, end], GRAY, 1.0);
+        page.line([at, end], GRAY, 1.0);
     }
-    picture.text(text, (place.x, place.bottom() - 0.1 * size), Anchor::Start, size, INK);
+    page.text(text, (place.x, place.bottom() - 0.1 * size), Anchor::Start, size, INK);
     taken.push(place);
 }
 
@@ -235,10 +243,10 @@ mod tests {
 
     #[test]
     fn labels_of_points_that_lie_close_cover_none_of_each_other() {
-        let (mut picture, mut taken) = (Picture::new(SIZE.0, SIZE.1), Vec::new());
+        let (mut page, mut taken) = (Page::new(SIZE.0, SIZE.1), Vec::new());
         for index in 0..14 {
             let at = (300.0 + 6.0 * f64::from(index), 400.0 + 2.0 * f64::from(index));
-            label(&mut picture, &mut taken, at, "FL3.12", NUMBER);
+            label(&mut page, &mut taken, at, "FL3.12", NUMBER);
         }
         for (index, a) in taken.iter().enumerate() {
             for b in &taken[index + 1..] {

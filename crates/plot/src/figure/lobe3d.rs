@@ -1,8 +1,8 @@
 //! A lobe as a body in space: in each direction as far out as it is strong.
 
-use super::curves::title;
-use super::picture::{Anchor, Picture};
-use super::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::chart::heading;
+use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::page::{Anchor, Figure, Page};
 
 /// The width of a panel in points.
 const PANEL: f64 = 440.0;
@@ -12,9 +12,9 @@ const UPPER: (f64, f64) = (330.0, 230.0);
 const BOTH: (f64, f64) = (440.0, 220.0);
 /// The radius of the greatest value.
 const RADIUS: f64 = 180.0;
-/// The room above all panels.
+/// The space above all panels.
 const TOP: f64 = 84.0;
-/// The room below a panel for its caption.
+/// The space below a panel for its caption.
 const CAPTION: f64 = 34.0;
 /// The most panels side by side.
 const COLUMNS: usize = 3;
@@ -27,9 +27,9 @@ const BODY: [f64; 3] = [104.0, 168.0, 222.0];
 /// How bright the body is where no light falls.
 const SHADE: f64 = 0.38;
 
-/// A body of rows and columns of points; columns close to a ring.
+/// A lobe as a body: rows and columns of points, whose columns close to a ring.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Surface {
+pub struct LobeBody {
     /// What stands below it.
     pub caption: String,
     /// The points, row by row, x along the plane of incidence, z along the normal; the greatest length is 1.
@@ -44,37 +44,36 @@ pub struct Surface {
 
 /// Bodies side by side.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lobe3d {
+pub struct LobeBodies {
     /// What is seen.
     pub title: String,
     /// More about it, in one line.
     pub subtitle: String,
     /// The bodies.
-    pub surfaces: Vec<Surface>,
+    pub bodies: Vec<LobeBody>,
 }
 
-impl Lobe3d {
-    /// The picture.
-    pub fn picture(&self) -> Picture {
-        let columns = self.surfaces.len().clamp(1, COLUMNS);
-        let rows = self.surfaces.len().div_ceil(columns);
+impl Figure for LobeBodies {
+    fn page(&self) -> Page {
+        let columns = self.bodies.len().clamp(1, COLUMNS);
+        let rows = self.bodies.len().div_ceil(columns);
         let width = (PANEL * columns as f64 + 40.0).max(640.0);
-        let below = self.surfaces.iter().any(Surface::is_below);
+        let below = self.bodies.iter().any(LobeBody::is_below);
         let panel = if below { BOTH } else { UPPER };
         let height = TOP + (panel.0 + CAPTION) * rows as f64;
-        let mut picture = Picture::new(width as u32, height as u32);
-        title(&mut picture, 40.0, &self.title, &self.subtitle);
-        for (index, surface) in self.surfaces.iter().enumerate() {
+        let mut page = Page::new(width as u32, height as u32);
+        heading(&mut page, 40.0, &self.title, &self.subtitle);
+        for (index, surface) in self.bodies.iter().enumerate() {
             let (row, column) = (index / columns, index % columns);
             let left = 20.0 + PANEL * column as f64;
             let top = TOP + (panel.0 + CAPTION) * row as f64;
-            surface.draw(&mut picture, (left, top), panel);
+            surface.draw(&mut page, (left, top), panel);
         }
-        picture
+        page
     }
 }
 
-/// Where the middle of the surface lies in a panel, and how points of space come to the picture.
+/// Where the middle of the surface lies in a panel, and how points of space come to the page.
 #[derive(Clone, Copy, Debug)]
 struct Projection {
     center: (f64, f64),
@@ -92,7 +91,7 @@ impl Projection {
         }
     }
 
-    /// The point of the picture, and how near to the eye it is.
+    /// The point of the page, and how near to the eye it is.
     fn apply(&self, [x, y, z]: [f64; 3]) -> ((f64, f64), f64) {
         let (sine, cosine) = self.around;
         let (right, towards) = (-x * sine + y * cosine, x * cosine + y * sine);
@@ -103,50 +102,50 @@ impl Projection {
     }
 }
 
-/// A face of the body, on the picture.
+/// A face of the body, on the page.
 struct Face {
     corners: [(f64, f64); 4],
     near: f64,
     color: Rgb8,
 }
 
-impl Surface {
+impl LobeBody {
     /// Whether it is below the surface.
     fn is_below(&self) -> bool {
         self.points.iter().any(|point| point[2] < -1e-9)
     }
 
-    fn draw(&self, picture: &mut Picture, (left, top): (f64, f64), (height, middle): (f64, f64)) {
+    fn draw(&self, page: &mut Page, (left, top): (f64, f64), (height, middle): (f64, f64)) {
         let below = self.is_below();
         let projection = Projection::new((left + 0.5 * PANEL, top + middle));
         let mut faces = self.faces(projection);
         faces.sort_by(|a, b| a.near.total_cmp(&b.near));
         // Seen from above, all that is below the surface lies behind it.
         if below {
-            faces.iter().for_each(|face| paint(picture, face));
+            faces.iter().for_each(|face| paint(page, face));
         }
-        ground(picture, projection);
-        let arrow = |picture: &mut Picture, to: [f64; 3], label: &str, dash: Option<(f64, f64)>| {
+        ground(page, projection);
+        let arrow = |page: &mut Page, to: [f64; 3], label: &str, dash: Option<(f64, f64)>| {
             let (from, _) = projection.apply([0.0; 3]);
             let (end, _) = projection.apply(to.map(|v| 1.12 * v));
             match dash {
-                Some(dash) => picture.dashes(&[from, end], GRAY, 1.8, dash),
-                None => picture.line([from, end], INK, 1.8),
+                Some(dash) => page.dashes(&[from, end], GRAY, 1.8, dash),
+                None => page.line([from, end], INK, 1.8),
             }
-            picture.disc(end, 3.5, if dash.is_some() { GRAY } else { INK });
+            page.disc(end, 3.5, if dash.is_some() { GRAY } else { INK });
             let anchor = if end.0 < from.0 { Anchor::End } else { Anchor::Start };
             let aside = if end.0 < from.0 { -8.0 } else { 8.0 };
-            picture.text(label, (end.0 + aside, end.1 + 4.0), anchor, NUMBER, INK);
+            page.text(label, (end.0 + aside, end.1 + 4.0), anchor, NUMBER, INK);
         };
-        arrow(picture, self.view, "viewer", None);
+        arrow(page, self.view, "viewer", None);
         if let Some(mirror) = self.mirror {
-            arrow(picture, mirror, "mirror", Some((4.0, 4.0)));
+            arrow(page, mirror, "mirror", Some((4.0, 4.0)));
         }
         if !below {
-            faces.iter().for_each(|face| paint(picture, face));
+            faces.iter().for_each(|face| paint(page, face));
         }
         let at = (left + 0.5 * PANEL, top + height + 14.0);
-        picture.text(&self.caption, at, Anchor::Middle, NUMBER, INK);
+        page.text(&self.caption, at, Anchor::Middle, NUMBER, INK);
     }
 
     fn faces(&self, projection: Projection) -> Vec<Face> {
@@ -174,7 +173,7 @@ impl Surface {
 }
 
 /// Faces are drawn a little larger than they are: no gap shows between neighbours.
-fn paint(picture: &mut Picture, face: &Face) {
+fn paint(page: &mut Page, face: &Face) {
     const LARGER: f64 = 0.5;
     let middle = face
         .corners
@@ -185,7 +184,7 @@ fn paint(picture: &mut Picture, face: &Face) {
         let length = (dx * dx + dy * dy).sqrt().max(1e-9);
         (x + LARGER * dx / length, y + LARGER * dy / length)
     });
-    picture.area(corners, face.color);
+    page.area(corners, face.color);
 }
 
 /// The colour of a face by its normal, the same from both sides.
@@ -202,7 +201,7 @@ fn shade(corners: [[f64; 3]; 4]) -> Rgb8 {
 }
 
 /// The surface as circles and lines.
-fn ground(picture: &mut Picture, projection: Projection) {
+fn ground(page: &mut Page, projection: Projection) {
     let circle = |radius: f64| {
         (0..=120).map(move |i| {
             let (sine, cosine) = libm::sincos(f64::from(i) * 3_f64.to_radians());
@@ -210,14 +209,14 @@ fn ground(picture: &mut Picture, projection: Projection) {
         })
     };
     for radius in [0.25, 0.5, 0.75] {
-        picture.line(circle(radius), GRID, 1.2);
+        page.line(circle(radius), GRID, 1.2);
     }
     for spoke in 0..6 {
         let (sine, cosine) = libm::sincos(f64::from(spoke) * 30_f64.to_radians());
         let ends = [-1.0, 1.0].map(|side| projection.apply([side * cosine, side * sine, 0.0]).0);
-        picture.line(ends, GRID, 1.2);
+        page.line(ends, GRID, 1.2);
     }
-    picture.line(circle(1.0), GRAY, 1.2);
+    page.line(circle(1.0), GRAY, 1.2);
 }
 
 #[cfg(test)]

@@ -2,16 +2,15 @@
 
 use glanz_color::meyer::{NODES_NM, curves};
 
-use super::curves::{Curve, Curves, Marked};
-use super::picture::Picture;
-use super::style::Rgb8;
+use crate::chart::{Curve, Marked, WavelengthChart};
+use crate::page::style::Rgb8;
 
 /// Dark for A, red for C1 (red against green), blue for C2 (blue against yellow).
 const COLORS: [Rgb8; 3] = [[0x1f, 0x24, 0x2b], [0xd0, 0x2f, 0x2f], [0x2d, 0x5f, 0xd3]];
 const NAMES: [&str; 3] = ["A, light and dark", "C1, green and red", "C2, blue and yellow"];
 
 /// The plot of A, C1 and C2 with the four wavelengths.
-pub fn meyer() -> Picture {
+pub fn meyer() -> WavelengthChart {
     let curves = curves().into_iter().zip(NAMES).zip(COLORS).map(|((points, name), color)| Curve {
         name: name.to_owned(),
         points,
@@ -19,7 +18,7 @@ pub fn meyer() -> Picture {
         dash: None,
     });
     let marked = NODES_NM.map(|nm| Marked { nm, label: nm.to_string() });
-    Curves {
+    WavelengthChart {
         title: "Meyer’s basis functions".to_owned(),
         subtitle: "The opponent space AC1C2 over wavelength, and the four samples in nm (Meyer 1988)"
             .to_owned(),
@@ -28,5 +27,4 @@ pub fn meyer() -> Picture {
         curves: curves.collect(),
         marked: marked.into(),
     }
-    .picture()
 }

@@ -1,18 +1,18 @@
 //! Lobes about a point of a surface, in the plane of incidence.
 
-use super::axes::Axis;
-use super::curves::{Curve, title};
-use super::legend;
-use super::picture::{Anchor, Picture};
-use super::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::chart::Axis;
+use crate::chart::legend;
+use crate::chart::{Curve, csv, heading};
+use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::page::{Anchor, Figure, Page};
 
 /// The radius of the outermost circle in points.
 const RADIUS: f64 = 330.0;
-/// From the circle to the edges of the picture, where numbers of angles stand.
+/// From the circle to the edges of the page, where numbers of angles stand.
 const RIM: f64 = 76.0;
-/// The room above, for the title.
+/// The space above, for the title.
 const TOP: f64 = 92.0;
-/// The room below the surface where nothing passes through.
+/// The space below the surface where nothing passes through.
 const BOTTOM: f64 = 66.0;
 
 /// A direction that is marked.
@@ -30,7 +30,7 @@ pub struct Ray {
 
 /// Curves of values by angle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polar {
+pub struct PolarChart {
     /// What is seen.
     pub title: String,
     /// More about it, in one line.
@@ -45,19 +45,18 @@ pub struct Polar {
     pub whole: bool,
 }
 
-impl Polar {
-    /// The picture.
-    pub fn picture(&self) -> Picture {
+impl Figure for PolarChart {
+    fn page(&self) -> Page {
         let names = legend::width(&self.curves);
         let width = 2.0 * (RADIUS + RIM) + if names > 0.0 { names + 30.0 } else { 0.0 };
         let below = if self.whole { RADIUS + RIM } else { BOTTOM };
         let height = TOP + 30.0 + RADIUS + below.max(legend::height(&self.curves) - RADIUS);
-        let mut picture = Picture::new(width.ceil() as u32, height.ceil() as u32);
+        let mut page = Page::new(width.ceil() as u32, height.ceil() as u32);
         let center = (RIM + RADIUS, TOP + 30.0 + RADIUS);
-        title(&mut picture, 40.0, &self.title, &self.subtitle);
-        self.grid(&mut picture, center);
+        heading(&mut page, 40.0, &self.title, &self.subtitle);
+        self.grid(&mut page, center);
         for ray in &self.rays {
-            self.ray(&mut picture, center, ray);
+            self.ray(&mut page, center, ray);
         }
         for curve in &self.curves {
             let points: Vec<_> = curve
@@ -66,52 +65,58 @@ impl Polar {
                 .filter(|(_, value)| value.is_finite())
                 .map(|(degrees, value)| place(center, *degrees, RADIUS * self.part(*value)))
                 .collect();
-            curve.stroke(&mut picture, &points, 2.4);
+            curve.stroke(&mut page, &points, 2.4);
         }
-        legend::draw(&mut picture, (center.0 + RADIUS + RIM + 10.0, TOP + 40.0), &self.curves);
-        picture
+        legend::draw(&mut page, (center.0 + RADIUS + RIM + 10.0, TOP + 40.0), &self.curves);
+        page
     }
+}
 
+impl PolarChart {
+    /// The curves as a table, one row per point.
+    pub fn csv(&self) -> String {
+        csv("angle from the normal in °", &self.radius.label, &self.curves)
+    }
     /// How far out a value is; none is in the middle.
     fn part(&self, value: f64) -> f64 {
         if value <= 0.0 { 0.0 } else { self.radius.part(value) }
     }
 
-    fn grid(&self, picture: &mut Picture, center: (f64, f64)) {
+    fn grid(&self, page: &mut Page, center: (f64, f64)) {
         let reach: i32 = if self.whole { 180 } else { 90 };
         for tick in self.radius.ticks.iter().filter(|tick| self.radius.part(**tick) > 0.0) {
             let radius = RADIUS * self.radius.part(*tick);
-            picture.line((-reach..=reach).map(|d| place(center, f64::from(d), radius)), GRID, 1.2);
+            page.line((-reach..=reach).map(|d| place(center, f64::from(d), radius)), GRID, 1.2);
             let at = (center.0 + radius, center.1 + 1.4 * NUMBER);
-            picture.text(self.radius.number(*tick), at, Anchor::Middle, NUMBER - 1.0, GRAY);
+            page.text(self.radius.number(*tick), at, Anchor::Middle, NUMBER - 1.0, GRAY);
         }
-        picture.line((-reach..=reach).map(|d| place(center, f64::from(d), RADIUS)), GRAY, 1.2);
+        page.line((-reach..=reach).map(|d| place(center, f64::from(d), RADIUS)), GRAY, 1.2);
         for degrees in (-reach..=reach).step_by(15) {
             let angle = f64::from(degrees);
-            picture.line([center, place(center, angle, RADIUS)], GRID, 1.0);
+            page.line([center, place(center, angle, RADIUS)], GRID, 1.0);
             if degrees % 30 == 0 && degrees != -180 && degrees.abs() != 90 {
                 let (x, y) = place(center, angle, RADIUS + 16.0);
                 let text = format!("{degrees}°").replace('-', "–");
-                picture.text(text, (x, y + 0.36 * NUMBER), Anchor::Middle, NUMBER, GRAY);
+                page.text(text, (x, y + 0.36 * NUMBER), Anchor::Middle, NUMBER, GRAY);
             }
         }
         let (left, right) = (center.0 - RADIUS - 14.0, center.0 + RADIUS + 14.0);
-        picture.line([(left, center.1), (right, center.1)], INK, 3.0);
-        picture.text("surface", (left, center.1 + 1.4 * NUMBER), Anchor::Start, NUMBER, INK);
+        page.line([(left, center.1), (right, center.1)], INK, 3.0);
+        page.text("surface", (left, center.1 + 1.4 * NUMBER), Anchor::Start, NUMBER, INK);
         let at = (center.0, center.1 + if self.whole { 1.4 * NUMBER } else { 3.2 * NUMBER });
         if !self.whole {
-            picture.text(&self.radius.label, at, Anchor::Middle, NUMBER, INK);
+            page.text(&self.radius.label, at, Anchor::Middle, NUMBER, INK);
         }
     }
 
-    fn ray(&self, picture: &mut Picture, center: (f64, f64), ray: &Ray) {
+    fn ray(&self, page: &mut Page, center: (f64, f64), ray: &Ray) {
         let end = place(center, ray.degrees, RADIUS);
         match ray.dashed {
-            true => picture.dashes(&[center, end], ray.color, 1.6, (3.0, 5.0)),
-            false => picture.line([center, end], ray.color, 1.8),
+            true => page.dashes(&[center, end], ray.color, 1.6, (3.0, 5.0)),
+            false => page.line([center, end], ray.color, 1.8),
         }
         if !ray.dashed {
-            picture.disc(end, 5.0, ray.color);
+            page.disc(end, 5.0, ray.color);
         }
         let (x, y) = place(center, ray.degrees, RADIUS + 30.0);
         let anchor = match ray.degrees {
@@ -119,10 +124,10 @@ impl Polar {
             d if d < 0.0 => Anchor::End,
             _ => Anchor::Start,
         };
-        // Above the numbers of the rim, and within the picture at its sides.
+        // Above the numbers of the rim, and within the page at its sides.
         let x = x.clamp(RIM, center.0 + RADIUS + RIM);
         let lift = if anchor == Anchor::Middle { -2.0 } else { -6.0 };
-        picture.text(&ray.label, (x, y + lift), anchor, NUMBER, ray.color);
+        page.text(&ray.label, (x, y + lift), anchor, NUMBER, ray.color);
     }
 }
 

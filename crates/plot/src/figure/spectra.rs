@@ -2,13 +2,12 @@
 
 use glanz_color::Spectrum;
 
-use super::curves::{Curve, Curves};
-use super::picture::Picture;
-use super::style::{curve, dash};
+use crate::chart::{Curve, WavelengthChart};
+use crate::page::{curve_color, curve_dash};
 
 /// A spectrum and what it is called.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NamedCurve {
+pub struct NamedSpectrum {
     /// The name.
     pub name: String,
     /// Its values on the grid.
@@ -16,14 +15,14 @@ pub struct NamedCurve {
 }
 
 /// The plot of one spectrum or of several.
-pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedCurve]) -> Picture {
+pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedSpectrum]) -> WavelengthChart {
     let curves = spectra.iter().enumerate().map(|(index, named)| Curve {
         name: named.name.clone(),
         points: named.spectrum.points().collect(),
-        color: if spectra.len() == 1 { super::style::INK } else { curve(index) },
-        dash: dash(index),
+        color: if spectra.len() == 1 { crate::page::style::INK } else { curve_color(index) },
+        dash: curve_dash(index),
     });
-    Curves {
+    WavelengthChart {
         title: title.to_owned(),
         subtitle: subtitle.to_owned(),
         label: label.to_owned(),
@@ -31,5 +30,4 @@ pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedCurve])
         curves: curves.collect(),
         marked: Vec::new(),
     }
-    .picture()
 }

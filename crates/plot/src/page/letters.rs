@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
 
-use super::picture::{Anchor, Text};
+use super::shapes::{Anchor, Text};
 
 /// Noto Sans, with the letters that plots need: Latin, Greek, digits above and below the line.
 static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {

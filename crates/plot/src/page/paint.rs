@@ -4,17 +4,17 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::picture::{Picture, Shape};
+use super::shapes::{Page, Shape};
 use super::style::Rgb8;
 
-/// Draws the shapes of a picture except texts, each point `scale` pixels large.
+/// Draws the shapes of a page except texts, each point `scale` pixels large.
 pub fn paint<B: DrawingBackend>(
-    picture: &Picture,
+    page: &Page,
     scale: f64,
     area: &DrawingArea<B, Shift>,
 ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
     let pixel = |point: &(f64, f64)| ((point.0 * scale).round() as i32, (point.1 * scale).round() as i32);
-    for shape in &picture.shapes {
+    for shape in &page.shapes {
         match shape {
             Shape::Line { points, color, width } => {
                 let width = (width * scale).round().max(1.0) as u32;

@@ -1,4 +1,4 @@
-//! A picture as PNG.
+//! A page as PNG.
 
 use std::io::Write;
 
@@ -7,7 +7,7 @@ use plotters::prelude::*;
 
 use super::letters;
 use super::paint::paint;
-use super::picture::{Picture, Raster};
+use super::shapes::{Page, Raster};
 use super::style::Rgb8;
 
 /// Pixels of the file per point, so that plots are sharp on fine screens and in print.
@@ -15,20 +15,20 @@ const PIXELS: usize = 2;
 /// Pixels drawn per pixel of the file, each way; they are averaged, which smooths every edge.
 const SMOOTH: usize = 2;
 
-/// Writes the picture as PNG.
-pub fn write(picture: &Picture, out: impl Write) -> Result<(), OutputError> {
+/// Writes the page as PNG.
+pub fn write(page: &Page, out: impl Write) -> Result<(), OutputError> {
     let scale = PIXELS * SMOOTH;
-    let (width, height) = (picture.width as usize * scale, picture.height as usize * scale);
+    let (width, height) = (page.width as usize * scale, page.height as usize * scale);
     let mut rgb = vec![0xff; width * height * 3];
-    for raster in &picture.rasters {
+    for raster in &page.rasters {
         put(raster, scale as f64, &mut rgb, (width, height));
     }
     let area = BitMapBackend::with_buffer(&mut rgb, (width as u32, height as u32)).into_drawing_area();
-    paint(picture, scale as f64, &area)
+    paint(page, scale as f64, &area)
         .and_then(|()| area.present())
         .map_err(|error| OutputError::Encode { format: "PNG", message: error.to_string() })?;
     drop(area);
-    for text in picture.texts() {
+    for text in page.texts() {
         letters::draw(text, scale as f64, |x, y, part| {
             blend(&mut rgb, (width, height), (x, y), text.color, part)
         });
@@ -54,7 +54,7 @@ fn put(raster: &Raster, scale: f64, rgb: &mut [u8], (width, height): (usize, usi
     }
 }
 
-/// Covers a part of a pixel; what lies outside of the picture is not drawn.
+/// Covers a part of a pixel; what lies outside of the page is not drawn.
 fn blend(rgb: &mut [u8], (width, height): (usize, usize), (x, y): (i32, i32), color: Rgb8, part: f32) {
     let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y)) else { return };
     if x < width && y < height {

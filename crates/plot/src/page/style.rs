@@ -1,6 +1,6 @@
 //! Colours and sizes that all plots share.
 
-/// sRGB codes.
+/// Red, green and blue as sRGB codes.
 pub type Rgb8 = [u8; 3];
 
 /// Titles and what is most important.
@@ -35,17 +35,17 @@ pub const NUMBER: f64 = 14.0;
 /// How curves are dashed, by how often their colour has been used before.
 const DASHES: [Option<(f64, f64)>; 4] = [None, Some((9.0, 6.0)), Some((2.5, 4.0)), Some((16.0, 5.0))];
 
-/// The dashes of the curve of that number.
-pub fn dash(index: usize) -> Option<(f64, f64)> {
+/// The dashes of the curve with this number, from 0: none until the colours are used up.
+pub fn curve_dash(index: usize) -> Option<(f64, f64)> {
     DASHES[index / CURVES.len() % DASHES.len()]
 }
 
-/// The dashes of that number: none for the first.
-pub fn dash_of(number: usize) -> Option<(f64, f64)> {
+/// The dashes with this number, from 0: none for the first.
+pub fn dash(number: usize) -> Option<(f64, f64)> {
     DASHES[number % DASHES.len()]
 }
 
-/// The colour of the curve of that number.
-pub fn curve(index: usize) -> Rgb8 {
+/// The colour of the curve with this number, from 0.
+pub fn curve_color(index: usize) -> Rgb8 {
     CURVES[index % CURVES.len()]
 }

@@ -1,4 +1,4 @@
-//! A picture as SVG.
+//! A page as SVG.
 
 use std::fmt::Write as _;
 use std::io::Write;
@@ -7,7 +7,7 @@ use glanz_picture::output::{Effort, Metadata, OutputError, write_png8};
 use plotters::prelude::*;
 
 use super::paint::paint;
-use super::picture::{Anchor, Picture, Raster, Text};
+use super::shapes::{Anchor, Page, Raster, Text};
 
 /// Units of the file per point: `plotters` knows whole numbers only.
 const UNITS: f64 = 20.0;
@@ -15,14 +15,14 @@ const UNITS: f64 = 20.0;
 /// The families that are asked for; whoever shows the file takes the first that is there.
 const FAMILY: &str = "Noto Sans, DejaVu Sans, sans-serif";
 
-/// Writes the picture as SVG.
-pub fn write(picture: &Picture, mut out: impl Write) -> Result<(), OutputError> {
+/// Writes the page as SVG.
+pub fn write(page: &Page, mut out: impl Write) -> Result<(), OutputError> {
     let units = |points: u32| (f64::from(points) * UNITS) as u32;
-    let (width, height) = (units(picture.width), units(picture.height));
+    let (width, height) = (units(page.width), units(page.height));
     let mut drawn = String::new();
     {
         let area = SVGBackend::with_string(&mut drawn, (width, height)).into_drawing_area();
-        paint(picture, UNITS, &area)
+        paint(page, UNITS, &area)
             .and_then(|()| area.present())
             .map_err(|error| OutputError::Encode { format: "SVG", message: error.to_string() })?;
     }
@@ -32,15 +32,15 @@ pub fn write(picture: &Picture, mut out: impl Write) -> Result<(), OutputError> 
     let mut head = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"{FAMILY}\" stroke-linejoin=\"round\">\n<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n",
-        picture.width, picture.height
+        page.width, page.height
     );
-    for raster in &picture.rasters {
+    for raster in &page.rasters {
         image(&mut head, raster)?;
     }
     out.write_all(head.as_bytes())?;
     out.write_all(body.as_bytes())?;
     let mut tail = String::new();
-    picture.texts().for_each(|one| text(&mut tail, one));
+    page.texts().for_each(|one| text(&mut tail, one));
     out.write_all(tail.as_bytes())?;
     out.write_all(b"</svg>\n")?;
     Ok(())

@@ -1,16 +1,15 @@
-//! How far two drawn pictures are apart in colour, pixel by pixel.
+//! The colour difference of two drawn frames, pixel by pixel.
 
 use glanz_color::difference::ciede2000;
 use glanz_color::models::{ColorModel, Lab, LinearSrgb};
-use glanz_picture::compare::{Spread, heat_colors};
-use glanz_render::Frame;
 
-use super::canvas::Canvas;
+use crate::Frame;
+use crate::compare::Spread;
 
-/// ΔE00 between the linear sRGB of two pictures, and how it is spread over the pixels that show a surface.
+/// ΔE00 between two frames of linear sRGB, and its statistics over the pixels that show a surface.
 #[derive(Clone, Debug)]
-pub struct Delta {
-    /// For each pixel; 0 where neither picture shows a surface.
+pub struct DeltaE {
+    /// For each pixel in rows from the top; 0 where neither frame shows a surface.
     pub map: Vec<f32>,
     /// Over the pixels that show a surface.
     pub spread: Spread,
@@ -18,9 +17,9 @@ pub struct Delta {
     pub pixels: usize,
 }
 
-impl Delta {
-    /// The difference of two pictures of one size, on the screen's white D65, at an exposure in stops. Light
-    /// beyond the screen's gamut counts as it is.
+impl DeltaE {
+    /// The difference of two frames of one size for the white D65, at an exposure of `ev` stops. Colours beyond the
+    /// gamut of sRGB are not clipped.
     pub fn between(a: &Frame, b: &Frame, ev: f32) -> Self {
         let gain = libm::exp2(f64::from(ev));
         let lab = |frame: &Frame, i: usize| -> Lab {
@@ -34,17 +33,6 @@ impl Delta {
             seen.push(*delta);
         }
         Self { spread: Spread::of(&seen), pixels: seen.len(), map }
-    }
-
-    /// The map in the colours of heat, `top` the hottest.
-    pub fn heat(&self, width: usize, top: f64) -> Canvas {
-        Canvas { width, height: self.map.len() / width.max(1), rgba: heat_colors(&self.map, top) }
-    }
-
-    /// The numbers for programs.
-    pub fn json(&self) -> serde_json::Value {
-        let Spread { mean, median, p95, max } = self.spread;
-        serde_json::json!({ "mean": mean, "median": median, "p95": p95, "max": max })
     }
 }
 
@@ -66,10 +54,10 @@ mod tests {
 
     #[test]
     fn only_surfaces_count() {
-        let delta = Delta::between(&frame([0.2, 0.5], [0, 1]), &frame([0.9, 0.5], [0, 1]), 0.0);
+        let delta = DeltaE::between(&frame([0.2, 0.5], [0, 1]), &frame([0.9, 0.5], [0, 1]), 0.0);
         assert_eq!((delta.pixels, delta.spread.max, delta.map[0]), (1, 0.0, 0.0));
         // Greys of L* 76.07 and 53.39: ΔE00 of pure lightness is below their difference.
-        let apart = Delta::between(&frame([0.0, 0.5], [0, 1]), &frame([0.0, 0.214_041], [0, 1]), 0.0);
+        let apart = DeltaE::between(&frame([0.0, 0.5], [0, 1]), &frame([0.0, 0.214_041], [0, 1]), 0.0);
         assert!((15.0..22.7).contains(&apart.spread.mean), "{:?}", apart.spread);
     }
 }

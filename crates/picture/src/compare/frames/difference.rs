@@ -1,8 +1,8 @@
 //! How far two pictures of the same scene are apart.
 
 use glanz_color::srgb_decode_u8;
-use glanz_render::Frame;
-use serde_json::{Value, json};
+
+use crate::Frame;
 
 /// Differences over the pixels that show a surface in either picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,16 +60,6 @@ impl Difference {
             mean_delta_e: sum.mean_delta_e / sum.pixels.max(1) as f64,
             ..sum
         }
-    }
-
-    /// The numbers for programs.
-    pub fn json(&self) -> Value {
-        json!({
-            "pixels": self.pixels,
-            "linear": { "rmse": self.rmse_linear, "max": self.max_linear },
-            "codes": { "rmse": self.rmse_codes, "max": self.max_codes },
-            "mean_delta_e76": self.mean_delta_e,
-        })
     }
 }
 

@@ -3,11 +3,11 @@
 use glanz_bsdf::Side;
 use glanz_math::{Frame, Vec3};
 
-use super::Request;
-use crate::failure::Failure;
-use crate::lobes::Case;
-use crate::plot::{Lobe3d, Picture, Surface};
-use crate::print::number;
+use super::lobe::Lobe;
+use super::plot::{LobePlot, MOST_PANELS};
+use crate::Error;
+use crate::figure::{LobeBodies, LobeBody};
+use crate::number;
 
 /// Rings about the axis of a lobe, closer together towards it.
 const RINGS: usize = 64;
@@ -18,30 +18,33 @@ const FIRST: f64 = 4e-4;
 /// The decades that a logarithmic body shows.
 const DECADES: f64 = 4.0;
 
-impl Request<'_> {
-    /// A body for each lobe and view.
-    pub(super) fn lobe3d(&self) -> Result<Picture, Failure> {
-        let mut surfaces = Vec::new();
-        for case in self.cases {
-            for theta in self.theta {
-                surfaces.push(self.body(case, *theta)?);
+impl LobePlot {
+    /// A body for each lobe and view: in each direction of the light as far out as the lobe is strong.
+    ///
+    /// # Errors
+    /// Those of lobes that have no direction, and [`Error::EmptyLobe`].
+    pub fn lobe3d(&self) -> Result<LobeBodies, Error> {
+        self.check_views(MOST_PANELS)?;
+        let mut bodies = Vec::new();
+        for lobe in &self.lobes {
+            for theta in &self.theta_deg {
+                bodies.push(self.body(lobe, *theta)?);
             }
         }
         let log = if self.log { " (logarithmic, 4 decades)" } else { "" };
-        Ok(Lobe3d {
+        Ok(LobeBodies {
             title: self.title("Lobes"),
             subtitle: self.subtitle(&format!("{}{log} by the direction of the light", self.quantity_name())),
-            surfaces,
-        }
-        .picture())
+            bodies,
+        })
     }
 
-    fn body(&self, case: &Case, theta: f64) -> Result<Surface, Failure> {
+    fn body(&self, lobe: &Lobe, theta: f64) -> Result<LobeBody, Error> {
         let wo = self.wo(theta);
-        let transmits = case.shape.info().side == Side::Transmission;
+        let transmits = lobe.shape.info().side == Side::Transmission;
         let axis = match transmits {
             true => {
-                let bent = (libm::sin(theta.to_radians()) / case.shape.eta()).clamp(-1.0, 1.0);
+                let bent = (libm::sin(theta.to_radians()) / lobe.shape.eta()).clamp(-1.0, 1.0);
                 self.in_plane(180.0 - libm::asin(bent).to_degrees())
             }
             false => self.in_plane(theta),
@@ -51,24 +54,24 @@ impl Request<'_> {
             .chain((0..RINGS).map(ring))
             .flat_map(|angle| (0..AROUND).map(move |i| about(frame, angle, i)))
             .collect();
-        let values: Vec<_> = directions.iter().map(|wi| self.value(case, wo, *wi)).collect();
+        let values: Vec<_> = directions.iter().map(|wi| self.value(lobe, wo, *wi)).collect();
         let most = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-        let view = format!("{}, θo = {}°", case.label, number(theta));
+        let view = format!("{}, θo = {}°", lobe.label, number(theta));
         if most <= 0.0 {
-            return Err(Failure::new(format_args!("the lobe {view} is nothing everywhere: no body to draw")));
+            return Err(Error::EmptyLobe { lobe: view });
         }
         let length = |value: f64| match self.log {
             false => value / most,
             true => (1.0 + libm::log10((value / most).max(1e-30)) / DECADES).max(0.0),
         };
-        // The plane of incidence stands still, and the grain turns.
-        let (sine, cosine) = libm::sincos(self.phi.to_radians());
+        // The plane of incidence stands still, and the tangent turns.
+        let (sine, cosine) = libm::sincos(self.phi_deg.to_radians());
         let array = |v: Vec3<f64>| [v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z];
         let points = directions
             .iter()
             .zip(&values)
             .map(|(wi, value)| array(*wi * if value.is_finite() { length(*value) } else { 1.0 }));
-        Ok(Surface {
+        Ok(LobeBody {
             caption: format!("{view}: up to {}", number(most)),
             points: points.collect(),
             columns: AROUND,

@@ -1,4 +1,4 @@
-//! A picture as a list of shapes.
+//! A page as a list of shapes.
 
 use super::style::Rgb8;
 
@@ -100,9 +100,9 @@ pub struct Raster {
     pub rgb: Vec<u8>,
 }
 
-/// A picture on white.
+/// A page on white.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub struct Page {
     /// The width in points.
     pub width: u32,
     /// The height in points.
@@ -113,8 +113,8 @@ pub struct Picture {
     pub shapes: Vec<Shape>,
 }
 
-impl Picture {
-    /// A white picture of this size in points.
+impl Page {
+    /// A white page of this size in points.
     pub fn new(width: u32, height: u32) -> Self {
         Self { width, height, rasters: Vec::new(), shapes: Vec::new() }
     }
@@ -206,9 +206,9 @@ mod tests {
 
     #[test]
     fn dashes_cover_their_part_of_the_line() {
-        let mut picture = Picture::new(100, 100);
-        picture.dashes(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0)], [0; 3], 1.0, (3.0, 2.0));
-        let lengths = picture.shapes.iter().map(|shape| match shape {
+        let mut page = Page::new(100, 100);
+        page.dashes(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0)], [0; 3], 1.0, (3.0, 2.0));
+        let lengths = page.shapes.iter().map(|shape| match shape {
             Shape::Line { points, .. } => {
                 points.windows(2).map(|p| (p[1].0 - p[0].0).abs() + (p[1].1 - p[0].1).abs()).sum()
             }

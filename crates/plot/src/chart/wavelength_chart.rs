@@ -1,11 +1,13 @@
-//! Curves over wavelength: what spectra, cones and basis functions have in common.
+//! WavelengthChart over wavelength: what spectra, cones and basis functions have in common.
 
 use super::axes::{Axes, Axis};
 use super::band;
-use super::picture::{Anchor, Picture, Rect};
-use super::style::{GRAY, INK, LABEL, NUMBER, Rgb8, TITLE};
+use super::curve::{Curve, csv, extent};
+use super::heading::heading;
+use crate::page::style::{GRAY, INK, NUMBER};
+use crate::page::{Anchor, Figure, Page, Rect};
 
-/// The size of the picture in points.
+/// The size of the page in points.
 const SIZE: (u32, u32) = (1040, 620);
 /// The width of a column of names to the right of the curves.
 const LEGEND: f64 = 200.0;
@@ -13,19 +15,6 @@ const LEGEND: f64 = 200.0;
 const NAME: f64 = 24.0;
 /// Names longer than this are cut.
 const LONGEST_NAME: usize = 26;
-
-/// A curve.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// What it is called in the legend; empty for a curve that is not in it.
-    pub name: String,
-    /// Wavelengths in nm (angles in degrees for lobes) and values, in order.
-    pub points: Vec<(f64, f64)>,
-    /// Its colour.
-    pub color: Rgb8,
-    /// The lengths of its dashes and of the gaps between them in points, if it has any.
-    pub dash: Option<(f64, f64)>,
-}
 
 /// A wavelength that is marked.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,9 +25,9 @@ pub struct Marked {
     pub label: String,
 }
 
-/// A picture of curves over wavelength.
+/// Curves over wavelength; a curve that is alone is filled with the colours of the spectrum.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curves {
+pub struct WavelengthChart {
     /// What is seen.
     pub title: String,
     /// More about it, in one line.
@@ -53,31 +42,37 @@ pub struct Curves {
     pub marked: Vec<Marked>,
 }
 
-impl Curves {
-    /// The picture; what is under a curve that is alone is filled with the colours of the spectrum.
-    pub fn picture(&self) -> Picture {
+impl Figure for WavelengthChart {
+    fn page(&self) -> Page {
         // Names of many curves need more height.
         let height = f64::from(SIZE.1).max(150.0 + NAME * self.curves.len() as f64);
-        let mut picture = Picture::new(SIZE.0, height as u32);
+        let mut page = Page::new(SIZE.0, height as u32);
         let alone = self.curves.len() == 1;
         let legend = if alone { 28.0 } else { LEGEND };
         let width = f64::from(SIZE.0) - 96.0 - legend;
         let rect = Rect { x: 96.0, y: 96.0, width, height: height - 96.0 - 84.0 };
-        title(&mut picture, rect.x, &self.title, &self.subtitle);
+        heading(&mut page, rect.x, &self.title, &self.subtitle);
         let axes = self.axes(rect);
         if let ([curve], true) = (self.curves.as_slice(), alone) {
-            band::under(&mut picture, &axes, |nm| value_at(&curve.points, nm));
+            band::under(&mut page, &axes, |nm| value_at(&curve.points, nm));
         }
-        draw(&mut picture, &axes, &self.curves);
+        draw(&mut page, &axes, &self.curves);
         for marked in &self.marked {
             let (x, top) = axes.at(marked.nm, axes.y.range.1);
-            picture.dashes(&[(x, top), (x, rect.bottom())], INK, 1.4, (5.0, 4.0));
-            picture.text(&marked.label, (x, top - 7.0), Anchor::Middle, NUMBER, INK);
+            page.dashes(&[(x, top), (x, rect.bottom())], INK, 1.4, (5.0, 4.0));
+            page.text(&marked.label, (x, top - 7.0), Anchor::Middle, NUMBER, INK);
         }
         if !alone {
-            names(&mut picture, (rect.right() + 22.0, rect.y + 12.0), &self.curves);
+            names(&mut page, (rect.right() + 22.0, rect.y + 12.0), &self.curves);
         }
-        picture
+        page
+    }
+}
+
+impl WavelengthChart {
+    /// The curves as a table, one row per point.
+    pub fn csv(&self) -> String {
+        csv("wavelength in nm", &self.label, &self.curves)
     }
 
     fn axes(&self, rect: Rect) -> Axes {
@@ -87,50 +82,38 @@ impl Curves {
 }
 
 /// Draws curves over wavelength in these axes, with the band of the spectrum.
-pub fn draw(picture: &mut Picture, axes: &Axes, curves: &[Curve]) {
-    axes.grid(picture);
+pub fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
+    axes.grid(page);
     if axes.y.range.0 < 0.0 {
         let zero = [axes.at(axes.x.range.0, 0.0), axes.at(axes.x.range.1, 0.0)];
-        picture.line(zero, GRAY, 1.2);
+        page.line(zero, GRAY, 1.2);
     }
-    band::below(picture, axes);
+    band::below(page, axes);
     for curve in curves {
         let shown = curve.points.iter().filter(|(nm, _)| (axes.x.range.0..=axes.x.range.1).contains(nm));
         let points: Vec<_> = shown.map(|(nm, value)| axes.at(*nm, *value)).collect();
         match curve.dash {
-            Some(dash) => picture.dashes(&points, curve.color, 2.4, dash),
-            None => picture.line(points, curve.color, 2.4),
+            Some(dash) => page.dashes(&points, curve.color, 2.4, dash),
+            None => page.line(points, curve.color, 2.4),
         }
     }
-    axes.frame(picture);
-}
-
-/// The least and the greatest value, and 0.
-pub fn extent(curves: &[Curve]) -> (f64, f64) {
-    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|(_, value)| *value));
-    (values().fold(0.0, f64::min), values().fold(0.0, f64::max))
-}
-
-/// Writes the title, and what there is to say more.
-pub fn title(picture: &mut Picture, x: f64, title: &str, subtitle: &str) {
-    picture.text(title, (x, 40.0), Anchor::Start, TITLE, INK);
-    picture.text(subtitle, (x, 66.0), Anchor::Start, LABEL, GRAY);
+    axes.frame(page);
 }
 
 /// Writes the names of curves below each other, each beside a piece of its curve.
-pub fn names(picture: &mut Picture, (x, y): (f64, f64), curves: &[Curve]) {
+pub fn names(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
     for (index, curve) in curves.iter().enumerate() {
         let y = y + NAME * index as f64;
         let piece = [(x, y), (x + 26.0, y)];
         match curve.dash {
-            Some(dash) => picture.dashes(&piece, curve.color, 2.8, dash),
-            None => picture.line(piece, curve.color, 2.8),
+            Some(dash) => page.dashes(&piece, curve.color, 2.8, dash),
+            None => page.line(piece, curve.color, 2.8),
         }
         let mut name: String = curve.name.chars().take(LONGEST_NAME).collect();
         if curve.name.chars().nth(LONGEST_NAME).is_some() {
             name.push('…');
         }
-        picture.text(name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
+        page.text(name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
     }
 }
 

@@ -3,40 +3,41 @@
 use glanz_bsdf::Side;
 use glanz_math::Vec3;
 
-use super::Request;
-use crate::failure::Failure;
-use crate::lobes::Case;
-use crate::plot::{Axis, CELLS, Picture, Slice, Slices};
+use super::lobe::Lobe;
+use super::plot::{LobePlot, MOST_PANELS};
+use crate::Error;
+use crate::chart::Axis;
+use crate::figure::{CELLS, Slice, SliceMaps};
 
 /// The least cosine of directions that decide on the scale: 5° above the horizon.
 const CLEAR: f64 = 0.087;
 
-impl Request<'_> {
-    /// A picture in false colours for each lobe.
+impl LobePlot {
+    /// A map in false colours for each lobe.
     ///
-    /// Coordinates of Rusinkiewicz (1998): the half vector θh from the normal at the azimuth --phi, the light θd
-    /// from it, across the plane of both (φd = 90°).
-    pub(super) fn slice(&self) -> Result<Picture, Failure> {
-        if let Some(case) = self.cases.iter().find(|case| case.shape.info().side == Side::Transmission) {
-            let name = case.shape.info().name;
-            return Err(Failure::Usage(format!(
-                "--kind slice shows reflection, by half vectors; light passes through '{name}'"
-            )));
+    /// Coordinates of Rusinkiewicz (1998): the half vector θh from the normal at the azimuth phi, the light θd
+    /// from it, across the plane of both (φd = 90°). [`theta_deg`](Self::theta_deg) does not matter.
+    ///
+    /// # Errors
+    /// Those of lobes that have no direction, and [`Error::Transmission`].
+    pub fn slice(&self) -> Result<SliceMaps, Error> {
+        self.check_lobes(1, MOST_PANELS)?;
+        if let Some(lobe) = self.lobes.iter().find(|lobe| lobe.shape.info().side == Side::Transmission) {
+            return Err(Error::Transmission { model: lobe.shape.info().name });
         }
         let slices: Vec<_> = self
-            .cases
+            .lobes
             .iter()
-            .map(|case| Slice { caption: case.label.clone(), values: self.cells(case) })
+            .map(|lobe| Slice { caption: lobe.label.clone(), values: self.cells(lobe) })
             .collect();
         let values = || slices.iter().flat_map(|slice| slice.values.iter().copied());
         let most = slices.iter().map(|slice| self.greatest(slice)).fold(0.0, f64::max);
         let scale = match self.log {
-            true => super::plane::decades(self.quantity_name(), values(), most),
+            true => Axis::decades_over(self.quantity_name(), values(), most),
             false => Axis::round(self.quantity_name(), (0.0, most), 6),
         };
         let below = "half vector across, difference angle up, φd = 90°; grey is below the surface, and black holds all that is more";
-        Ok(Slices { title: self.title("BRDF slices"), subtitle: self.subtitle(below), scale, slices }
-            .picture())
+        Ok(SliceMaps { title: self.title("BRDF slices"), subtitle: self.subtitle(below), scale, slices })
     }
 
     /// The greatest value of a slice that is not seen or lit at grazing angles, where f may grow without bound.
@@ -50,10 +51,10 @@ impl Request<'_> {
         values.map(|(_, value)| *value).fold(0.0, f64::max)
     }
 
-    fn cells(&self, case: &Case) -> Vec<f64> {
+    fn cells(&self, lobe: &Lobe) -> Vec<f64> {
         let value = |index: usize| {
             let (wo, wi) = self.of_cell(index / CELLS, index % CELLS);
-            if wo.z > 0.0 && wi.z > 0.0 { self.value(case, wo, wi) } else { f64::NAN }
+            if wo.z > 0.0 && wi.z > 0.0 { self.value(lobe, wo, wi) } else { f64::NAN }
         };
         (0..CELLS * CELLS).map(value).collect()
     }
@@ -66,7 +67,7 @@ impl Request<'_> {
 
     /// Viewer and light of a half and a difference angle, in radians.
     fn directions(&self, theta_h: f64, theta_d: f64) -> (Vec3<f64>, Vec3<f64>) {
-        let phi = self.phi.to_radians();
+        let phi = self.phi_deg.to_radians();
         let half = Vec3::from_angles(theta_h, phi);
         // Across the plane of normal and half vector.
         let across = Vec3::from_angles(std::f64::consts::FRAC_PI_2, phi + std::f64::consts::FRAC_PI_2);
