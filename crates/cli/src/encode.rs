@@ -9,10 +9,10 @@ use glanz_picture::output::{
 };
 
 use super::args::Target;
-use super::canvas::Canvas;
-use super::failure::Failure;
 use super::pipeline::{Picture, Plan};
 use super::print;
+use super::print::failure::Failure;
+use glanz_plot::Canvas;
 
 /// How long a picture alone is shown in a format that moves.
 const STILL_MS: u32 = 1000;

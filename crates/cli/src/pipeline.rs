@@ -10,13 +10,13 @@ use glanz_render::{
 use glanz_scene::{Background, Camera, ColorMode, Scene, Shading, White};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
-use super::canvas::Canvas;
-use super::difference::Developed;
-use super::failure::Failure;
 use super::frames::turned;
 use super::load::Input;
+use super::print::failure::Failure;
 use super::progress::Progress;
-use super::timings::{Stage, Timings};
+use crate::print::timings::{Stage, Timings};
+use glanz_picture::compare::frames::Developed;
+use glanz_plot::Canvas;
 
 /// What is kept of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

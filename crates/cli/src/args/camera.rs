@@ -4,9 +4,9 @@ use clap::Args;
 use glam::DVec3;
 use glanz_scene::{Camera, Projection};
 
-use super::super::failure::Failure;
-use super::super::load::Input;
 use super::values;
+use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Another camera than the scene's.
 #[derive(Args, Clone, Debug, Default)]

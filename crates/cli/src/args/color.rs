@@ -5,8 +5,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glanz_render::{DebugView, Observation};
 use glanz_scene::{ColorMode, Scene, White};
 
-use super::super::failure::Failure;
-use super::super::spectra::observer_source;
+use crate::input::spectra::observer_source;
+use crate::print::failure::Failure;
 
 /// Colour otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]

@@ -5,8 +5,8 @@ use glanz_math::simd_level;
 use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions};
 use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
 
-use super::super::failure::Failure;
 use super::{ColorArgs, choices, values};
+use crate::print::failure::Failure;
 
 /// What to draw otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]

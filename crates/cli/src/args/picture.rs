@@ -3,9 +3,9 @@
 use clap::{Args, ValueEnum};
 use glanz_render::{Develop, ToneMap};
 
-use super::super::failure::Failure;
-use super::super::load::Input;
 use super::choices;
+use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Bits per channel of a PNG.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

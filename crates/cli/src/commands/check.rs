@@ -1,7 +1,5 @@
 //! `glanz check`: the health certificate of models.
 
-use std::fmt::Write;
-
 use clap::Args;
 use glanz_bsdf::MODELS;
 use glanz_bsdf::certificate::{Certificate, Finding, Verdict, certify};
@@ -9,9 +7,10 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::args::MachineArgs;
-use crate::failure::{Failure, Report};
-use crate::lobes::{Case, SetArgs, model_names};
-use crate::print::{self, FormatArgs};
+use crate::input::lobes::{SetArgs, model_names};
+use crate::print::failure::{Failure, Report};
+use crate::print::{self, FormatArgs, line};
+use glanz_plot::Lobe;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -48,16 +47,16 @@ impl CheckArgs {
     /// Looks at every combination, and prints what is found.
     pub fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
-        let cases = match self.all {
-            true => self.set.cases(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
-            false => self.set.cases(&self.models)?,
+        let lobes = match self.all {
+            true => self.set.lobes(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
+            false => self.set.lobes(&self.models)?,
         };
-        let certificates: Vec<_> = cases.par_iter().map(|case| certify(&case.shape)).collect();
+        let certificates: Vec<_> = lobes.par_iter().map(|lobe| certify(&lobe.shape)).collect();
         match self.format.is_json() {
             true => print::json(&certificates.iter().map(describe).collect())?,
-            false => print::text(&table(&cases, &certificates))?,
+            false => print::text(&table(&lobes, &certificates))?,
         }
-        verdict(&cases, &certificates)
+        verdict(&lobes, &certificates)
     }
 }
 
@@ -71,11 +70,11 @@ fn verdict_name(verdict: Verdict) -> &'static str {
 }
 
 /// A block of lines per certificate.
-fn table(cases: &[Case], certificates: &[Certificate]) -> String {
+fn table(lobes: &[Lobe], certificates: &[Certificate]) -> String {
     let mut text = String::new();
-    for (index, (case, certificate)) in cases.iter().zip(certificates).enumerate() {
+    for (index, (lobe, certificate)) in lobes.iter().zip(certificates).enumerate() {
         let gap = if index == 0 { "" } else { "\n" };
-        line(&mut text, format_args!("{gap}{}", case.label));
+        line(&mut text, format_args!("{gap}{}", lobe.label));
         for Finding { check, verdict, detail, .. } in &certificate.findings {
             let words = match verdict {
                 Verdict::NotApplicable(reason) => reason,
@@ -114,13 +113,13 @@ fn describe(certificate: &Certificate) -> Value {
 }
 
 /// The failure that names what is broken, if anything is.
-fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> {
-    let broken: Vec<_> = cases
+fn verdict(lobes: &[Lobe], certificates: &[Certificate]) -> Result<(), Failure> {
+    let broken: Vec<_> = lobes
         .iter()
         .zip(certificates)
-        .flat_map(|(case, certificate)| {
+        .flat_map(|(lobe, certificate)| {
             let findings = certificate.findings.iter().filter(|finding| finding.is_broken());
-            findings.map(move |finding| (case, finding))
+            findings.map(move |finding| (lobe, finding))
         })
         .collect();
     if broken.is_empty() {
@@ -129,9 +128,9 @@ fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> 
     let unknown = |finding: &Finding| matches!(finding.verdict, Verdict::Broken { known: None });
     let names: Vec<_> = broken
         .iter()
-        .map(|(case, finding)| {
+        .map(|(lobe, finding)| {
             let known = if unknown(finding) { "" } else { " (known)" };
-            format!("{} of {}{known}", finding.check.name(), case.label)
+            format!("{} of {}{known}", finding.check.name(), lobe.label)
         })
         .collect();
     let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };
@@ -140,8 +139,4 @@ fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> 
         true => report.help("each is a fault that its model is known to have").into(),
         false => report.into(),
     })
-}
-
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    writeln!(text, "{line}").expect("a string takes everything");
 }

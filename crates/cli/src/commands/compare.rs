@@ -14,12 +14,12 @@ use serde_json::{Value, json};
 
 use crate::args::{MachineArgs, Target, TargetArgs};
 use crate::encode;
-use crate::failure::{Failure, Report, without_number};
-use crate::heat_sheet;
+use crate::input::thresholds::{Statistic, Threshold, is_spread};
 use crate::pipeline::Picture;
+use crate::print::failure::{Failure, Report, without_number};
 use crate::print::{self, Format, FormatArgs, number};
 use crate::progress::Progress;
-use crate::thresholds::{Statistic, Threshold, is_spread};
+use glanz_plot::heat_map_sheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -38,7 +38,7 @@ The value of de2000, flip and ssim is the mean; de2000, flip and rmse also have 
 
 /// Options of `glanz compare`.
 #[derive(Args, Debug)]
-pub struct ComparePicturesArgs {
+pub struct CompareArgs {
     /// The picture that the other is compared with (.png, .exr)
     #[arg(value_name = "REFERENCE", value_hint = ValueHint::FilePath)]
     reference: PathBuf,
@@ -77,7 +77,7 @@ pub struct ComparePicturesArgs {
     format: FormatArgs,
 }
 
-impl ComparePicturesArgs {
+impl CompareArgs {
     /// Measures.
     pub fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
@@ -85,7 +85,7 @@ impl ComparePicturesArgs {
         let pair = self.pair()?;
         let measured = self.measure(&pair)?;
         if let Some(target) = &target {
-            let sheet = heat_sheet::draw(&pair, self.titles(), &measured)?;
+            let sheet = heat_map_sheet(&pair, self.titles(), &measured)?;
             encode::deliver(Picture::Codes8(sheet), target, &Metadata::default())?;
         }
         self.tell(target.as_ref(), &pair, &measured)?;

@@ -1,21 +1,13 @@
 //! `glanz plot`: lobes, albedos and Fresnel reflectance as plots.
 
-mod albedo;
-mod fresnel;
-mod lobe3d;
-mod plane;
-mod sample;
-mod slice;
-mod terms;
-
 use clap::{Args, ValueEnum, ValueHint};
-use glanz_bsdf::{DirectionPair, LightTerm, Side};
-use glanz_math::Vec3;
+use glanz_plot::{Factor, Figure, FresnelPlot, LobePlot, Medium, PlotFile};
 
-use crate::failure::Failure;
-use crate::lobes::{Case, Factor, FactorArgs, SetArgs, model_names};
-use crate::plot::{Picture, PlotFile, plot_file};
+use crate::input::lobes::{FactorArgs, SetArgs, model_names, wavelength};
+use crate::input::spectra::words;
 use crate::print;
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_plot};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -30,9 +22,6 @@ Examples:
 All combinations of models, parameters and angles are curves of one plot. The light is in the
 plane of the viewer and the normal, at positive angles on the other side of the normal: the
 mirror direction of a viewer at 30° is 30°.";
-
-/// The most curves of a plot.
-const MAX_CURVES: usize = 64;
 
 /// The kinds of plots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -50,7 +39,7 @@ enum Kind {
     Slice,
     /// The reflectance of media over the angle of incidence, exact and by Schlick's formula
     Fresnel,
-    /// The factors D, G and F of models of facets
+    /// The factors D, G and F of microfacet models
     Terms,
 }
 
@@ -83,7 +72,7 @@ pub struct PlotArgs {
     #[arg(long, value_name = "THETA,…", value_delimiter = ',')]
     theta: Vec<f64>,
 
-    /// Azimuth of the viewer from the tangent, in degrees, for models with a grain
+    /// Azimuth of the viewer from the tangent, in degrees, for anisotropic models
     #[arg(long, value_name = "PHI", default_value_t = 0.0, allow_hyphen_values = true)]
     phi: f64,
 
@@ -100,12 +89,12 @@ pub struct PlotArgs {
     #[arg(long, value_name = "NAME", help_heading = "Tint")]
     ior: Option<String>,
 
-    /// Multiply with a share of light: a number, or a spectrum's name or file, at --lambda-nm
+    /// Multiply with a reflectance: a number, or a spectrum's name or file, at --lambda-nm
     #[arg(long, value_name = "NAME", conflicts_with = "ior", help_heading = "Tint")]
     tint: Option<String>,
 
     /// The wavelength at which --ior and --tint are taken, in nm [default: 550]
-    #[arg(long, value_name = "NM", value_parser = crate::lobes::wavelength, help_heading = "Tint")]
+    #[arg(long, value_name = "NM", value_parser = wavelength, help_heading = "Tint")]
     lambda_nm: Option<f64>,
 
     /// For --kind fresnel: also the two polarisations, s across and p in the plane of incidence
@@ -113,34 +102,28 @@ pub struct PlotArgs {
     polarised: bool,
 
     /// The plot's file, SVG or PNG by its ending
-    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, value_parser = plot_file,
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath,
           help_heading = "Output")]
     output: PlotFile,
 }
 
-/// What all plots of lobes need, checked.
-#[derive(Debug)]
-struct Request<'a> {
-    cases: &'a [Case],
-    theta: &'a [f64],
-    phi: f64,
-    quantity: Quantity,
-    log: bool,
-    factor: &'a Factor,
-    nm: f64,
+impl From<Quantity> for glanz_plot::Quantity {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::F => Self::F,
+            Quantity::FCos => Self::FCos,
+        }
+    }
 }
 
 impl PlotArgs {
     /// Makes the plot.
     pub fn run(&self) -> Result<(), Failure> {
-        self.output.check()?;
-        let picture = self.picture()?;
-        self.output.save(&picture)?;
-        print::note(format_args!("wrote {}", self.output.path().display()));
-        Ok(())
+        check_plot(Some(&self.output))?;
+        save_plot(&self.output, self.figure()?.as_ref())
     }
 
-    fn picture(&self) -> Result<Picture, Failure> {
+    fn figure(&self) -> Result<Box<dyn Figure>, Failure> {
         if self.kind == Kind::Fresnel {
             return self.fresnel();
         }
@@ -152,75 +135,49 @@ impl PlotArgs {
                 "name a model, such as phong; 'glanz bsdf list' has them all".to_owned(),
             ));
         }
-        let cases = self.set.cases(&self.models)?;
-        check_directional(&cases, self.kind)?;
-        let theta = if self.theta.is_empty() { vec![30.0] } else { self.theta.clone() };
-        if let Some(wrong) = theta.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
-            return Err(Failure::Usage(format!(
-                "--theta holds {wrong}, but must be from 0 to below 90 degrees"
-            )));
-        }
-        if !self.phi.is_finite() {
-            return Err(Failure::Usage(format!("--phi is {}, but must be finite", self.phi)));
-        }
-        let args = FactorArgs { ior: self.ior.clone(), tint: self.tint.clone(), lambda_nm: self.lambda_nm };
-        let factor = if self.kind == Kind::Terms { Factor::One } else { args.factor()? };
-        let default = if self.kind == Kind::Slice { Quantity::F } else { Quantity::FCos };
-        let request = Request {
-            cases: &cases,
-            theta: &theta,
-            phi: self.phi,
-            quantity: self.quantity.unwrap_or(default),
-            log: self.log,
-            factor: &factor,
-            nm: args.nm(),
-        };
-        let views =
-            if matches!(self.kind, Kind::Polar | Kind::Cartesian | Kind::Lobe3d) { theta.len() } else { 1 };
-        let most = if matches!(self.kind, Kind::Lobe3d | Kind::Slice) { 12 } else { MAX_CURVES };
-        if cases.len() * views > most {
-            let found = cases.len() * views;
-            return Err(Failure::Usage(format!(
-                "a plot of {found} lobes cannot be read; at most {most} are drawn"
-            )));
-        }
-        match self.kind {
-            Kind::Polar => Ok(request.polar()),
-            Kind::Cartesian => Ok(request.cartesian()),
-            Kind::Lobe3d => request.lobe3d(),
-            Kind::Albedo => Ok(request.albedo()),
-            Kind::Slice => request.slice(),
-            Kind::Terms => request.terms(self.ior.as_deref().unwrap_or("1.5")),
-            Kind::Fresnel => self.fresnel(),
-        }
+        let plot = self.plot()?;
+        Ok(match self.kind {
+            Kind::Polar => Box::new(plot.polar()?),
+            Kind::Cartesian => Box::new(plot.cartesian()?),
+            Kind::Lobe3d => Box::new(plot.lobe3d()?),
+            Kind::Albedo => Box::new(plot.albedo()?),
+            Kind::Slice => Box::new(plot.slice()?),
+            Kind::Terms => {
+                Box::new(plot.terms(&Medium::named(self.ior.as_deref().unwrap_or("1.5"), plot.lambda_nm)?)?)
+            }
+            Kind::Fresnel => self.fresnel()?,
+        })
     }
 
-    fn fresnel(&self) -> Result<Picture, Failure> {
+    fn plot(&self) -> Result<LobePlot, Failure> {
+        let factor = self.factor();
+        let default = if self.kind == Kind::Slice { Quantity::F } else { Quantity::FCos };
+        Ok(LobePlot {
+            lobes: self.set.lobes(&self.models)?,
+            theta_deg: if self.theta.is_empty() { vec![30.0] } else { self.theta.clone() },
+            phi_deg: self.phi,
+            quantity: self.quantity.unwrap_or(default).into(),
+            log: self.log,
+            factor: if self.kind == Kind::Terms { Factor::One } else { factor.factor()? },
+            lambda_nm: factor.nm(),
+        })
+    }
+
+    fn factor(&self) -> FactorArgs {
+        FactorArgs { ior: self.ior.clone(), tint: self.tint.clone(), lambda_nm: self.lambda_nm }
+    }
+
+    fn fresnel(&self) -> Result<Box<dyn Figure>, Failure> {
         if let Some(name) = self.models.first() {
             print::note(format!(
                 "--kind fresnel is about media (--ior), whatever the model: '{name}' is not used"
             ));
         }
-        let nm = FactorArgs { lambda_nm: self.lambda_nm, ..FactorArgs::default() }.nm();
-        fresnel::fresnel(self.ior.as_deref().unwrap_or("1.5"), nm, self.log, self.polarised)
+        let lambda_nm = self.factor().nm();
+        let words = words(self.ior.as_deref().unwrap_or("1.5"));
+        let words = words.map_err(|message| Failure::Usage(format!("--ior: {message}")))?;
+        let media: Result<Vec<_>, _> = words.iter().map(|word| Medium::named(word, lambda_nm)).collect();
+        let plot = FresnelPlot { media: media?, lambda_nm, log: self.log, polarized: self.polarised };
+        Ok(Box::new(plot.chart()?))
     }
-}
-
-/// That every model answers to light from a direction with values.
-fn check_directional(cases: &[Case], kind: Kind) -> Result<(), Failure> {
-    for case in cases {
-        let info = case.shape.info();
-        let name = info.name;
-        if matches!(info.term, LightTerm::Ambient | LightTerm::Emission) {
-            return Err(Failure::Usage(format!(
-                "'{name}' has no lobe to plot: it answers to no light from a direction"
-            )));
-        }
-        if info.delta && kind != Kind::Terms {
-            return Err(Failure::Usage(format!(
-                "'{name}' has no lobe to plot: it sends light into a single direction"
-            )));
-        }
-    }
-    Ok(())
 }

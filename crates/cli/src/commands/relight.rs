@@ -6,15 +6,15 @@ use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, Whi
 use serde_json::json;
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::canvas::Canvas;
 use crate::encode;
-use crate::failure::Failure;
+use crate::input::spectra::light_source;
 use crate::load::Input;
 use crate::pipeline::{Picture, Plan};
+use crate::print::failure::Failure;
+use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
-use crate::sheet::Sheet;
-use crate::spectra::light_source;
-use crate::timings::Timings;
+use glanz_plot::Canvas;
+use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -143,13 +143,13 @@ impl RelightArgs {
         rows: Vec<String>,
         pictures: Vec<Canvas>,
     ) -> Result<(), Failure> {
-        let sheet = Sheet {
+        let sheet = ContactSheet {
             columns: self.light.clone(),
             rows,
             per_row: self.light.len(),
             count: pictures.len(),
             cell: (pictures[0].width, pictures[0].height),
-            ..Sheet::default()
+            ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
         for (index, picture) in pictures.iter().enumerate() {

@@ -4,16 +4,16 @@ use std::fmt::Write;
 
 use clap::Args;
 use glanz_scene::Shading;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::canvas::Canvas;
-use crate::difference::{Developed, Difference};
 use crate::encode;
-use crate::failure::Failure;
 use crate::pipeline::{Picture, Plan};
+use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
-use crate::sheet::Sheet;
+use glanz_picture::compare::frames::{Developed, Difference};
+use glanz_plot::Canvas;
+use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -33,7 +33,7 @@ const SHADINGS: [(Shading, &str, &str); 3] = [
 
 /// Options of `glanz shade-compare`.
 #[derive(Args, Debug)]
-pub struct CompareArgs {
+pub struct ShadeCompareArgs {
     #[command(flatten)]
     input: InputArgs,
     #[command(flatten)]
@@ -52,7 +52,7 @@ pub struct CompareArgs {
     format: FormatArgs,
 }
 
-impl CompareArgs {
+impl ShadeCompareArgs {
     /// Draws and measures.
     pub fn run(&self) -> Result<(), Failure> {
         if self.look.shading.is_some() {
@@ -90,9 +90,19 @@ impl CompareArgs {
         }
         let named = SHADINGS.iter().zip(differences);
         let numbers: serde_json::Map<_, _> =
-            named.map(|((_, name, _), difference)| ((*name).to_owned(), difference.json())).collect();
+            named.map(|((_, name, _), difference)| ((*name).to_owned(), json_of(difference))).collect();
         print::json(&json!({ "file": path.display().to_string(), "to": "phong", "difference": numbers }))
     }
+}
+
+/// The numbers for programs.
+fn json_of(difference: &Difference) -> Value {
+    json!({
+        "pixels": difference.pixels,
+        "linear": { "rmse": difference.rmse_linear, "max": difference.max_linear },
+        "codes": { "rmse": difference.rmse_codes, "max": difference.max_codes },
+        "mean_delta_e76": difference.mean_delta_e,
+    })
 }
 
 /// The numbers for people.
@@ -123,13 +133,13 @@ fn side_by_side(pictures: &[Developed], differences: &[Difference]) -> Result<Ca
         })
         .collect();
     captions.push(vec!["the others are compared with this".to_owned()]);
-    let sheet = Sheet {
+    let sheet = ContactSheet {
         columns: SHADINGS.iter().map(|(_, _, title)| (*title).to_owned()).collect(),
         captions,
         per_row: pictures.len(),
         count: pictures.len(),
         cell: size(&pictures[0]),
-        ..Sheet::default()
+        ..ContactSheet::default()
     };
     let mut canvas = sheet.begin()?;
     for (index, picture) in pictures.iter().enumerate() {

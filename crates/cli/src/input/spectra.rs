@@ -10,13 +10,13 @@ use std::path::Path;
 use clap::ValueEnum;
 use glanz_color::read::{NamedSpectrum, PowerUnit, Quantity, is_bfc, read_reradiation, read_spectra};
 use glanz_color::{
-    IorKind, Observer, Outside, Reradiation, Spectrum, TableError, UnknownName, fluorescent, fluorescents,
-    ior, iors, light, lights, observer, observers, reflectance, reflectances,
+    CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
+    catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
 use glanz_scene::read::read_sensor;
 
-use super::failure::{Failure, Report, without_number};
-use super::print;
+use crate::print;
+use crate::print::failure::{Failure, Report, without_number};
 
 /// The most that is read of a file: what the readers take, and one byte by which they see more.
 const MAX_BYTES: u64 = (16 << 20) + 1;
@@ -25,21 +25,27 @@ const MAX_BYTES: u64 = (16 << 20) + 1;
 const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
 
 /// Values of a surface exceed 1 only where it glows, and then hardly by more.
-const GREATEST_SHARE: f64 = 1.5;
+const GREATEST_RATIO: f64 = 1.5;
 
 /// A surface may exceed 1 by the rounding of numbers in a file without a remark.
-const SHARE_TOLERANCE: f64 = 1e-6;
+const RATIO_TOLERANCE: f64 = 1e-6;
 
-/// The most suggestions made.
-const MOST_SUGGESTIONS: usize = 3;
-
-/// What a spectrum is of.
+/// What the option --as takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
     /// Power by wavelength
     Light,
-    /// The share of light that comes back, or passes
+    /// Reflectance or transmittance by wavelength
     Surface,
+}
+
+impl From<Kind> for SpectrumKind {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Light => Self::Light,
+            Kind::Surface => Self::Surface,
+        }
+    }
 }
 
 /// A spectrum that the command line named.
@@ -50,7 +56,7 @@ pub struct Source {
     /// What it is, in a few words, and where it comes from.
     pub title: String,
     /// What it is of.
-    pub kind: Kind,
+    pub kind: SpectrumKind,
     /// The values on the grid.
     pub spectrum: Spectrum,
     /// The unit of the values as the file gives it; empty if there is none.
@@ -70,56 +76,68 @@ pub struct FluorescentSource {
     pub matrix: Reradiation,
 }
 
+impl Source {
+    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum }: CatalogSpectrum) -> Self {
+        Self { name: word.to_owned(), title, kind, spectrum, unit: String::new(), power_unit: None }
+    }
+}
+
 /// The spectrum of that name, or of that file. `kind` is what the user says it is of.
 ///
 /// What is assumed of a file is told on stderr.
-pub fn source(word: &str, kind: Option<Kind>) -> Result<Source, Failure> {
-    if let Some(source) = named(word)? {
-        return Ok(source);
-    }
+pub fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+    let unknown_name = match catalog_spectrum(word) {
+        Ok(found) => return Ok(Source::of_catalog(word, found)),
+        // Numbers that are not possible have their own message.
+        Err(error @ UnknownName::Parameter { .. }) => return Err(Failure::Usage(error.to_string())),
+        Err(error) => error,
+    };
     match open(word)? {
         Some(opened) => from_file(&opened, kind),
         None if fluorescent(word).is_ok() => Err(Failure::Usage(format!(
             "'{word}' is fluorescent: no reflectance tells its colour; see 'glanz color fluorescence'"
         ))),
-        None => Err(unknown("spectrum", word, &names())),
+        None => Err(unknown("spectrum", word, &unknown_name)),
     }
 }
 
 /// The light of that name, or of that file.
 pub fn light_source(word: &str) -> Result<Source, Failure> {
     match light(word) {
-        Ok(_) => source(word, Some(Kind::Light)),
+        Ok(_) => source(word, Some(SpectrumKind::Light)),
         // Numbers that are not possible have their own message.
         Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
-        Err(UnknownName::NotFound { .. }) => match open(word)? {
+        Err(error) => match open(word)? {
             Some(opened) => light_from_file(&opened),
-            None => Err(unknown("light", word, &lights().iter().map(|info| info.name).collect::<Vec<_>>())),
+            None => Err(unknown("light", word, &error)),
         },
     }
 }
 
 /// The observer of that name, or the sensor whose channels are the columns of that file.
 pub fn observer_source(word: &str) -> Result<Observer, Failure> {
-    if let Ok(observer) = observer(word) {
-        return Ok(observer);
-    }
+    let error = match observer(word) {
+        Ok(observer) => return Ok(observer),
+        Err(error) => error,
+    };
     let Some(Opened { bytes, file, .. }) = open(word)? else {
-        return Err(unknown("observer", word, &observers().iter().map(|info| info.name).collect::<Vec<_>>()));
+        return Err(unknown("observer", word, &error));
     };
     read_sensor(&bytes, &file).map_err(Failure::new)
 }
 
 /// The re-radiation matrix of that name, or of that file.
 pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
-    if let Ok(matrix) = fluorescent(word) {
-        let info = fluorescents().iter().find(|info| same(info.name, word));
-        let title = info.map_or(String::new(), |info| info.title.to_owned());
-        return Ok(FluorescentSource { name: word.to_owned(), title, matrix });
-    }
+    let error = match fluorescent(word) {
+        Ok(matrix) => {
+            let info = fluorescents().iter().find(|info| same(info.name, word));
+            let title = info.map_or(String::new(), |info| info.title.to_owned());
+            return Ok(FluorescentSource { name: word.to_owned(), title, matrix });
+        }
+        Err(error) => error,
+    };
     let Some(Opened { bytes, file, .. }) = open(word)? else {
-        let names: Vec<_> = fluorescents().iter().map(|info| info.name).collect();
-        return Err(unknown("fluorescent material", word, &names));
+        return Err(unknown("fluorescent material", word, &error));
     };
     let read = read_reradiation(&bytes, &file).map_err(Failure::new)?;
     if !read.notes.is_empty() {
@@ -149,7 +167,7 @@ fn light_from_file(opened: &Opened) -> Result<Source, Failure> {
     let named = pick(&spectra, &opened.file, opened.column.as_deref())?;
     match named.quantity.is_ratio() {
         true => Err(not_a(named, &opened.file, "a light")),
-        false => from_file(opened, Some(Kind::Light)),
+        false => from_file(opened, Some(SpectrumKind::Light)),
     }
 }
 
@@ -168,7 +186,7 @@ fn not_a(named: &NamedSpectrum, file: &str, wanted: &str) -> Failure {
 /// Says where a surface gives back more light than it gets.
 fn note_beyond_1(surface: &Spectrum, name: &str) {
     let most = surface.points().max_by(|a, b| a.1.total_cmp(&b.1));
-    if let Some((nm, value)) = most.filter(|(_, value)| *value > 1.0 + SHARE_TOLERANCE) {
+    if let Some((nm, value)) = most.filter(|(_, value)| *value > 1.0 + RATIO_TOLERANCE) {
         print::note(format_args!(
             "note: '{name}' gives back up to {} of the light ({nm} nm): only what glows exceeds 1",
             print::number(value)
@@ -199,50 +217,6 @@ pub fn words(text: &str) -> Result<Vec<String>, String> {
     }
 }
 
-/// A spectrum that comes with the library.
-fn named(word: &str) -> Result<Option<Source>, Failure> {
-    let source = |title: String, kind, spectrum| {
-        Ok(Some(Source {
-            name: word.to_owned(),
-            title,
-            kind,
-            spectrum,
-            unit: String::new(),
-            power_unit: None,
-        }))
-    };
-    match light(word) {
-        Ok(spectrum) => {
-            let info = lights().iter().find(|info| same(info.name, word));
-            return source(info.map_or("light", |info| info.title).to_owned(), Kind::Light, spectrum);
-        }
-        Err(error @ UnknownName::Parameter { .. }) => return Err(Failure::Usage(error.to_string())),
-        Err(UnknownName::NotFound { .. }) => {}
-    }
-    if let Ok(spectrum) = reflectance(word) {
-        let info = reflectances().iter().find(|info| same(info.name, word));
-        return source(info.map_or("", |info| info.title).to_owned(), Kind::Surface, spectrum);
-    }
-    if let Ok(found) = ior(word) {
-        let info = iors().iter().find(|info| info.name == found.name);
-        let what = match info.map(|info| info.kind) {
-            Some(IorKind::Dielectric) => "one face",
-            _ => "polished metal",
-        };
-        let title = info.map_or("", |info| info.title);
-        let title = format!("{title}, reflectance of {what} in air at normal incidence");
-        return source(title, Kind::Surface, found.normal_reflectance());
-    }
-    Ok(None)
-}
-
-/// All names that [`source`] knows.
-fn names() -> Vec<&'static str> {
-    let iors = iors().iter().flat_map(|info| [info.name, info.title]);
-    let reflectances = reflectances().iter().map(|info| info.name);
-    lights().iter().map(|info| info.name).chain(reflectances).chain(iors).collect()
-}
-
 fn plain(name: &str) -> String {
     name.trim().to_lowercase().replace([' ', '_'], "-")
 }
@@ -252,18 +226,12 @@ fn same(a: &str, b: &str) -> bool {
 }
 
 /// The failure for a word that is neither a name nor a file.
-fn unknown(what: &str, word: &str, known: &[&str]) -> Failure {
-    let wanted = plain(word);
-    let distance = |name: &str| strsim::damerau_levenshtein(&wanted, &plain(name));
-    let mut near: Vec<_> = known.iter().map(|name| (distance(name), *name)).collect();
-    near.retain(|(distance, name)| wanted.len() <= 60 && distance * 2 <= name.chars().count());
-    near.sort();
-    let least = near.first().map_or(0, |(distance, _)| *distance);
-    let near: Vec<_> =
-        near.iter().take_while(|(d, _)| *d == least).take(MOST_SUGGESTIONS).map(|(_, name)| *name).collect();
-    let suggestion = match near.as_slice() {
-        [] => String::new(),
-        names => format!("; did you mean '{}'?", names.join("' or '")),
+fn unknown(what: &str, word: &str, error: &UnknownName) -> Failure {
+    let suggestion = match error {
+        UnknownName::NotFound { near, .. } if !near.is_empty() => {
+            format!("; did you mean '{}'?", near.join("' or '"))
+        }
+        _ => String::new(),
     };
     Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
 }
@@ -310,7 +278,7 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
+fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
     let file = opened.file.as_str();
     if is_bfc(&opened.bytes) {
         let report = Report::new(format_args!("{file} is a re-radiation matrix: it has no single spectrum"));
@@ -320,27 +288,27 @@ fn from_file(opened: &Opened, kind: Option<Kind>) -> Result<Source, Failure> {
     let named = pick(&spectra, file, opened.column.as_deref())?;
     let (kind, guessed) = match (kind, named.quantity) {
         (Some(kind), _) => (kind, false),
-        (None, Quantity::Reflectance | Quantity::Transmittance) => (Kind::Surface, false),
-        (None, Quantity::Light | Quantity::Relative) => (Kind::Light, false),
+        (None, Quantity::Reflectance | Quantity::Transmittance) => (SpectrumKind::Surface, false),
+        (None, Quantity::Light | Quantity::Relative) => (SpectrumKind::Light, false),
         (None, Quantity::Absorptance) => {
             let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
             return Err(Report::new(message).help("say what it stands for with --as").into());
         }
         (None, Quantity::Unknown) => {
-            let shares = named.values.iter().all(|value| (-0.1..=GREATEST_SHARE).contains(value));
-            (if shares { Kind::Surface } else { Kind::Light }, true)
+            let ratios = named.values.iter().all(|value| (-0.1..=GREATEST_RATIO).contains(value));
+            (if ratios { SpectrumKind::Surface } else { SpectrumKind::Light }, true)
         }
     };
     if guessed {
-        let taken = if kind == Kind::Surface { "the reflectance of a surface" } else { "light" };
+        let taken = if kind == SpectrumKind::Surface { "the reflectance of a surface" } else { "light" };
         print::note(format_args!(
             "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
             named.name
         ));
     }
-    let outside = if kind == Kind::Surface { Outside::Hold } else { Outside::Zero };
+    let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
-    if kind == Kind::Surface {
+    if kind == SpectrumKind::Surface {
         note_beyond_1(&spectrum, &named.name);
     }
     Ok(Source {
@@ -405,12 +373,6 @@ mod tests {
     fn commas_in_brackets_do_not_part_words() {
         assert_eq!(words("D65, gaussian(530, 30) ,A").unwrap(), ["D65", "gaussian(530, 30)", "A"]);
         assert!(words("D65,,A").is_err() && words("").is_err());
-    }
-
-    #[test]
-    fn metals_go_by_either_name() {
-        let (gold, au) = (source("gold", None).unwrap(), source("Au", None).unwrap());
-        assert_eq!((gold.kind, &gold.spectrum), (Kind::Surface, &au.spectrum));
     }
 
     #[test]

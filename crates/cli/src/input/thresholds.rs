@@ -3,7 +3,7 @@
 use glanz_picture::compare::{Measurement, Metric};
 use serde_json::{Value, json};
 
-use super::print::number;
+use crate::print::number;
 
 /// Which number of a metric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -66,6 +66,19 @@ impl From<OutputError> for Failure {
     }
 }
 
+impl From<glanz_plot::Error> for Failure {
+    fn from(error: glanz_plot::Error) -> Self {
+        use glanz_plot::Error;
+        match error {
+            Error::Output(error) => error.into(),
+            Error::EmptyLobe { .. } => Self::new(error),
+            Error::NoFacets { .. } => Report::new(error).help("--kind polar shows its lobe").into(),
+            Error::SheetSize { .. } => Report::new(error).help("draw smaller pictures, or fewer").into(),
+            _ => Self::Usage(error.to_string()),
+        }
+    }
+}
+
 impl From<PrepareError> for Failure {
     fn from(error: PrepareError) -> Self {
         Self::new(error)

@@ -1,4 +1,12 @@
-//! Data on stdout.
+//! What is printed: data on stdout, everything else on stderr.
+
+mod colors;
+pub mod failure;
+pub mod files;
+pub mod preview;
+mod summary;
+mod text;
+pub mod timings;
 
 use std::io::{self, Write};
 
@@ -6,7 +14,9 @@ use clap::{Args, ValueEnum};
 pub use glanz_plot::number;
 use serde_json::Value;
 
-use super::failure::{Failure, without_number};
+use self::failure::{Failure, without_number};
+pub use self::summary::Summary;
+pub use self::text::{decimals, finite, fixed, line, wavelength};
 
 /// How data is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

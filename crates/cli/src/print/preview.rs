@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::canvas::Canvas;
+use glanz_plot::Canvas;
 
 /// Columns where the terminal does not tell.
 const DEFAULT_COLUMNS: usize = 80;

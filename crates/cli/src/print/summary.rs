@@ -11,8 +11,8 @@ use glanz_scene::{
 use serde_json::{Value, json};
 
 use super::colors;
-use super::load::Input;
-use super::print::number;
+use super::number;
+use crate::load::Input;
 
 /// The most things of a kind that are listed for people; JSON has all.
 const MOST_LISTED: usize = 40;

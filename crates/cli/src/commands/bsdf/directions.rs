@@ -3,7 +3,7 @@
 use glanz_math::Vec3;
 use thiserror::Error;
 
-use crate::lobes::did_you_mean;
+use crate::input::lobes::did_you_mean;
 
 /// Columns of angles in degrees.
 const ANGLES: [&str; 4] = ["theta_o_deg", "phi_o_deg", "theta_i_deg", "phi_i_deg"];

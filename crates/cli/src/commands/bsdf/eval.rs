@@ -9,9 +9,10 @@ use serde_json::{Value, json};
 
 use super::{ModelArgs, params, table};
 use crate::args;
-use crate::failure::Failure;
-use crate::lobes::{Factor, FactorArgs};
+use crate::input::lobes::FactorArgs;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
+use glanz_plot::Factor;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

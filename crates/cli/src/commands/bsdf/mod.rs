@@ -11,9 +11,9 @@ use glanz_bsdf::Shape;
 use serde_json::Value;
 
 use crate::args;
-use crate::failure::Failure;
-use crate::lobes::{did_you_mean, model_names};
+use crate::input::lobes::{did_you_mean, model_names};
 use crate::print::FormatArgs;
+use crate::print::failure::Failure;
 
 /// What to do with the models.
 #[derive(Subcommand, Debug)]
@@ -23,7 +23,7 @@ pub enum BsdfCommand {
     List(FormatArgs),
     /// All that is known of one model: formula, parameters, laws, source
     #[command(after_help = "Example:\n  glanz bsdf show blinn-phong")]
-    DebugView(list::ShowArgs),
+    Show(list::ShowArgs),
     /// The value for one pair of directions, or for each of a table
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::EvalArgs),
@@ -49,7 +49,7 @@ impl BsdfCommand {
     pub fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
-            Self::DebugView(_) => "show",
+            Self::Show(_) => "show",
             Self::Eval(_) => "eval",
             Self::Albedo(_) => "albedo",
         }
@@ -59,7 +59,7 @@ impl BsdfCommand {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(format) => list::run(*format),
-            Self::DebugView(args) => args.run(),
+            Self::Show(args) => args.run(),
             Self::Eval(args) => args.run(),
             Self::Albedo(args) => args.run(),
         }
@@ -91,10 +91,4 @@ impl ModelArgs {
 fn params(shape: &Shape) -> serde_json::Map<String, Value> {
     let names = shape.info().params.iter().map(|param| param.name.to_owned());
     names.zip(shape.params().into_iter().map(Value::from)).collect()
-}
-
-/// Adds a line.
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    use std::fmt::Write;
-    writeln!(text, "{line}").expect("a string takes everything");
 }

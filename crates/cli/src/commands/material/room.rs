@@ -14,8 +14,8 @@ use glanz_scene::{
 };
 
 use super::sky;
-use crate::failure::Failure;
 use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Behind the ball, linear.
 const BACKGROUND: Rgb = Rgb([0.055, 0.055, 0.06]);

@@ -11,14 +11,14 @@ use super::categories;
 use super::room::Room;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
 use crate::encode;
-use crate::failure::Failure;
-use crate::grid::tell;
+use crate::input::spectra;
 use crate::pipeline::{Picture, Plan};
 use crate::print::FormatArgs;
+use crate::print::failure::Failure;
+use crate::print::files::tell_sheet;
+use crate::print::timings::Timings;
 use crate::progress::Progress;
-use crate::sheet::Sheet;
-use crate::spectra;
-use crate::timings::Timings;
+use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -82,12 +82,12 @@ impl SheetArgs {
         let chosen = self.chosen()?;
         let room = Room::new(self.lamp()?)?;
         let cell = self.size as usize;
-        let sheet = Sheet {
+        let sheet = ContactSheet {
             captions: chosen.iter().map(|info| vec![info.name.clone()]).collect(),
             per_row: chosen.len().min(self.columns as usize),
             count: chosen.len(),
             cell: (cell, cell),
-            ..Sheet::default()
+            ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
         let size = (self.size, self.size);
@@ -106,7 +106,7 @@ impl SheetArgs {
         encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
         let cells: Vec<_> =
             chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();
-        tell(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, self.format)
     }
 
     /// The materials that are named, then those of the categories; all if nothing is said.
