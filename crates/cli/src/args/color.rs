@@ -1,4 +1,4 @@
-//! How colour is treated, and who looks.
+//! Colour mode, observer and white.
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -17,7 +17,7 @@ pub struct ColorArgs {
     #[arg(long, value_name = "MODE", value_parser = |text: &str| text.parse::<ColorMode>())]
     pub mode: Option<ColorMode>,
 
-    /// Who looks, in spectral modes: a name from `glanz color list observers`, or a CSV file with the
+    /// The observer, in spectral modes: a name from `glanz color list observers`, or a CSV file with the
     /// curves of a sensor [default: the scene's, else cie1931]
     #[arg(long, value_name = "NAME")]
     pub observer: Option<String>,

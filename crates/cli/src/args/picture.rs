@@ -27,7 +27,7 @@ pub struct DevelopArgs {
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     pub ev: Option<f32>,
 
-    /// How what is too bright for a screen is compressed
+    /// Tone mapping: how light above the white of the screen is compressed
     #[arg(long, value_name = "NAME", value_parser = choices::tone_map())]
     pub tone_map: Option<ToneMap>,
 

@@ -1,4 +1,4 @@
-//! `glanz check`: the health certificate of models.
+//! `glanz check`: the certificate of models.
 
 use clap::Args;
 use glanz_bsdf::MODELS;

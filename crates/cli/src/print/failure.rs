@@ -71,6 +71,7 @@ impl From<glanz_plot::Error> for Failure {
         use glanz_plot::Error;
         match error {
             Error::Output(error) => error.into(),
+            Error::ViewAngle { .. } | Error::Azimuth { .. } => Self::Usage(format!("--{error}")),
             Error::EmptyLobe { .. } => Self::new(error),
             Error::NoFacets { .. } => Report::new(error).help("--kind polar shows its lobe").into(),
             Error::SheetSize { .. } => Report::new(error).help("draw smaller pictures, or fewer").into(),

@@ -49,7 +49,7 @@ pub struct FluorescenceArgs {
     #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,UV365")]
     under: String,
 
-    /// Who looks: an observer that has X, Y and Z
+    /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 

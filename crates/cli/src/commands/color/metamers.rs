@@ -39,7 +39,7 @@ pub struct MetamersArgs {
     #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,FL11")]
     under: String,
 
-    /// Who looks: an observer that has X, Y and Z
+    /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 

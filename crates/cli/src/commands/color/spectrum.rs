@@ -47,7 +47,7 @@ pub struct SpectrumArgs {
     #[arg(long, value_name = "LIGHT", default_value = "D65")]
     under: String,
 
-    /// Who looks: a name, or a file with a column for each channel of a sensor
+    /// The observer: a name, or a file with a column for each channel of a sensor
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 

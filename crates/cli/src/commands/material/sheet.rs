@@ -27,8 +27,8 @@ Examples:
   glanz material sheet --category metal --columns 6 -o metals.png
   glanz material sheet gold copper-satin velvet-red --size 256 -o three.png
 
-The balls lie in a room with a window behind the viewer on the left and a lit screen on the right; what is seen through
-stands before a board. Without names or categories all materials are drawn.";
+The environment of the balls is a studio with a window behind the viewer on the left and a lit screen on the right;
+transparent materials stand before a checkerboard. Without names or categories all materials are drawn.";
 
 /// The most columns, if nothing is said.
 const DEFAULT_COLUMNS: u32 = 9;
@@ -53,7 +53,7 @@ pub struct SheetArgs {
           value_parser = clap::value_parser!(u32).range(1..=1000))]
     columns: u32,
 
-    /// The spectrum of the lamps and the room, from `glanz color list lights` or a file [default: D65]
+    /// The spectrum of the lamps and the environment, from `glanz color list lights` or a file [default: D65]
     #[arg(long, value_name = "SPECTRUM")]
     light: Option<String>,
 
