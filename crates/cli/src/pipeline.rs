@@ -3,6 +3,8 @@
 use glanz_color::exr::{Band, SpectralImage};
 use glanz_color::photometry::PHOTOPIC_LM_PER_W;
 use glanz_color::{Spectrum, lambda_nm, rgb_spectra};
+use glanz_picture::compare::frames::Developed;
+use glanz_plot::Canvas;
 use glanz_render::{
     Aovs, Develop, DrawOptions, Frame, Observation, PrepareOptions, Prepared, ToScreen, View, develop,
     develop16, draw, draw_observed, draw_rgba8, prepare,
@@ -13,10 +15,8 @@ use super::args::{CameraArgs, DevelopArgs, LookArgs};
 use super::frames::turned;
 use super::load::Input;
 use super::print::failure::Failure;
+use super::print::timings::{Stage, Timings};
 use super::progress::Progress;
-use crate::print::timings::{Stage, Timings};
-use glanz_picture::compare::frames::Developed;
-use glanz_plot::Canvas;
 
 /// What is kept of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

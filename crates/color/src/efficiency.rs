@@ -28,7 +28,7 @@ pub const COUNTS: std::ops::RangeInclusive<usize> = 3..=32;
 /// A representation of spectra by few numbers, with which colours are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Representation {
-    /// So many wavelengths in the middles of equal bands of 300 … 780 nm, as `--mode sampled:N` takes them.
+    /// So many wavelengths in the middles of equal bands of 300 … 780 nm, as the colour mode `sampled:N` takes them.
     Uniform(usize),
     /// The same of 400 … 700 nm, where the observer's sensitivity is concentrated.
     UniformVisible(usize),

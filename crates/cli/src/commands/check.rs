@@ -3,6 +3,7 @@
 use clap::Args;
 use glanz_bsdf::MODELS;
 use glanz_bsdf::certificate::{Certificate, Finding, Verdict, certify};
+use glanz_plot::Lobe;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -10,7 +11,6 @@ use crate::args::MachineArgs;
 use crate::input::lobes::{SetArgs, model_names};
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs, line};
-use glanz_plot::Lobe;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -10,6 +10,7 @@ use glanz_picture::compare::{
     Scale, read_picture,
 };
 use glanz_picture::output::Metadata;
+use glanz_plot::heat_map_sheet;
 use serde_json::{Value, json};
 
 use crate::args::{MachineArgs, Target, TargetArgs};
@@ -19,7 +20,6 @@ use crate::pipeline::Picture;
 use crate::print::failure::{Failure, Report, without_number};
 use crate::print::{self, Format, FormatArgs, number};
 use crate::progress::Progress;
-use glanz_plot::heat_map_sheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

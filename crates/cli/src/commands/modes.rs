@@ -3,6 +3,9 @@
 use std::fmt::Write;
 
 use clap::Args;
+use glanz_picture::compare::frames::{DeltaE, Developed};
+use glanz_picture::compare::{Spread, heat_colors};
+use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::ColorMode;
 use serde_json::{Value, json};
 
@@ -12,10 +15,6 @@ use crate::load::Input;
 use crate::pipeline::{Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
-use glanz_picture::compare::frames::{DeltaE, Developed};
-use glanz_picture::compare::{Spread, heat_colors};
-use glanz_plot::Canvas;
-use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use glanz_color::{Observer, xyz_of_light};
+use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
 use serde_json::json;
 
@@ -13,8 +14,6 @@ use crate::pipeline::{Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
-use glanz_plot::Canvas;
-use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -15,9 +15,8 @@ use crate::frames;
 use crate::load::Input;
 use crate::pipeline::{Kind, Picture, Plan};
 use crate::print::failure::Failure;
-use crate::print::preview;
 use crate::print::timings::{Stage, Timings};
-use crate::print::{self, FormatArgs};
+use crate::print::{self, FormatArgs, preview};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

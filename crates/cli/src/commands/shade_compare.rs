@@ -3,6 +3,8 @@
 use std::fmt::Write;
 
 use clap::Args;
+use glanz_picture::compare::frames::{Developed, Difference};
+use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::Shading;
 use serde_json::{Value, json};
 
@@ -11,9 +13,6 @@ use crate::encode;
 use crate::pipeline::{Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
-use glanz_picture::compare::frames::{Developed, Difference};
-use glanz_plot::Canvas;
-use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -1,6 +1,7 @@
 //! `glanz sweep`: a sheet of pictures in which values of the scene vary.
 
 use clap::Args;
+use glanz_plot::{Grid, Variation};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
 use crate::encode;
@@ -10,8 +11,6 @@ use crate::print::files::tell_sheet;
 use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
-use glanz_plot::Grid;
-use glanz_plot::Variation;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

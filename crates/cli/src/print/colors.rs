@@ -4,7 +4,7 @@ use glanz_color::{Rgb, Spectrum, rgb_spectra};
 use glanz_scene::{LightColor, Polarization, Tint};
 use serde_json::{Value, json};
 
-use super::number;
+use glanz_plot::number;
 
 /// A light's colour for people: in RGB, and where it is a spectrum.
 pub fn light_text(color: &LightColor) -> String {

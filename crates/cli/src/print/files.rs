@@ -9,7 +9,7 @@ use glanz_plot::{Figure, PlotFile};
 use serde_json::json;
 
 use super::failure::Failure;
-use super::{FormatArgs, note};
+use super::stdout::{self, FormatArgs, note};
 use crate::args::{Target, check_folder};
 
 /// Writes spectra as columns, by their names. The file is old or new, but never half.
@@ -50,5 +50,5 @@ pub fn tell_sheet(
     };
     let cells: Vec<_> = cells.iter().map(cell).collect();
     let path = path.display().to_string();
-    super::json(&json!({ "file": path, "width": width, "height": height, "cells": cells }))
+    stdout::json(&json!({ "file": path, "width": width, "height": height, "cells": cells }))
 }

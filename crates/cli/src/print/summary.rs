@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use glam::DVec3;
+use glanz_plot::number;
 use glanz_scene::{
     AlphaMode, AreaShape, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Luminaire,
     Material, Mesh, Projection, Space,
@@ -11,7 +12,6 @@ use glanz_scene::{
 use serde_json::{Value, json};
 
 use super::colors;
-use super::number;
 use crate::load::Input;
 
 /// The most things of a kind that are listed for people; JSON has all.

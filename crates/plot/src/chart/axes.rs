@@ -1,8 +1,7 @@
 //! Axes: from values to points of a page, with a grid, numbers and labels.
 
-use crate::page::letters;
 use crate::page::style::{GRAY, GRID, INK, LABEL, NUMBER};
-use crate::page::{Anchor, Page, Rect};
+use crate::page::{Anchor, Page, Rect, letters};
 
 /// How long a mark at a number is, in points.
 const MARK: f64 = 5.0;

@@ -1,9 +1,8 @@
 //! Legends: the names of curves, each beside a piece of its curve.
 
 use super::curve::Curve;
-use crate::page::letters;
 use crate::page::style::{INK, NUMBER};
-use crate::page::{Anchor, Page};
+use crate::page::{Anchor, Page, letters};
 
 /// From one name to the next below it.
 const NAME: f64 = 24.0;

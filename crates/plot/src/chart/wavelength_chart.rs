@@ -4,6 +4,7 @@ use super::axes::{Axes, Axis};
 use super::band;
 use super::curve::{Curve, csv, extent};
 use super::heading::heading;
+use super::legend;
 use crate::page::style::{GRAY, INK, NUMBER};
 use crate::page::{Anchor, Figure, Page, Rect};
 
@@ -100,21 +101,16 @@ pub fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
     axes.frame(page);
 }
 
-/// Writes the names of curves below each other, each beside a piece of its curve.
-pub fn names(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
-    for (index, curve) in curves.iter().enumerate() {
-        let y = y + NAME * index as f64;
-        let piece = [(x, y), (x + 26.0, y)];
-        match curve.dash {
-            Some(dash) => page.dashes(&piece, curve.color, 2.8, dash),
-            None => page.line(piece, curve.color, 2.8),
-        }
+/// The legend of curves over wavelength, with long names shortened.
+pub fn names(page: &mut Page, at: (f64, f64), curves: &[Curve]) {
+    let shortened = |curve: &Curve| {
         let mut name: String = curve.name.chars().take(LONGEST_NAME).collect();
         if curve.name.chars().nth(LONGEST_NAME).is_some() {
             name.push('…');
         }
-        page.text(name, (x + 34.0, y + 0.36 * NUMBER), Anchor::Start, NUMBER, INK);
-    }
+        Curve { name, points: Vec::new(), ..*curve }
+    };
+    legend::draw(page, at, &curves.iter().map(shortened).collect::<Vec<_>>());
 }
 
 /// The value at a wavelength, linear between points; 0 outside of them.

@@ -4,20 +4,16 @@ use glanz_color::srgb_encode;
 use glanz_picture::compare::{Measurement, Metric, Pair, heat_color, heat_colors};
 
 use super::canvas::{Canvas, Lettering};
-use super::sheet::ContactSheet;
+use super::sheet::{ContactSheet, GAP, INK, PAPER};
 use crate::{Error, number};
 
-/// The background of a sheet and its texts, in sRGB codes.
-const PAPER: [u8; 3] = [30, 30, 34];
-const INK: [u8; 3] = [232, 232, 228];
 /// Narrower pictures are enlarged to at least this, in pixels, so that captions fit under them.
 const LEAST_WIDTH: usize = 300;
 /// The widest and highest sheet is 16384 pixels; greater ones are shrunk to this, which leaves space for
 /// gaps and texts.
 const MOST: usize = 15_000;
-/// The height of the bar with the colours of the scale, and the gap over it, in pixels.
+/// The height of the bar with the colours of the scale, in pixels.
 const BAR: usize = 14;
-const GAP: usize = 6;
 
 /// A sheet with both pictures of a pair and a heat map for each measurement. `names` are those of the reference and
 /// of the other picture.

@@ -4,11 +4,11 @@ use super::canvas::{Canvas, Lettering};
 use crate::Error;
 
 /// Between pictures, and around them.
-const GAP: usize = 6;
+pub(super) const GAP: usize = 6;
 /// The sheet itself, in sRGB codes.
-const PAPER: [u8; 3] = [30, 30, 34];
+pub(super) const PAPER: [u8; 3] = [30, 30, 34];
 /// Texts, in sRGB codes.
-const INK: [u8; 3] = [232, 232, 228];
+pub(super) const INK: [u8; 3] = [232, 232, 228];
 /// The widest and highest sheet, in pixels.
 const MAX_SIDE: usize = 16_384;
 /// Pictures from this width on carry large letters.

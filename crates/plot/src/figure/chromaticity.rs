@@ -5,11 +5,9 @@ use glanz_color::dominant::locus;
 use glanz_color::models::RgbSpace;
 use glanz_color::temperature::planckian;
 
-use crate::chart::heading;
-use crate::chart::{Axes, Axis};
-use crate::page::letters;
+use crate::chart::{Axes, Axis, heading};
 use crate::page::style::{GRAY, INK, NUMBER, Rgb8, WHITE};
-use crate::page::{Anchor, Figure, Page, Raster, Rect};
+use crate::page::{Anchor, Figure, Page, Raster, Rect, letters};
 
 /// The size of the page in points; values of x and y have the same scale.
 const SIZE: (u32, u32) = (860, 920);

@@ -1,10 +1,8 @@
 //! The efficiency of representations: the error of colour over the number of samples.
 
-use crate::chart::heading;
-use crate::chart::{Axes, Axis};
-use crate::page::letters;
+use crate::chart::{Axes, Axis, heading};
 use crate::page::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8};
-use crate::page::{Anchor, Figure, Page, Rect};
+use crate::page::{Anchor, Figure, Page, Rect, letters};
 
 /// Panels beside each other.
 const COLUMNS: usize = 3;

@@ -1,8 +1,6 @@
 //! Lobes about a point of a surface, in the plane of incidence.
 
-use crate::chart::Axis;
-use crate::chart::legend;
-use crate::chart::{Curve, csv, heading};
+use crate::chart::{Axis, Curve, csv, heading, legend};
 use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page};
 

@@ -1,8 +1,6 @@
 //! Values over half and difference angle in false colours.
 
-use crate::chart::heading;
-use crate::chart::{Axes, Axis};
-use crate::chart::{bar, magma};
+use crate::chart::{Axes, Axis, bar, heading, magma};
 use crate::page::style::{INK, LABEL, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page, Raster, Rect};
 

@@ -5,9 +5,8 @@ use glanz_math::{Frame, Vec3};
 
 use super::lobe::Lobe;
 use super::plot::{LobePlot, MOST_PANELS};
-use crate::Error;
 use crate::figure::{LobeBodies, LobeBody};
-use crate::number;
+use crate::{Error, number};
 
 /// Rings about the axis of a lobe, closer together towards it.
 const RINGS: usize = 64;

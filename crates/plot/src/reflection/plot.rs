@@ -180,3 +180,41 @@ impl LobePlot {
         self.lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plot(model: &str) -> LobePlot {
+        LobePlot::new(vec![Lobe::named(model, &[]).unwrap()])
+    }
+
+    #[test]
+    fn what_has_no_lobe_is_refused() {
+        assert!(matches!(plot("ambient").polar(), Err(Error::NoDirection { .. })));
+        assert!(matches!(plot("mirror").albedo(), Err(Error::SingleDirection { .. })));
+        let beside = LobePlot { theta_deg: vec![90.0], ..plot("phong") };
+        assert!(matches!(beside.cartesian(), Err(Error::ViewAngle { theta_deg: 90.0 })));
+        // The albedo has no viewer of its own.
+        assert!(beside.albedo().is_ok());
+        let many = LobePlot { theta_deg: vec![30.0; 13], ..plot("phong") };
+        assert!(matches!(many.lobe3d(), Err(Error::TooManyLobes { found: 13, most: 12 })));
+        let nowhere = LobePlot { phi_deg: f64::NAN, ..plot("ward") };
+        assert!(matches!(nowhere.slice(), Err(Error::Azimuth { .. })));
+    }
+
+    #[test]
+    fn f_is_f_cos_over_the_cosine() {
+        let chart = plot("lambert").cartesian().unwrap();
+        let over = LobePlot { quantity: Quantity::F, ..plot("lambert") }.cartesian().unwrap();
+        let (a, b) = (&chart.curves[0].points, &over.curves[0].points);
+        let at_0 = |points: &[(f64, f64)]| points.iter().find(|(x, _)| *x == 0.0).map(|(_, y)| *y);
+        assert!((at_0(a).unwrap() - std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+        assert!((at_0(b).unwrap() - std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+        assert!(
+            b.iter()
+                .filter(|(x, _)| x.abs() < 80.0)
+                .all(|(_, y)| (y * std::f64::consts::PI - 1.0).abs() < 1e-9)
+        );
+    }
+}

@@ -108,3 +108,27 @@ impl LobePlot {
         LineChart { title, subtitle: String::new(), x, y, curves, marks: Vec::new() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shadowing_of_v_cavities_falls_from_45_degrees_on() {
+        let plot = LobePlot::new(vec![Lobe::named("cook-torrance", &[("m", 0.2)]).unwrap()]);
+        let terms = plot.terms(&Medium::named("1.5", 550.0).unwrap()).unwrap();
+        let points = &terms.charts[1].curves[0].points;
+        // Viewer and light at θ: G = min(1, 2 cos² θ), by hand from Cook and Torrance (1982).
+        for (degrees, g) in points.iter().filter(|(degrees, _)| *degrees < 89.9) {
+            let expected = (2.0 * libm::cos(degrees.to_radians()).powi(2)).min(1.0);
+            assert!((g - expected).abs() < 1e-9, "{degrees}: {g}, not {expected}");
+        }
+    }
+
+    #[test]
+    fn a_model_without_facets_is_refused() {
+        let plot = LobePlot::new(vec![Lobe::named("lambert", &[]).unwrap()]);
+        let medium = Medium::named("1.5", 550.0).unwrap();
+        assert!(matches!(plot.terms(&medium), Err(Error::NoFacets { model: "lambert" })));
+    }
+}

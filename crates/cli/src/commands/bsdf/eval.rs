@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape, Side};
 use glanz_math::Vec3;
+use glanz_plot::Factor;
 use serde_json::{Value, json};
 
 use super::{ModelArgs, params, table};
@@ -12,7 +13,6 @@ use crate::args;
 use crate::input::lobes::FactorArgs;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
-use glanz_plot::Factor;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

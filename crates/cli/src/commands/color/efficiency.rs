@@ -4,16 +4,16 @@ use std::fmt::Write;
 use std::path::Path;
 
 use clap::Args;
+use glanz_color::efficiency::{Errors, Representation};
 use glanz_color::{Spectrum, colorchecker, reflectance, reflectances};
+use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
+use glanz_plot::{EfficiencyChart, PlotFile};
 use serde_json::json;
 
 use crate::input::spectra::{light_source, surfaces, words};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
-use glanz_color::efficiency::{Errors, Representation};
-use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
-use glanz_plot::{EfficiencyChart, PlotFile};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:

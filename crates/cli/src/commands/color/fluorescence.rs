@@ -5,8 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::colorimetry::{lab, relative_xyz};
 use glanz_color::difference::ciede2000;
 use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
+use glanz_plot::{NamedSpectrum, PlotFile, ReradiationMap};
 use serde_json::json;
 
 use crate::args::check_folder;
@@ -16,8 +18,6 @@ use crate::input::spectra::{
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, number};
-use glanz_color::colorimetry::{lab, relative_xyz};
-use glanz_plot::{NamedSpectrum, PlotFile, ReradiationMap};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:

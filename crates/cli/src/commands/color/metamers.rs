@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use clap::Args;
+use glanz_color::colorimetry::{DisplayColor, PairDifference, metamerism_index, relative_xyz};
 use glanz_color::{Observer, ObserverKind, SpectrumKind};
+use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use serde_json::json;
 
 use crate::input::spectra::{Source, light_source, observer_source, source, words};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
-use glanz_color::colorimetry::{DisplayColor, PairDifference, metamerism_index, relative_xyz};
-use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:

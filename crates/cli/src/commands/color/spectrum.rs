@@ -4,11 +4,13 @@ use std::fmt::Write;
 
 use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::colorimetry::{DisplayColor, dominant_wavelength, lab, relative_xyz};
 use glanz_color::cri::color_rendering;
 use glanz_color::models::Lab;
 use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
 use glanz_color::temperature::{MOST_DUV, color_temperature};
 use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
+use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
@@ -16,8 +18,6 @@ use crate::input::spectra::{Kind, Source, light_source, observer_source, source}
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
-use glanz_color::colorimetry::{DisplayColor, dominant_wavelength, lab, relative_xyz};
-use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use glanz_color::Rgb;
+use glanz_plot::ContactSheet;
 use glanz_scene::LightColor;
 use glanz_scene::library::{self, Category, MaterialInfo, materials};
 
@@ -18,7 +19,6 @@ use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
 use crate::print::timings::Timings;
 use crate::progress::Progress;
-use glanz_plot::ContactSheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

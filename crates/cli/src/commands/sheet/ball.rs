@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 use glanz_bsdf::{LightTerm, Shape, Side};
 use glanz_color::{Ior, Rgb, SpectrumKind, ior};
+use glanz_plot::Medium;
 use glanz_render::{DebugView, ToneMap};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
@@ -15,7 +16,6 @@ use glanz_scene::{
 use crate::input::spectra;
 use crate::load::Input;
 use crate::print::failure::Failure;
-use glanz_plot::Medium;
 
 /// Behind the ball, linear.
 const BACKGROUND: Rgb = Rgb([0.045, 0.045, 0.05]);

@@ -7,6 +7,7 @@ use std::path::Path;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glanz_bsdf::models::info_named;
+use glanz_plot::{Grid, Variation};
 use glanz_scene::builtin::Builtin;
 
 use self::ball::Ball;
@@ -19,8 +20,6 @@ use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
 use crate::print::timings::Timings;
 use crate::progress::Progress;
-use glanz_plot::Grid;
-use glanz_plot::Variation;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
