@@ -105,12 +105,28 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
             other => return Err(other.unexpected()),
         }
     }
+    let task = task(name.as_deref(), &mut only, &mut flags)?;
+    if only.is_some() {
+        return Err("this chore has no option '--only'".into());
+    }
+    match flags.first() {
+        Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
+        None => Ok(task),
+    }
+}
+
+/// The task of that name; takes the options that it knows.
+fn task(
+    name: Option<&str>,
+    only: &mut Option<String>,
+    flags: &mut Vec<String>,
+) -> std::result::Result<Task, lexopt::Error> {
     let mut take = |flag: &str| {
         let before = flags.len();
         flags.retain(|given| given != flag);
         flags.len() < before
     };
-    let task = match name.as_deref() {
+    Ok(match name {
         Some("test") => Task::Test(test::Options {
             quick: take("quick"),
             keep_going: take("keep-going"),
@@ -127,14 +143,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
         Some("data") => Task::Data { check: take("check") },
         None | Some("help") => Task::Help,
         Some(other) => return Err(format!("there is no chore '{other}'").into()),
-    };
-    if only.is_some() {
-        return Err("this chore has no option '--only'".into());
-    }
-    match flags.first() {
-        Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
-        None => Ok(task),
-    }
+    })
 }
 
 #[cfg(test)]

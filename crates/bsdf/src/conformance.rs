@@ -3,7 +3,7 @@
 //! A model opts out of a law in `INFO.exempt`, with a reason. The suite then asks that the law is
 //! broken in fact, so that an exemption that is no longer needed is found.
 
-use glanz_math::{Lanes, PI, Real, Vec3, at_level, simd_level};
+use glanz_math::{Lanes, PI, Real, SimdLevel, Vec3, at_level};
 
 use crate::albedo::directional;
 use crate::{DirectionPair, Law, LightTerm, Model, ParamInfo, Shape, Side};
@@ -351,7 +351,7 @@ pub(crate) fn gives_the_same_bits_in_16_lanes<M: Model>() {
                 plane(&|p| p.tangent_i.1),
             ];
             for name in ["scalar", "sse2", "avx2", "avx512", "neon", "simd128"] {
-                let Ok(level) = simd_level(Some(name)) else { continue };
+                let Ok(level) = SimdLevel::named(name) else { continue };
                 let mut wide = [0.0; 16];
                 at_level!(level, simd => {
                     let [cos_o, cos_i, cos_io] = cosines.map(|c| Lanes::load(simd, &c));

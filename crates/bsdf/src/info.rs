@@ -1,5 +1,6 @@
 //! What a model tells about itself.
 
+use glanz_math::names::suggestion;
 use thiserror::Error;
 
 /// Which of a light's colours a lobe answers to, after the classic lighting equation.
@@ -82,12 +83,12 @@ pub struct ModelInfo {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ParamError {
     /// There is no such model.
-    #[error("unknown model '{name}'{}", near.map(|n| format!("; did you mean '{n}'?")).unwrap_or_default())]
+    #[error("unknown model '{name}'{}", suggestion(near))]
     UnknownModel {
         /// The name that was asked for.
         name: String,
-        /// The nearest known name, if one is near.
-        near: Option<&'static str>,
+        /// The known names that it is most likely a misspelling of.
+        near: Vec<&'static str>,
     },
     /// The model has no such parameter.
     #[error("model '{model}' has no parameter '{name}'; it has: {known}")]

@@ -1,5 +1,6 @@
 //! The list of models, and what follows from it.
 
+use glanz_math::names::nearest;
 use glanz_math::{Real, Vec3};
 
 use crate::{DirectionPair, Model, ModelInfo, ParamError};
@@ -198,11 +199,6 @@ impl Shape {
 pub fn info_named(name: &str) -> Result<&'static ModelInfo, ParamError> {
     MODELS.iter().find(|info| info.name == name).ok_or_else(|| ParamError::UnknownModel {
         name: name.to_owned(),
-        near: MODELS
-            .iter()
-            .map(|info| (strsim::damerau_levenshtein(name, info.name), info.name))
-            .filter(|(distance, near)| *distance * 2 <= near.len())
-            .min()
-            .map(|(_, near)| near),
+        near: nearest(name, MODELS.iter().map(|info| info.name)),
     })
 }

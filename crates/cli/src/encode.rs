@@ -73,8 +73,7 @@ fn write_spectrum(
     metadata: &Metadata,
 ) -> Result<(), OutputError> {
     image.texts = metadata.pairs().map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
-    write_spectral_exr(out, image)
-        .map_err(|error| OutputError::Encode { format: "OpenEXR", message: error.to_string() })
+    Ok(write_spectral_exr(out, image)?)
 }
 
 fn still(canvas: &Canvas) -> Animation {

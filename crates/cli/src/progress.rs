@@ -7,8 +7,11 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Work that takes longer than this gets a bar.
 const PATIENCE: Duration = Duration::from_millis(400);
+/// Steps of the bar for each thing: one that takes long moves the bar while it is made.
+const STEPS: usize = 1000;
 
-/// Progress through a number of pictures.
+/// Progress through a number of things, such as pictures, and through the one that is being made. There is
+/// one bar for all of it.
 #[derive(Debug)]
 pub struct Progress {
     total: usize,
@@ -24,31 +27,54 @@ impl Progress {
         Self { total, done: 0, start: Instant::now(), what, bar: None }
     }
 
-    /// One more is done.
-    pub fn step(&mut self) {
-        self.set(self.done + 1);
+    /// Progress through one picture alone.
+    pub fn of_one_picture() -> Self {
+        Self::new(1, "pictures")
     }
 
-    /// So many are done.
-    pub fn set(&mut self, done: usize) {
-        self.done = done;
-        if self.bar.is_none()
-            && self.total > 1
-            && self.start.elapsed() > PATIENCE
-            && io::stderr().is_terminal()
-        {
+    /// One more is done.
+    pub fn step(&mut self) {
+        self.done += 1;
+        if self.total > 1 {
+            self.show(0.0);
+        }
+    }
+
+    /// This part of the next one is done, 0 to 1.
+    pub fn within(&mut self, part: f64) {
+        self.show(part);
+    }
+
+    fn show(&mut self, part: f64) {
+        if self.bar.is_none() && self.start.elapsed() > PATIENCE && io::stderr().is_terminal() {
             self.bar = Some(self.new_bar());
         }
         if let Some(bar) = &self.bar {
-            bar.set_position(self.done as u64);
+            bar.set_message(self.message(part));
+            bar.set_position(self.position(part));
+        }
+    }
+
+    /// Where the bar stands, in steps.
+    fn position(&self, part: f64) -> u64 {
+        let within = (part.clamp(0.0, 1.0) * STEPS as f64) as usize;
+        (self.done * STEPS + within).min(self.total * STEPS) as u64
+    }
+
+    /// What the bar says: the things that are done, or how much of a single one.
+    fn message(&self, part: f64) -> String {
+        match self.total {
+            1 => format!("{} per cent", self.position(part) * 100 / STEPS as u64),
+            total => format!("{}/{total} {}", self.done, self.what),
         }
     }
 
     fn new_bar(&self) -> ProgressBar {
-        let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}, {eta} left")
+        let style = ProgressStyle::with_template("{wide_bar} {msg}, {eta} left")
             .expect("the template is well-formed");
-        let bar = ProgressBar::with_draw_target(Some(self.total as u64), ProgressDrawTarget::stderr());
-        bar.with_style(style).with_message(self.what).with_elapsed(self.start.elapsed())
+        let length = Some((self.total * STEPS) as u64);
+        let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr());
+        bar.with_style(style).with_elapsed(self.start.elapsed())
     }
 }
 
@@ -57,5 +83,29 @@ impl Drop for Progress {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_of_a_frame_moves_the_bar_of_the_film() {
+        let mut film = Progress::new(4, "frames");
+        let mut seen = Vec::new();
+        for _ in 0..4 {
+            seen.extend([0.0, 0.5, 1.0].map(|part| film.position(part)));
+            film.step();
+        }
+        assert_eq!(seen, [0, 500, 1000, 1000, 1500, 2000, 2000, 2500, 3000, 3000, 3500, 4000]);
+        assert_eq!(film.message(0.0), "4/4 frames");
+    }
+
+    #[test]
+    fn a_single_picture_is_told_in_per_cent() {
+        let picture = Progress::of_one_picture();
+        assert_eq!(picture.message(0.42), "42 per cent");
+        assert_eq!(picture.position(7.0), 1000);
     }
 }

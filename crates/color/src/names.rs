@@ -1,12 +1,14 @@
-//! Things by name: how names are compared, and what is said where there is no such thing.
+//! Things by name: what is said where there is no such thing.
 
+pub(crate) use glanz_math::names::plain;
+use glanz_math::names::{nearest, suggestion};
 use thiserror::Error;
 
 /// No spectrum, observer or material goes by that name.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum UnknownName {
     /// There is none.
-    #[error("there is no {kind} '{name}'{}", did_you_mean(near))]
+    #[error("there is no {kind} '{name}'{}", suggestion(near))]
     NotFound {
         /// What was looked for, such as `light`.
         kind: &'static str,
@@ -34,42 +36,9 @@ impl UnknownName {
         name: &str,
         known: impl IntoIterator<Item = &'a str>,
     ) -> Self {
-        Self::NotFound { kind, name: name.to_owned(), near: nearest(name, known) }
+        let near = nearest(name, known).into_iter().map(str::to_owned).collect();
+        Self::NotFound { kind, name: name.to_owned(), near }
     }
-}
-
-/// The longest name that is looked at: a longer one is a misspelling of nothing.
-const LONGEST: usize = 60;
-
-/// The most suggestions made.
-const MOST: usize = 3;
-
-fn did_you_mean(near: &[String]) -> String {
-    match near {
-        [] => String::new(),
-        names => format!("; did you mean '{}'?", names.join("' or '")),
-    }
-}
-
-/// A name as it is compared: small letters, and a hyphen for a blank or a low line.
-pub(crate) fn plain(name: &str) -> String {
-    name.trim().to_lowercase().replace([' ', '_'], "-")
-}
-
-/// The known names that are about as near as the nearest.
-fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    if name.len() > LONGEST {
-        return Vec::new();
-    }
-    let name = plain(name);
-    let mut near: Vec<(usize, &str)> = known
-        .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(&name, &plain(candidate)), candidate))
-        .filter(|(distance, candidate)| distance * 2 <= candidate.chars().count())
-        .collect();
-    near.sort_by_key(|(distance, _)| *distance);
-    let least = near.first().map_or(0, |(distance, _)| *distance);
-    near.iter().take_while(|(d, _)| *d == least).take(MOST).map(|(_, name)| (*name).to_owned()).collect()
 }
 
 #[cfg(test)]
@@ -83,7 +52,5 @@ mod tests {
         assert_eq!(error.to_string(), "there is no observer 'CIE 1931'; did you mean 'cie1931'?");
         let error = UnknownName::not_found("observer", "eye", known);
         assert_eq!(error.to_string(), "there is no observer 'eye'");
-        assert_eq!(nearest("cie1960", known), ["cie1964"]);
-        assert_eq!(nearest(&"cie1931".repeat(1000), known), Vec::<String>::new());
     }
 }

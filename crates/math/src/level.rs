@@ -2,10 +2,10 @@
 
 use fearless_simd::Level;
 
-/// `GLANZ_SIMD` names a level that this machine or this build does not have.
+/// The processor, or the build, does not have a SIMD level of this name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LevelError {
-    /// What the variable held.
+    /// The name that was asked for.
     pub asked: String,
 }
 
@@ -13,7 +13,8 @@ impl core::fmt::Display for LevelError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
             f,
-            "GLANZ_SIMD is '{}', but must be one of sse2, avx2, avx512, neon, simd128 that this processor has, or scalar where it has none",
+            "the SIMD level is '{}', but must be one of sse2, avx2, avx512, neon, simd128 that this processor has, \
+             or scalar where it has none",
             self.asked
         )
     }
@@ -21,34 +22,88 @@ impl core::fmt::Display for LevelError {
 
 impl core::error::Error for LevelError {}
 
-/// The name of the level with the narrowest vectors that this build has.
-pub const NARROWEST_LEVEL: &str = if cfg!(target_arch = "x86_64") { "sse2" } else { "scalar" };
-
-/// The best level of this machine, or the one that `asked` (the variable `GLANZ_SIMD`) forces.
+/// A set of vector instructions that this machine has. Results are the same bits on every one; the choice is
+/// for tests and measurements.
 ///
-/// Pictures are the same bits on every level; the variable exists to test that, and to measure. The
-/// narrowest level is `sse2` on x86-64, `scalar` on targets whose vectors Glanz does not know.
-pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
-    let best = Level::new();
-    let Some(name) = asked.filter(|name| !name.is_empty()) else {
-        return Ok(best);
-    };
-    let found = match name {
-        #[cfg(target_arch = "x86_64")]
-        "sse2" => best.as_sse2().map(Level::Sse2),
-        #[cfg(not(target_arch = "x86_64"))]
-        "scalar" => Some(Level::Fallback(fearless_simd::Fallback::new())),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        "avx2" => best.as_avx2().map(Level::Avx2),
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        "avx512" => best.as_avx512().map(Level::Avx512),
-        #[cfg(target_arch = "aarch64")]
-        "neon" => best.as_neon().map(Level::Neon),
-        #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-        "simd128" => best.as_wasm_simd128().map(Level::WasmSimd128),
-        _ => None,
-    };
-    found.ok_or_else(|| LevelError { asked: name.to_owned() })
+/// ```
+/// use glanz_math::SimdLevel;
+///
+/// let (name, narrowest) = SimdLevel::available()[0];
+/// assert_eq!(SimdLevel::named(name)?.name(), narrowest.name());
+/// # Ok::<(), glanz_math::LevelError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SimdLevel(Level);
+
+/// The names of all levels, from the narrowest vectors to the widest.
+const NAMES: [&str; 6] = ["scalar", "sse2", "neon", "simd128", "avx2", "avx512"];
+
+impl Default for SimdLevel {
+    fn default() -> Self {
+        Self::best()
+    }
+}
+
+impl SimdLevel {
+    /// The best level of this machine.
+    pub fn best() -> Self {
+        Self(Level::new())
+    }
+
+    /// The level with the narrowest vectors: `sse2` on x86-64, which every such processor has; `scalar` on targets
+    /// whose vectors Glanz does not know.
+    pub fn narrowest() -> Self {
+        Self::available()[0].1
+    }
+
+    /// All levels of this machine with their names, the narrowest first.
+    pub fn available() -> Vec<(&'static str, Self)> {
+        NAMES.into_iter().filter_map(|name| Some((name, Self::named(name).ok()?))).collect()
+    }
+
+    /// The level of this name.
+    pub fn named(name: &str) -> Result<Self, LevelError> {
+        let best = Level::new();
+        let found = match name {
+            #[cfg(target_arch = "x86_64")]
+            "sse2" => best.as_sse2().map(Level::Sse2),
+            #[cfg(not(target_arch = "x86_64"))]
+            "scalar" => Some(Level::Fallback(fearless_simd::Fallback::new())),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            "avx2" => best.as_avx2().map(Level::Avx2),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            "avx512" => best.as_avx512().map(Level::Avx512),
+            #[cfg(target_arch = "aarch64")]
+            "neon" => best.as_neon().map(Level::Neon),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            "simd128" => best.as_wasm_simd128().map(Level::WasmSimd128),
+            _ => None,
+        };
+        found.map(Self).ok_or_else(|| LevelError { asked: name.to_owned() })
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx512(_) => "avx512",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx2(_) => "avx2",
+            #[cfg(target_arch = "aarch64")]
+            Level::Neon(_) => "neon",
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Level::WasmSimd128(_) => "simd128",
+            _ if cfg!(target_arch = "x86_64") => "sse2",
+            _ => "scalar",
+        }
+    }
+
+    /// What [`at_level!`](crate::at_level) dispatches on.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn token(self) -> Level {
+        self.0
+    }
 }
 
 /// Runs `$body` compiled for `$level`, with `$simd` as the level's token, like
@@ -59,7 +114,7 @@ pub fn simd_level(asked: Option<&str>) -> Result<Level, LevelError> {
 macro_rules! at_level {
     ($level:expr, $simd:ident => $body:expr) => {{
         use $crate::simd::{Level, Simd as _};
-        match $level {
+        match $crate::SimdLevel::token($level) {
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Level::Avx512($simd) => $simd.vectorize(
                 #[inline(always)]

@@ -1,4 +1,4 @@
-//! Numbers for Glanz.
+//! Numbers for Glanz, and names as people type them ([`names`]).
 //!
 //! Every formula of the project is written once, generic over [`Real`], and runs as `f64` (the
 //! reference), as `f32` and as 16 lanes of `f32` ([`Lanes`]). The three agree by
@@ -10,8 +10,10 @@
 //! the C library of a platform and nothing is contracted to a fused multiply-add.
 
 mod chebyshev;
+pub mod inline;
 mod lanes;
 mod level;
+pub mod names;
 mod poly;
 mod quadrature;
 mod real;
@@ -19,7 +21,7 @@ mod vec3;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
 pub use lanes::{Lanes, LanesMask};
-pub use level::{LevelError, NARROWEST_LEVEL, narrowest, simd_level};
+pub use level::{LevelError, SimdLevel, narrowest};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
 pub use vec3::{Frame, Vec3};

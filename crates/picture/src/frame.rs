@@ -1,6 +1,6 @@
 //! The linear picture.
 
-use crate::ToScreen;
+use crate::{ChannelError, Channels, ToScreen};
 
 /// A drawn picture before development: linear channels of the observer, one plane after the other.
 ///
@@ -12,7 +12,9 @@ pub struct Frame {
     pub width: usize,
     /// Height in pixels.
     pub height: usize,
-    /// The first three channels: linear red, green and blue in mode RGB, else those of the observer.
+    /// What the channels mean.
+    pub channels: Channels,
+    /// The first three channels.
     pub rgb: [Vec<f32>; 3],
     /// The other channels of an observer with more than three.
     pub more: Vec<Vec<f32>>,
@@ -29,7 +31,11 @@ pub struct Frame {
 
 impl Frame {
     /// The same picture in linear sRGB.
-    pub fn on_screen(self, to_screen: &ToScreen) -> Self {
+    ///
+    /// # Errors
+    /// If the map is for other channels than the frame has.
+    pub fn on_screen(self, to_screen: &ToScreen) -> Result<Self, ChannelError> {
+        self.channels.expect(to_screen.from())?;
         let mut frame = self;
         let [mut x, mut y, mut z] = core::mem::take(&mut frame.rgb);
         let more = core::mem::take(&mut frame.more);
@@ -38,7 +44,8 @@ impl Frame {
             [x[i], y[i], z[i]] = to_screen.apply(channels);
         }
         frame.rgb = [x, y, z];
-        frame
+        frame.channels = Channels { observer: frame.channels.observer, ..Channels::default() };
+        Ok(frame)
     }
 
     /// The colour and alpha of a pixel.

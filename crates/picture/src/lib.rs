@@ -4,12 +4,14 @@
 //! and only there does anything become sRGB. [`output`] writes PNG, OpenEXR, GIF and APNG files, [`compare`]
 //! tells how far two pictures are apart.
 
+mod channels;
 pub mod compare;
 mod develop;
 mod frame;
 pub mod output;
 
+pub use channels::{ChannelError, Channels, Meaning, Scale};
 pub use develop::{
-    Develop, DevelopKernel, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
+    Develop, DevelopKernel, ScreenMatrix, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
 pub use frame::Frame;

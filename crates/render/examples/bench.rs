@@ -8,13 +8,15 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Simd;
 use glam::{DMat4, DVec3};
 use glanz_bsdf::{DirectionPair, LightTerm, MODELS, ModelInfo, Shape};
 use glanz_color::Rgb;
-use glanz_math::{Lanes, at_level};
+use glanz_math::{Lanes, SimdLevel, at_level};
 use glanz_render::cpu::Renderer;
-use glanz_render::{Develop, DrawOptions, Observation, PrepareOptions, Prepared, View, prepare};
+use glanz_render::{
+    Backend, Change, Develop, DrawOptions, Observation, PrepareOptions, Prepared, View, prepare,
+};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
     Attenuation, Background, Camera, ClassicMaterial, ColorMode, Interpolation, Light, LightColor,
@@ -74,7 +76,8 @@ fn main() {
     let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
     let frames_asked = arguments.iter().skip_while(|a| *a != "--frames").nth(1).and_then(|n| n.parse().ok());
     let asked = std::env::var("GLANZ_SIMD").ok();
-    let level = glanz_math::simd_level(asked.as_deref()).expect("a level that this machine has");
+    let level = asked
+        .map_or(SimdLevel::best(), |name| SimdLevel::named(&name).expect("a level that this machine has"));
     for (slices, stacks) in [(64, 32), (1024, 512)] {
         for (shading, name) in [(Shading::Phong, "phong"), (Shading::Gouraud, "gouraud")] {
             for lights in [1, 4, 8] {
@@ -117,7 +120,7 @@ fn main() {
 }
 
 /// Milliseconds per frame, in rising order.
-fn frame_times(scene: &Scene, frames: usize, level: Level) -> Vec<f64> {
+fn frame_times(scene: &Scene, frames: usize, level: SimdLevel) -> Vec<f64> {
     let prepared = prepare(scene, &PrepareOptions::default()).expect("a sound scene");
     let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
     let mut bench = FrameBench::new(level);
@@ -139,16 +142,16 @@ struct FrameBench {
 }
 
 impl FrameBench {
-    fn new(level: Level) -> Self {
-        let mut options = DrawOptions::new(Background::Color(Rgb([0.05, 0.05, 0.08])));
-        options.level = level;
-        Self { renderer: Renderer::new(), options, out: vec![0u8; (WIDTH * HEIGHT * 4) as usize] }
+    fn new(level: SimdLevel) -> Self {
+        let options = DrawOptions::new(Background::Color(Rgb([0.05, 0.05, 0.08])));
+        Self { renderer: Renderer::with_level(level), options, out: vec![0u8; (WIDTH * HEIGHT * 4) as usize] }
     }
 
     /// Draws a frame; milliseconds.
     fn time(&mut self, prepared: &Prepared, develop: &Develop, view: &View) -> f64 {
         let start = Instant::now();
-        self.renderer.draw_rgba8(prepared, view, &self.options, develop, &mut self.out);
+        let drawn = self.renderer.draw_rgba8(prepared, view, &self.options, develop, &mut self.out);
+        drawn.expect("frames of this observer");
         start.elapsed().as_secs_f64() * 1e3
     }
 }
@@ -163,7 +166,7 @@ impl Side {
     fn new(scene: &Scene, mode: ColorMode) -> Self {
         let observation = Observation::new(mode, None).expect("the standard observer");
         let to_screen = observation.to_screen(scene, White::D65).expect("daylight is white");
-        let develop = Develop { to_screen: to_screen.and_then(|map| map.rows()), ..Develop::default() };
+        let develop = Develop { to_screen: to_screen.and_then(|map| map.matrix()), ..Develop::default() };
         let options = PrepareOptions { observation, ..PrepareOptions::default() };
         Self { prepared: prepare(scene, &options).expect("a sound scene"), develop }
     }
@@ -191,11 +194,11 @@ fn tables(times: usize) {
         .collect();
     let observation = Observation::new(ColorMode::Spectral, None).expect("the standard observer");
     let options = PrepareOptions { observation, ..PrepareOptions::default() };
-    let prepared = prepare(&scene, &options).expect("a sound scene");
+    let mut prepared = prepare(&scene, &options).expect("a sound scene");
     let mut spent: Vec<f64> = (0..times)
         .map(|_| {
             let start = Instant::now();
-            std::hint::black_box(prepared.refilled(&scene, &options).expect("a sound scene"));
+            prepared.update(&scene, &[Change::Colors]).expect("a sound scene");
             start.elapsed().as_secs_f64() * 1e3
         })
         .collect();
@@ -212,7 +215,7 @@ fn tables(times: usize) {
 /// How much longer a frame of the first scene takes than one of the second. They take turns, so that
 /// whatever else the machine does falls on both: the median of the ratios of neighbouring frames, and
 /// between which values half of them lie.
-fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: Level) {
+fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: SimdLevel) {
     let mut bench = FrameBench::new(level);
     let mut ratios = Vec::with_capacity(frames);
     for pair in 0..frames + WARM_UP {
@@ -241,7 +244,7 @@ fn paired(name: &str, scenes: [&Side; 2], view: &View, frames: usize, level: Lev
 
 /// Shading throughput per model, beside the limit: the same lobe alone, on numbers in cache, with 16
 /// lanes and with one.
-fn models(quick: bool, level: Level) {
+fn models(quick: bool, level: SimdLevel) {
     let answers =
         |info: &&ModelInfo| matches!(info.term, LightTerm::Diffuse | LightTerm::Specular) && !info.delta;
     for info in MODELS.iter().filter(answers) {

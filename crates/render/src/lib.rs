@@ -1,22 +1,25 @@
-//! From a scene to a picture, on the CPU.
+//! From a scene to linear frames: [`prepare`], [`view`], back ends.
 //!
-//! `prepare` turns a `Scene` into plain arrays ([`Prepared`]): lobe shapes, light geometry and the
-//! tint tables, in which all colour work is done. [`draw`] turns those into a [`Frame`] of linear
-//! channels, [`develop()`] turns a frame into display codes, [`output`] writes picture files.
+//! [`prepare()`] turns a `Scene` into plain arrays ([`Prepared`]): geometry, lobe shapes, lights and the tint table, in
+//! which all work with wavelengths is done. [`view`] makes of these what every back end needs per frame. A
+//! [`Backend`] turns both into a [`Frame`](glanz_picture::Frame) of linear channels; the CPU's is [`cpu::Renderer`].
 
+mod backend;
 pub mod cpu;
-mod draw;
 mod observe;
 mod parallel;
-mod prepare;
-mod view;
+pub mod prepare;
+mod shot;
+pub mod view;
 
-pub use draw::{Aovs, DebugView, DrawOptions, draw, draw_rgba8};
+pub use backend::{Backend, default_backend, draw, draw_rgba8};
 pub use glanz_picture::{
     Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
-pub use observe::draw_observed;
+pub use observe::{draw_observed, takes_several_frames};
 pub use prepare::{
-    Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2, prepare,
+    Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
+    prepare,
 };
-pub use view::{View, ViewError};
+pub use shot::{Shot, ShotError, ShotOptions, Step};
+pub use view::{Aovs, DebugView, DrawOptions, View, ViewError};

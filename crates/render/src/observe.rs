@@ -1,43 +1,64 @@
 //! All channels of an observation: one frame for three, several for more, very many for the reference.
 //!
-//! The rasteriser draws three channels at a time. An observer with more gets several frames, whose only
-//! difference is the tint table.
+//! A back end draws three channels at a time. An observer with more gets several frames, whose only difference is
+//! the tint table.
 
 mod reference;
 
-use glanz_scene::{Background, ColorMode, Scene};
+use glanz_picture::Frame;
+use glanz_scene::{Background, ColorMode};
 
-use crate::{Aovs, DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw};
+use crate::Backend;
+use crate::prepare::{PrepareError, Prepared};
+use crate::view::{Aovs, DrawOptions, View};
 
-/// Draws every channel of `options.observation`; the first three are the frame's `rgb`, the others its
-/// `more`.
+/// Whether the observation of a prepared scene takes more than one frame of three channels.
+pub fn takes_several_frames(prepared: &Prepared) -> bool {
+    let observation = prepared.observation();
+    observation.mode() == ColorMode::Reference || observation.channel_count() > 3
+}
+
+/// Draws every channel of the observation that a scene was prepared for; the first three are the frame's `rgb`, the
+/// others its `more`. `step` is told how much of the work is done, from 0 to 1.
 ///
-/// `prepared` has been made from `scene` with these options; of the scene only lights and materials are
-/// read. `step` is told how much of the work is done, from 0 to 1.
+/// # Errors
+/// As [`prepare`](crate::prepare::prepare).
 pub fn draw_observed(
+    backend: &mut dyn Backend,
     prepared: &Prepared,
-    scene: &Scene,
-    options: &PrepareOptions,
     view: &View,
-    draw_options: &DrawOptions,
+    options: &DrawOptions,
     step: &mut dyn FnMut(f64),
 ) -> Result<Frame, PrepareError> {
-    if options.observation.mode() == ColorMode::Reference {
-        return reference::draw(prepared, scene, options, view, draw_options, step);
+    let observation = prepared.observation();
+    let mut frame = match observation.mode() {
+        ColorMode::Reference => reference::draw(backend, prepared, view, options, step)?,
+        _ => draw_in_threes(backend, prepared, view, options, step)?,
+    };
+    if options.show.is_light() {
+        frame.channels = prepared.all_channels();
     }
-    let count = options.observation.channel_count();
-    let mut frame = draw(prepared, view, draw_options);
+    Ok(frame)
+}
+
+fn draw_in_threes(
+    backend: &mut dyn Backend,
+    prepared: &Prepared,
+    view: &View,
+    options: &DrawOptions,
+    step: &mut dyn FnMut(f64),
+) -> Result<Frame, PrepareError> {
+    let count = prepared.observation().channel_count();
+    let mut frame = backend.draw(prepared, view, options);
     for plane in frame.rgb.iter_mut().skip(count) {
         plane.fill(0.0);
     }
+    // A background of three numbers says nothing of further channels.
+    let bare = DrawOptions { background: bare(options.background), aovs: Aovs::default(), ..*options };
     for first in (3..count).step_by(3) {
         step(first as f64 / count as f64);
-        let own = PrepareOptions { first_channel: first, ..options.clone() };
-        let next = prepared.refilled(scene, &own)?;
-        // A background of three numbers says nothing of further channels.
-        let bare =
-            DrawOptions { background: bare(draw_options.background), aovs: Aovs::default(), ..*draw_options };
-        let planes = draw(&next, view, &bare).rgb;
+        let next = prepared.channels_from(first)?;
+        let planes = backend.draw(&next, view, &bare).rgb;
         frame.more.extend(planes.into_iter().take(count - first));
     }
     Ok(frame)
@@ -48,7 +69,7 @@ fn bare(background: Background) -> Background {
     match background {
         Background::Color(_) => Background::Color(glanz_color::Rgb::BLACK),
         Background::Transparent => Background::Transparent,
-        // Surroundings are seen in every channel.
+        // An environment is seen in every channel.
         Background::Environment => Background::Environment,
     }
 }

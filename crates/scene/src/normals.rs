@@ -141,18 +141,7 @@ fn join_over_edges(
     groups: &mut Groups,
 ) {
     let least_cos = libm::cos((crease.max(0.0) + CREASE_SLACK).min(PI));
-    // For each side of each face: its end points, its face, its two corners.
-    let mut sides = Vec::with_capacity(mesh.corners.len());
-    let mut owners = Vec::with_capacity(mesh.corners.len());
-    let mut start = 0;
-    for (number, face) in mesh.faces().enumerate() {
-        for i in 0..face.len() {
-            let next = (i + 1) % face.len();
-            sides.push([points[face[i] as usize], points[face[next] as usize]]);
-            owners.push((number as u32, (start + next) as u32));
-        }
-        start += face.len();
-    }
+    let (sides, owners) = sides(mesh, points);
     for_each_edge(&sides, point_count, |[a, b], members| {
         if a == b {
             return;
@@ -175,6 +164,22 @@ fn join_over_edges(
             }
         }
     });
+}
+
+/// For each side of each face, by its first corner: its end points; its face and its second corner.
+fn sides(mesh: &Mesh, points: &[u32]) -> (Vec<[u32; 2]>, Vec<(u32, u32)>) {
+    let mut sides = Vec::with_capacity(mesh.corners.len());
+    let mut owners = Vec::with_capacity(mesh.corners.len());
+    let mut start = 0;
+    for (number, face) in mesh.faces().enumerate() {
+        for i in 0..face.len() {
+            let next = (i + 1) % face.len();
+            sides.push([points[face[i] as usize], points[face[next] as usize]]);
+            owners.push((number as u32, (start + next) as u32));
+        }
+        start += face.len();
+    }
+    (sides, owners)
 }
 
 /// The sum over each group of facet normals times angles, at the index of the group's first corner.

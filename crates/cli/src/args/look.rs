@@ -1,12 +1,10 @@
 //! How it is drawn.
 
 use clap::Args;
-use glanz_math::simd_level;
 use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions};
 use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
 
 use super::{ColorArgs, choices, values};
-use crate::print::failure::Failure;
 
 /// What to draw otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
@@ -64,21 +62,16 @@ impl LookArgs {
             interpolation: self.interpolation,
             model: self.model.clone(),
             observation,
-            first_channel: 0,
         }
     }
 
-    /// How to draw this picture, on the instructions that `GLANZ_SIMD` names; `show` is the scene's
-    /// own view.
-    pub fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
-        let asked = std::env::var("GLANZ_SIMD").ok();
-        let level = simd_level(asked.as_deref()).map_err(|error| Failure::Usage(error.to_string()))?;
-        Ok(DrawOptions {
+    /// How to draw this picture; `show` is the scene's own view.
+    pub fn draw_options(&self, image: &Image, show: DebugView) -> DrawOptions {
+        DrawOptions {
             samples: image.samples,
             supersample: image.supersample,
             show: self.show.unwrap_or(show),
-            level,
             ..DrawOptions::new(image.background)
-        })
+        }
     }
 }

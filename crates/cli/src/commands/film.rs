@@ -4,14 +4,14 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use glanz_picture::output::{Animation, Format, write_apng, write_atomically, write_gif};
-use glanz_render::Prepared;
+use glanz_render::Shot;
 use serde_json::json;
 
 use super::render::RenderArgs;
 use crate::args::{Target, check_folder};
 use crate::encode;
 use crate::frames::Template;
-use crate::pipeline::Plan;
+use crate::pipeline::{self, Plan, turn};
 use crate::print;
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
@@ -30,8 +30,7 @@ struct Frames<'a> {
     args: &'a RenderArgs,
     count: usize,
     /// The scene of the last frame, and of the next ones while nothing in it moves.
-    scene: Option<(Plan, Prepared, u64)>,
-    progress: Progress,
+    scene: Option<(Plan, Shot, u64)>,
 }
 
 impl RenderArgs {
@@ -90,12 +89,13 @@ impl RenderArgs {
             self.target.check_free(name)?;
         }
         let mut frames = Frames::new(self, names.len());
+        let mut progress = Progress::new(names.len(), "frames");
         for (index, name) in names.iter().enumerate() {
-            let (plan, prepared, hash) = frames.frame(index)?;
-            let picture = plan.picture(prepared, kind, &mut Timings::default())?;
-            let metadata = encode::metadata_of(hash, &plan);
+            let (plan, shot, hash) = frames.frame(index)?;
+            let picture = pipeline::picture(shot, kind, &mut Timings::default(), &mut progress)?;
+            let metadata = encode::metadata_of(hash, plan);
             write_atomically(name, |out| encode::write(out, picture, format, &metadata))?;
-            frames.progress.step();
+            progress.step();
         }
         Ok(names)
     }
@@ -109,17 +109,18 @@ impl RenderArgs {
             )));
         }
         let mut frames = Frames::new(self, count);
+        let mut progress = Progress::new(count, "frames");
         let (plan, _, hash) = frames.frame(0)?;
         let animation = Animation {
-            width: plan.view.width as usize,
-            height: plan.view.height as usize,
+            width: plan.size().0,
+            height: plan.size().1,
             frames: count,
             delay_ms: (1000.0 / self.fps).round() as u32,
         };
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
-            let (plan, prepared, _) = frames.frame(index)?;
-            let canvas = plan.codes(prepared, &mut Timings::default())?;
-            frames.progress.step();
+            let (_, shot, _) = frames.frame(index)?;
+            let canvas = pipeline::codes(shot, &mut Timings::default(), &mut progress)?;
+            progress.step();
             Ok(canvas.rgba)
         });
         write_atomically(path, |out| match format {
@@ -132,25 +133,26 @@ impl RenderArgs {
 
 impl<'a> Frames<'a> {
     fn new(args: &'a RenderArgs, count: usize) -> Self {
-        Self { args, count, scene: None, progress: Progress::new(count, "frames") }
+        Self { args, count, scene: None }
     }
 
     /// How frame `index` is drawn, and the hash of its scene. The file is read again only where
     /// values of the scene move.
-    fn frame(&mut self, index: usize) -> Result<(Plan, &Prepared, u64), Failure> {
+    fn frame(&mut self, index: usize) -> Result<(&Plan, &mut Shot, u64), Failure> {
         let animate = &self.args.animate;
         if self.scene.is_none() || !animate.is_empty() {
             let last = self.count.saturating_sub(1).max(1) as f64;
             let values: Vec<_> = animate.iter().map(|motion| motion.at(index as f64 / last)).collect();
             let input = self.args.load(&values)?;
-            let (plan, prepared) = self.args.plan(&input)?;
+            let (plan, shot) = self.args.plan(&input)?;
             if self.scene.is_none() {
                 print::notes(&self.args.input.input, &input.notes);
             }
-            self.scene = Some((plan, prepared, input.hash));
+            self.scene = Some((plan, shot, input.hash));
         }
-        let (plan, prepared, hash) = self.scene.as_ref().expect("was read for the first frame");
+        let (plan, shot, hash) = self.scene.as_mut().expect("was read for the first frame");
         let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
-        Ok((plan.turned(part)?, prepared, *hash))
+        turn(shot, &plan.options.camera, part)?;
+        Ok((plan, shot, *hash))
     }
 }

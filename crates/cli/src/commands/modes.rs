@@ -12,9 +12,10 @@ use serde_json::{Value, json};
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
 use crate::encode;
 use crate::load::Input;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -82,29 +83,7 @@ impl ModesArgs {
         encode::expect_png(&target, "a comparison")?;
         let input = self.input.load(Some(&self.camera), &[])?;
         print::notes(&self.input.input, &input.notes);
-        let draw = |mode: ColorMode| -> Result<Developed, Failure> {
-            let mut look = self.look.clone();
-            look.color.mode = Some(mode);
-            if mode == ColorMode::Rgb {
-                // RGB is what a screen shows, whoever looks.
-                look.color.observer = None;
-            }
-            let plan = Plan::new(&input, self.size.size, &look, &self.camera, self.develop)?;
-            plan.developed(&plan.prepare(&input.scene)?)
-        };
-        let ev = self.look_ev(&input)?;
-        let sees_otherwise = self.sees_otherwise(&input);
-        let right = draw(self.against)?;
-        let mut columns = Vec::with_capacity(self.modes.len());
-        for &mode in &self.modes {
-            if is_meyer(mode) && sees_otherwise {
-                print::note(format_args!("note: mode '{mode}' is left out: it samples for cie1931 alone"));
-                continue;
-            }
-            let picture = if mode == self.against { right.clone() } else { draw(mode)? };
-            let delta = DeltaE::between(&picture.frame, &right.frame, ev);
-            columns.push(Column { mode, picture, delta });
-        }
+        let columns = self.columns(&input)?;
         if columns.is_empty() {
             return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
         }
@@ -115,6 +94,40 @@ impl ModesArgs {
             print::note(format_args!("wrote {}", path.display()));
         }
         self.tell(&target, &columns)
+    }
+
+    /// The pictures, and how far each is from the one that counts as right.
+    fn columns(&self, input: &Input) -> Result<Vec<Column>, Failure> {
+        let ev = self.look_ev(input)?;
+        let sees_otherwise = self.sees_otherwise(input);
+        let others = self.modes.iter().filter(|mode| **mode != self.against);
+        let mut progress = Progress::new(1 + others.count(), "pictures");
+        let right = self.draw(input, self.against, &mut progress)?;
+        let mut columns = Vec::with_capacity(self.modes.len());
+        for &mode in &self.modes {
+            if is_meyer(mode) && sees_otherwise {
+                print::note(format_args!("note: mode '{mode}' is left out: it samples for cie1931 alone"));
+                continue;
+            }
+            let is_right = mode == self.against;
+            let picture = if is_right { right.clone() } else { self.draw(input, mode, &mut progress)? };
+            let delta = DeltaE::between(&picture.frame, &right.frame, ev);
+            columns.push(Column { mode, picture, delta });
+        }
+        Ok(columns)
+    }
+
+    fn draw(&self, input: &Input, mode: ColorMode, progress: &mut Progress) -> Result<Developed, Failure> {
+        let mut look = self.look.clone();
+        look.color.mode = Some(mode);
+        if mode == ColorMode::Rgb {
+            // RGB is what a screen shows, whoever looks.
+            look.color.observer = None;
+        }
+        let plan = Plan::new(input, self.size.size, &look, &self.camera, self.develop)?;
+        let picture = pipeline::developed(&mut plan.shot(&input.scene)?, progress)?;
+        progress.step();
+        Ok(picture)
     }
 
     /// The exposure at which differences are judged.

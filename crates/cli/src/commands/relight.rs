@@ -10,10 +10,11 @@ use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, Siz
 use crate::encode;
 use crate::input::spectra::light_source;
 use crate::load::Input;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -67,12 +68,16 @@ impl RelightArgs {
         }
         let mut rows = Vec::new();
         let looks = self.looks(&mut input, &look, &spectra)?;
-        let mut pictures = self.row(&mut input, &looks, &spectra)?;
-        if let Some(plain) = without_fluorescence(&input.scene.materials) {
+        let plain = without_fluorescence(&input.scene.materials);
+        let count = spectra.len() * if plain.is_some() { 2 } else { 1 };
+        let mut progress = Progress::new(count, "pictures");
+        let mut pictures = self.row(&mut input, &looks, &spectra, &mut progress)?;
+        if let Some(plain) = plain {
             rows = vec!["as it is".to_owned(), "without\nfluorescence".to_owned()];
             input.scene.materials = plain;
-            pictures.extend(self.row(&mut input, &looks, &spectra)?);
+            pictures.extend(self.row(&mut input, &looks, &spectra, &mut progress)?);
         }
+        drop(progress);
         self.deliver(&target, &input, &spectra, rows, pictures)
     }
 
@@ -118,13 +123,16 @@ impl RelightArgs {
         input: &mut Input,
         looks: &[LookArgs],
         spectra: &[LightColor],
+        progress: &mut Progress,
     ) -> Result<Vec<Canvas>, Failure> {
         let own = input.scene.lights.clone();
         let mut pictures = Vec::with_capacity(spectra.len());
         for (color, look) in spectra.iter().zip(looks) {
             relight(&mut input.scene.lights, &own, color);
             let plan = self.plan(input, look)?;
-            pictures.push(plan.codes(&plan.prepare(&input.scene)?, &mut Timings::default())?);
+            let mut shot = plan.shot(&input.scene)?;
+            pictures.push(pipeline::codes(&mut shot, &mut Timings::default(), progress)?);
+            progress.step();
         }
         input.scene.lights = own;
         Ok(pictures)

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use clap::Args;
 use glanz_picture::output::Format;
-use glanz_render::{Prepared, View};
+use glanz_render::Shot;
 use serde_json::json;
 
 use crate::args::{
@@ -13,10 +13,11 @@ use crate::args::{
 use crate::encode;
 use crate::frames;
 use crate::load::Input;
-use crate::pipeline::{Kind, Picture, Plan};
+use crate::pipeline::{self, Kind, Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::timings::{Stage, Timings};
 use crate::print::{self, FormatArgs, preview};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -44,7 +45,7 @@ pub struct RenderArgs {
     pub bit_depth: BitDepth,
 
     /// Write the spectrum of each pixel into the .exr, 97 wavelengths from 300 to 780 nm
-    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
+    #[arg(long, help_heading = "Output")]
     pub spectral_exr: bool,
 
     /// Show the picture in this terminal; without -o no file is written
@@ -125,9 +126,9 @@ impl RenderArgs {
             self.rehearse(target.as_ref(), kind, &mut timings)?;
         }
         timings.begin_run();
-        let (told, plan, picture) = self.draw(kind, &mut timings)?;
-        let preview =
-            self.preview.then(|| preview::half_blocks(&plan.on_screen(&picture), preview::columns()));
+        let (told, plan, shot, picture) = self.draw(kind, &mut timings)?;
+        let preview = self.preview.then(|| pipeline::on_screen(&shot, &picture)).transpose()?;
+        let preview = preview.map(|canvas| preview::half_blocks(&canvas, preview::columns()));
         if let Some(target) = &target {
             let metadata = encode::metadata_of(told.hash, &plan);
             timings.measure(Stage::Encode, || encode::deliver(picture, target, &metadata))?;
@@ -140,7 +141,7 @@ impl RenderArgs {
 
     /// All the way from the file to the bytes of the picture, which are thrown away.
     fn rehearse(&self, target: Option<&Target>, kind: Kind, timings: &mut Timings) -> Result<(), Failure> {
-        let (told, _, picture) = self.draw(kind, timings)?;
+        let (told, _, _, picture) = self.draw(kind, timings)?;
         if let Some(target) = target {
             let (format, metadata) = (encode::format(target)?, encode::metadata(told.hash));
             timings.measure(Stage::Encode, || encode::to_memory(picture, format, &metadata))?;
@@ -149,11 +150,11 @@ impl RenderArgs {
     }
 
     /// From the file to a picture.
-    fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Picture), Failure> {
+    fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Shot, Picture), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
-        let (plan, prepared) = timings.measure(Stage::Prepare, || self.plan(&input))?;
-        let picture = plan.picture(&prepared, kind, timings)?;
-        Ok((Told { notes: input.notes, hash: input.hash }, plan, picture))
+        let (plan, mut shot) = timings.measure(Stage::Prepare, || self.plan(&input))?;
+        let picture = pipeline::picture(&mut shot, kind, timings, &mut Progress::of_one_picture())?;
+        Ok((Told { notes: input.notes, hash: input.hash }, plan, shot, picture))
     }
 
     /// Reads the scene, with these values set.
@@ -162,10 +163,10 @@ impl RenderArgs {
     }
 
     /// The scene as arrays, and how it is drawn.
-    pub fn plan(&self, input: &Input) -> Result<(Plan, Prepared), Failure> {
+    pub fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let prepared = plan.prepare(&input.scene)?;
-        Ok((plan, prepared))
+        let shot = plan.shot(&input.scene)?;
+        Ok((plan, shot))
     }
 
     /// What the picture must keep for a file of this format.
@@ -201,7 +202,7 @@ impl RenderArgs {
                 Some(Target::File(path)) => Some(path.display().to_string()),
                 _ => None,
             };
-            let View { width, height, .. } = plan.view;
+            let (width, height) = plan.options.size;
             return print::json(&json!({
                 "file": file, "width": width, "height": height, "notes": notes,
                 "timings": self.timings.then(|| timings.json()),

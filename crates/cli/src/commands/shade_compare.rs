@@ -10,9 +10,10 @@ use serde_json::{Value, json};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
 use crate::encode;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -65,9 +66,13 @@ impl ShadeCompareArgs {
         print::notes(&self.input.input, &input.notes);
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
         let mut pictures = Vec::with_capacity(SHADINGS.len());
+        let mut progress = Progress::new(SHADINGS.len(), "pictures");
         for (shading, _, _) in SHADINGS {
-            pictures.push(plan.developed(&plan.prepare_shaded(&input.scene, shading)?)?);
+            let mut shot = plan.shot_shaded(&input.scene, shading)?;
+            pictures.push(pipeline::developed(&mut shot, &mut progress)?);
+            progress.step();
         }
+        drop(progress);
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();

@@ -5,7 +5,7 @@ use glanz_plot::{Grid, Variation};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
 use crate::encode;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
 use crate::print::timings::Timings;
@@ -74,8 +74,9 @@ impl SweepArgs {
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), values)?;
             let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
             }

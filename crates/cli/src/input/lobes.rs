@@ -4,6 +4,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use glanz_bsdf::{MODELS, ModelInfo, Shape};
 use glanz_color::{FIRST_NM, LAST_NM, SpectrumKind};
+use glanz_math::names::did_you_mean;
 use glanz_plot::reflection::{DEFAULT_NM, label};
 use glanz_plot::{Factor, Lobe, Medium, Variation, number};
 
@@ -70,7 +71,7 @@ impl SetArgs {
                 infos.iter().filter(|info| model.is_none_or(|model| info.name == model)).peekable();
             if let (Some(model), None) = (model, meant.peek()) {
                 let names = infos.iter().map(|info| info.name).collect::<Vec<_>>();
-                let near = did_you_mean(model, &names);
+                let near = did_you_mean(model, names.iter().copied());
                 let names = names.join(", ");
                 return Err(Failure::Usage(format!(
                     "--set {}: '{model}' is not among {names}{near}",
@@ -79,7 +80,7 @@ impl SetArgs {
             }
             let known: Vec<_> = meant.flat_map(|info| info.params.iter().map(|param| param.name)).collect();
             if !known.contains(&param) {
-                let near = did_you_mean(param, &known);
+                let near = did_you_mean(param, known.iter().copied());
                 let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
                 return Err(Failure::Usage(format!(
                     "--set {}: there is no parameter '{param}' (there are: {known}){near}",
@@ -121,16 +122,6 @@ fn lobe(info: &ModelInfo, texts: &[(&'static str, &str)]) -> Result<Lobe, Failur
 
 fn info(name: &str) -> &'static ModelInfo {
     glanz_bsdf::models::info_named(name).expect("the parser lets only known names through")
-}
-
-/// `; did you mean 'x'?`, or nothing.
-pub fn did_you_mean(word: &str, known: &[&str]) -> String {
-    let near = known
-        .iter()
-        .map(|name| (strsim::damerau_levenshtein(word, name), *name))
-        .filter(|(distance, name)| word.len() <= 60 && distance * 2 <= name.chars().count())
-        .min();
-    near.map(|(_, name)| format!("; did you mean '{name}'?")).unwrap_or_default()
 }
 
 /// What lobes are multiplied with.

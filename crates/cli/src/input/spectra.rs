@@ -13,6 +13,7 @@ use glanz_color::{
     CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
     catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
+use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
 use crate::print;
@@ -217,10 +218,6 @@ pub fn words(text: &str) -> Result<Vec<String>, String> {
     }
 }
 
-fn plain(name: &str) -> String {
-    name.trim().to_lowercase().replace([' ', '_'], "-")
-}
-
 fn same(a: &str, b: &str) -> bool {
     plain(a) == plain(b)
 }
@@ -228,10 +225,8 @@ fn same(a: &str, b: &str) -> bool {
 /// The failure for a word that is neither a name nor a file.
 fn unknown(what: &str, word: &str, error: &UnknownName) -> Failure {
     let suggestion = match error {
-        UnknownName::NotFound { near, .. } if !near.is_empty() => {
-            format!("; did you mean '{}'?", near.join("' or '"))
-        }
-        _ => String::new(),
+        UnknownName::NotFound { near, .. } => suggestion(near),
+        UnknownName::Parameter { .. } => String::new(),
     };
     Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
 }
@@ -286,26 +281,7 @@ fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Fail
     }
     let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
     let named = pick(&spectra, file, opened.column.as_deref())?;
-    let (kind, guessed) = match (kind, named.quantity) {
-        (Some(kind), _) => (kind, false),
-        (None, Quantity::Reflectance | Quantity::Transmittance) => (SpectrumKind::Surface, false),
-        (None, Quantity::Light | Quantity::Relative) => (SpectrumKind::Light, false),
-        (None, Quantity::Absorptance) => {
-            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
-            return Err(Report::new(message).help("say what it stands for with --as").into());
-        }
-        (None, Quantity::Unknown) => {
-            let ratios = named.values.iter().all(|value| (-0.1..=GREATEST_RATIO).contains(value));
-            (if ratios { SpectrumKind::Surface } else { SpectrumKind::Light }, true)
-        }
-    };
-    if guessed {
-        let taken = if kind == SpectrumKind::Surface { "the reflectance of a surface" } else { "light" };
-        print::note(format_args!(
-            "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
-            named.name
-        ));
-    }
+    let kind = kind.map_or_else(|| kind_of(named, file), Ok)?;
     let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
     if kind == SpectrumKind::Surface {
@@ -319,6 +295,30 @@ fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Fail
         unit: named.unit.clone(),
         power_unit: named.power_unit(),
     })
+}
+
+/// What a spectrum of a file is of, by what the file says of it; if it says nothing, by its values.
+fn kind_of(named: &NamedSpectrum, file: &str) -> Result<SpectrumKind, Failure> {
+    match named.quantity {
+        Quantity::Reflectance | Quantity::Transmittance => Ok(SpectrumKind::Surface),
+        Quantity::Light | Quantity::Relative => Ok(SpectrumKind::Light),
+        Quantity::Absorptance => {
+            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
+            Err(Report::new(message).help("say what it stands for with --as").into())
+        }
+        Quantity::Unknown => {
+            let ratios = named.values.iter().all(|value| (-0.1..=GREATEST_RATIO).contains(value));
+            let (kind, taken) = match ratios {
+                true => (SpectrumKind::Surface, "the reflectance of a surface"),
+                false => (SpectrumKind::Light, "light"),
+            };
+            print::note(format_args!(
+                "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
+                named.name
+            ));
+            Ok(kind)
+        }
+    }
 }
 
 fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, Failure> {

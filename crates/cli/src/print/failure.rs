@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Command, CommandFactory};
 use glanz_picture::output::OutputError;
-use glanz_render::PrepareError;
+use glanz_render::ShotError;
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
 };
@@ -80,8 +80,8 @@ impl From<glanz_plot::Error> for Failure {
     }
 }
 
-impl From<PrepareError> for Failure {
-    fn from(error: PrepareError) -> Self {
+impl From<ShotError> for Failure {
+    fn from(error: ShotError) -> Self {
         Self::new(error)
     }
 }

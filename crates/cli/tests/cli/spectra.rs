@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::folder::Folder;
 
 /// Three patches under daylight.
-const PATCHES: &str = r#"[image]
+pub const PATCHES: &str = r#"[image]
 width = 48
 height = 16
 samples = 1
@@ -148,6 +148,22 @@ fn a_spectral_exr_holds_every_wavelength() {
         assert!((f64::from(band.values[8 * 48 + 8]) - daylight[i]).abs() < 1e-7, "{} nm", band.nm);
     }
     let failure = folder.glanz(&["render", "scene.toml", "-o", "a.png", "--spectral-exr"]).failure();
+    assert!(failure.starts_with("2\n") && failure.contains("ends in .exr"), "{failure}");
+}
+
+#[test]
+fn spectral_exrs_of_a_film_are_numbered() {
+    let folder = folder();
+    let animate = "camera.eye.2=4:8";
+    let film = ["--frames", "3..6", "--animate", animate, "-o", "f{frame}.exr", "--spectral-exr"];
+    let run = folder.glanz(&[&["render", "scene.toml"], &film[..]].concat());
+    assert_eq!((run.code, run.stderr.as_str()), (0, "wrote 3 files, f3.exr to f5.exr\n"));
+    assert_eq!(folder.names(), ["f3.exr", "f4.exr", "f5.exr", "scene.toml"]);
+    let still = ["render", "scene.toml", "--set", "camera.eye.2=6", "-o", "still.exr", "--spectral-exr"];
+    assert_eq!(folder.glanz(&still).code, 0);
+    assert!(folder.read("f4.exr") == folder.read("still.exr"), "a frame is as the still of its values");
+    let words = ["render", "scene.toml", "--frames", "0..3", "--turntable", "-o", "a.gif", "--spectral-exr"];
+    let failure = folder.glanz(&words).failure();
     assert!(failure.starts_with("2\n") && failure.contains("ends in .exr"), "{failure}");
 }
 

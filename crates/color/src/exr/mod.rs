@@ -12,16 +12,31 @@
 //! Other units of wavelength and frequency are read, 16-bit and 32-bit channels too. Written are 32-bit floats,
 //! as ZIP.
 //! The attribute `emissiveUnits` is a text; by custom `W.m^-2.sr^-1` is said of radiance per nm.
+//!
+//! Beneath lie [`ExrFile`] and [`write_planes`], which read and write any named planes.
 
 mod channels;
+mod file;
 mod pixels;
+mod planes;
 mod read;
 #[cfg(test)]
 pub(crate) mod tests;
 mod write;
 
+pub use file::{ExrChannel, ExrFile, ExrPart, ExrReadError};
+pub use planes::write_planes;
 pub use read::{MAX_PICTURE_BYTES, read_spectral_exr};
 pub use write::{ExrWriteError, write_spectral_exr};
+
+/// The value of an attribute of an OpenEXR file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Attribute {
+    /// Text.
+    Text(String),
+    /// A number.
+    Number(f32),
+}
 
 /// One wavelength of a picture.
 #[derive(Clone, Debug, PartialEq)]

@@ -94,23 +94,30 @@ fn what_cannot_be_written_or_read_is_an_error() {
     assert_eq!(write(short), text);
     let mut twice = sample();
     twice.emissive[1].nm = 400.0;
-    assert_eq!(write(twice), "expected each wavelength once, found channel S0.400,000000nm twice");
+    assert_eq!(write(twice), "expected each channel once, found channel S0.400,000000nm twice");
     assert_eq!(write(SpectralImage::default()), "expected at least one pixel, found 0×0");
     let bare = SpectralImage { rgb: sample().rgb, width: 3, height: 2, ..SpectralImage::default() };
     let error = read(&bytes_of(bare)).unwrap_err().to_string();
     assert!(error.starts_with("file: the file: expected channels such as"), "{error}");
     let error = read_spectral_exr(&bytes_of(sample()), "file", 100).unwrap_err().to_string();
-    assert_eq!(error, "file: the file: expected at most 100 bytes of pixels for its size, found 192");
+    assert_eq!(error, "file: the file: expected at most 100 bytes of pixels, found 192");
 }
 
 #[test]
 fn a_small_file_cannot_claim_a_great_picture() {
     let mut bytes = bytes_of(sample());
-    let name = b"dataWindow\0box2i\0";
-    let at = bytes.windows(name.len()).position(|part| part == name).unwrap() + name.len() + 4;
-    bytes[at + 8..at + 12].copy_from_slice(&100_000i32.to_le_bytes());
-    bytes[at + 12..at + 16].copy_from_slice(&100_000i32.to_le_bytes());
-    let error = read_spectral_exr(&bytes, "file", u64::MAX).unwrap_err();
+    let mut set = |name: &[u8], at: usize, value: i32| {
+        let found = bytes.windows(name.len()).position(|part| part == name).unwrap();
+        let start = found + name.len() + 4 + at;
+        bytes[start..start + 4].copy_from_slice(&value.to_le_bytes());
+    };
+    set(b"dataWindow\0box2i\0", 8, 100_000);
+    set(b"dataWindow\0box2i\0", 12, 100_000);
+    // Blocks of 16 lines.
+    set(b"chunkCount\0int\0", 0, 6251);
+    let error = read_spectral_exr(&bytes, "file", u64::MAX).unwrap_err().to_string();
+    assert!(error.ends_with("bytes can hold, found a claim of 100001×100001"), "{error}");
+    let error = read_spectral_exr(&bytes, "file", 1 << 30).unwrap_err();
     assert!(matches!(error, crate::read::ReadError::TooLarge { .. }), "{error}");
 }
 

@@ -2,28 +2,15 @@
 
 use std::io::{Seek, Write};
 
-use ::exr::error::Error as ExrError;
-use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
-use ::exr::prelude::{
-    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
-    LineOrder, SmallVec, Vec2, WritableImage,
-};
 use thiserror::Error;
 
-use super::{SpectralImage, channels};
-
-/// The primaries and the white of sRGB, IEC 61966-2-1.
-const SRGB: Chromaticities = Chromaticities {
-    red: Vec2(0.64, 0.33),
-    green: Vec2(0.30, 0.60),
-    blue: Vec2(0.15, 0.06),
-    white: Vec2(0.3127, 0.3290),
-};
+use super::planes::write_planes;
+use super::{Attribute, SpectralImage, channels};
 
 /// The unit that is written where the picture tells none.
 const RADIANCE: &str = "W.m^-2.sr^-1";
 
-/// Why a spectral picture could not be written.
+/// Why a picture could not be written.
 #[derive(Debug, Error)]
 pub enum ExrWriteError {
     /// A channel has not one value for each pixel.
@@ -57,37 +44,17 @@ pub enum ExrWriteError {
 ///
 /// [`ExrWriteError`]; nothing of use is written then.
 pub fn write_spectral_exr(out: impl Write + Seek, image: SpectralImage) -> Result<(), ExrWriteError> {
-    let (width, height) = (image.width, image.height);
-    if width == 0 || height == 0 {
-        let found = format!("{width}×{height}");
-        return Err(ExrWriteError::Content { expected: "at least one pixel", found });
+    let size = (image.width, image.height);
+    let mut attributes: Vec<(&str, Attribute)> = Vec::new();
+    let texts = image.texts.clone();
+    attributes.extend(texts.iter().map(|(key, value)| (key.as_str(), Attribute::Text(value.clone()))));
+    attributes.push(("spectralLayoutVersion", Attribute::Text("1.0".to_owned())));
+    attributes.push(("EV", Attribute::Number(image.exposure_ev)));
+    if !image.emissive.is_empty() {
+        let units = if image.emissive_units.is_empty() { RADIANCE } else { &image.emissive_units };
+        attributes.push(("emissiveUnits", Attribute::Text(units.to_owned())));
     }
-    let attributes = attributes(&image)?;
-    let mut list = SmallVec::new();
-    for (name, values) in planes(image) {
-        let (expected, found) = (width * height, values.len());
-        if found != expected {
-            return Err(ExrWriteError::Size { channel: name, expected, found });
-        }
-        list.push(AnyChannel::new(name.as_str(), FlatSamples::F32(values)));
-    }
-    let list = AnyChannels::sort(list);
-    let twice = list.list.windows(2).find(|pair| pair[0].name == pair[1].name);
-    if let Some(pair) = twice {
-        let found = format!("channel {} twice", pair[0].name);
-        return Err(ExrWriteError::Content { expected: "each wavelength once", found });
-    }
-    if list.list.is_empty() {
-        return Err(ExrWriteError::Content { expected: "at least one channel", found: "none".to_owned() });
-    }
-    let encoding = Encoding {
-        compression: Compression::ZIP16,
-        blocks: Blocks::ScanLines,
-        line_order: LineOrder::Increasing,
-    };
-    let mut picture = Image::from_layer(Layer::new(Vec2(width, height), attributes, encoding, list));
-    picture.attributes.chromaticities = Some(SRGB);
-    picture.write().non_parallel().to_buffered(out).map_err(failed)
+    write_planes(out, size, planes(image), &attributes)
 }
 
 /// All channels, with their names.
@@ -98,37 +65,4 @@ fn planes(image: SpectralImage) -> impl Iterator<Item = (String, Vec<f32>)> {
     let pairs = image.reradiation.into_iter();
     let pairs = pairs.map(|band| (channels::bispectral(band.in_nm, band.out_nm), band.values));
     rgb.chain(light).chain(share).chain(pairs)
-}
-
-/// The attributes of the layout, and the picture's own.
-fn attributes(image: &SpectralImage) -> Result<LayerAttributes, ExrWriteError> {
-    let mut attributes = LayerAttributes::default();
-    let mut put = |key: &str, value: AttributeValue| -> Result<(), ExrWriteError> {
-        attributes.other.insert(text(key)?, value);
-        Ok(())
-    };
-    for (key, value) in &image.texts {
-        put(key, AttributeValue::Text(text(value)?))?;
-    }
-    put("spectralLayoutVersion", AttributeValue::Text(text("1.0")?))?;
-    put("EV", AttributeValue::F32(image.exposure_ev))?;
-    if !image.emissive.is_empty() {
-        let units = if image.emissive_units.is_empty() { RADIANCE } else { &image.emissive_units };
-        put("emissiveUnits", AttributeValue::Text(text(units)?))?;
-    }
-    Ok(attributes)
-}
-
-fn text(text: &str) -> Result<Text, ExrWriteError> {
-    Text::new_or_none(text)
-        .ok_or_else(|| ExrWriteError::Content { expected: "Latin text", found: format!("'{text}'") })
-}
-
-fn failed(error: ExrError) -> ExrWriteError {
-    match error {
-        ExrError::Io(error) => ExrWriteError::Stream(error),
-        other => {
-            ExrWriteError::Content { expected: "a picture that OpenEXR can hold", found: other.to_string() }
-        }
-    }
 }

@@ -1,5 +1,7 @@
 //! The list of all colour models, and conversion by name.
 
+use glanz_math::names::{nearest, suggestion};
+
 use super::info::{Channel, ColorModel, Limit, ModelInfo};
 use super::{
     Ac1c2, AcesCg, AdobeRgb, Cmy, Cmyk, DisplayP3, Hls, Hsv, Lab, Lch, LinearSrgb, Lms, Luv, Oklab, Oklch,
@@ -54,12 +56,12 @@ fn padded<const N: usize>(values: [f64; N]) -> [f64; 4] {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ConvertError {
     /// No model has this name.
-    #[error("unknown colour model `{name}`{}; known are {}", suggestion(.nearest), names())]
+    #[error("unknown colour model '{name}'; known are {}{}", names(), suggestion(near))]
     UnknownModel {
         /// The name that was asked for.
         name: String,
-        /// The nearest known name, where one is near.
-        nearest: Option<&'static str>,
+        /// The known names that it is most likely a misspelling of.
+        near: Vec<&'static str>,
     },
     /// Too few or too many numbers.
     #[error("colour model `{model}` has {} channels ({}), found {found} numbers", .model.info().channels.len(), .model.channel_names())]
@@ -103,10 +105,6 @@ pub enum ConvertError {
     },
 }
 
-fn suggestion(nearest: &Option<&'static str>) -> String {
-    nearest.map_or_else(String::new, |name| format!(", did you mean `{name}`?"))
-}
-
 fn names() -> String {
     let names: Vec<_> = Model::ALL.iter().map(|model| model.info().name).collect();
     names.join(", ")
@@ -117,9 +115,6 @@ impl core::fmt::Display for Model {
         f.write_str(self.info().name)
     }
 }
-
-/// How alike a known name must be to be suggested: Jaro–Winkler, 1 for the same.
-const ALIKE: f64 = 0.75;
 
 /// How far outside of the cube a code value may lie and still be taken for its border: rounding of
 /// printed numbers, far below one step of 16 bits.
@@ -136,10 +131,8 @@ impl Model {
         if let Some(model) = Self::ALL.iter().find(|model| model.info().name == lower) {
             return Ok(*model);
         }
-        let alike = |model: &Self| strsim::jaro_winkler(&lower, model.info().name);
-        let nearest = Self::ALL.iter().max_by(|a, b| alike(a).total_cmp(&alike(b)));
-        let nearest = nearest.filter(|model| alike(model) >= ALIKE).map(|model| model.info().name);
-        Err(ConvertError::UnknownModel { name: name.to_owned(), nearest })
+        let near = nearest(name, Self::ALL.iter().map(|model| model.info().name));
+        Err(ConvertError::UnknownModel { name: name.to_owned(), near })
     }
 
     /// The names of its channels, as in `H, L, S`.

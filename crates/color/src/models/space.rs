@@ -70,6 +70,17 @@ impl RgbSpace {
         &self.from_xyz
     }
 
+    /// Linear components to those of linear sRGB. None where primaries and white are those of sRGB, but for
+    /// the rounding of files to four digits. Not finite where the primaries span no colours.
+    pub fn to_linear_srgb_matrix(&self) -> Option<Matrix3> {
+        const SAME: f64 = 1e-3;
+        let srgb = Self::LINEAR_SRGB;
+        let own = self.primaries.iter().chain([&self.white]).flatten();
+        let known = srgb.primaries.iter().chain([&srgb.white]).flatten();
+        let is_srgb = own.zip(known).all(|(own, known)| (own - known).abs() < SAME);
+        (!is_srgb).then(|| srgb.from_xyz.times(&self.to_xyz))
+    }
+
     /// XYZ relative to D65 from code values.
     pub fn decode(&self, code: [f64; 3]) -> [f64; 3] {
         self.to_xyz.apply(code.map(|c| self.transfer.decode(c)))

@@ -25,8 +25,6 @@ pub enum Place {
         /// The character.
         column: u32,
     },
-    /// A channel of a picture.
-    Channel(String),
 }
 
 impl fmt::Display for Place {
@@ -36,7 +34,6 @@ impl fmt::Display for Place {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Field { line, field } => write!(f, "line {line}, field {field}"),
             Self::Column { line, column } => write!(f, "line {line}, column {column}"),
-            Self::Channel(name) => write!(f, "channel {}", excerpt(name)),
         }
     }
 }

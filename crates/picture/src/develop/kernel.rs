@@ -21,7 +21,7 @@ impl DevelopKernel {
         let gain = libm::exp2(f64::from(develop.ev)) as f32;
         Self {
             gain,
-            to_screen: develop.to_screen.map(|rows| rows.map(|row| row.map(|entry| entry * gain))),
+            to_screen: develop.to_screen.map(|matrix| matrix.rows.map(|row| row.map(|entry| entry * gain))),
             tone_map: develop.tone_map,
             dither: develop.dither,
         }

@@ -21,4 +21,4 @@ mod tone_map;
 pub use kernel::DevelopKernel;
 pub use picture::{develop, develop_with, develop16, develop16_with};
 pub use settings::{Develop, ToneMap};
-pub use to_screen::ToScreen;
+pub use to_screen::{ScreenMatrix, ToScreen};

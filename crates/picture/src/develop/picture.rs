@@ -1,42 +1,50 @@
 //! Development of whole frames.
 
-use fearless_simd::{Level, Simd};
-use glanz_math::{Lanes, at_level};
+use fearless_simd::Simd;
+use glanz_math::{Lanes, SimdLevel, at_level};
 
 use super::{Develop, DevelopKernel};
-use crate::Frame;
+use crate::{ChannelError, Frame};
 
 /// Pixels that are developed at a time.
 const LANES: usize = 16;
 
 /// The frame as 8-bit sRGB with straight alpha, 4 bytes per pixel.
-pub fn develop(frame: &Frame, develop: &Develop) -> Vec<u8> {
-    develop_with(frame, develop, Level::new())
+///
+/// # Errors
+/// If the frame's channels are not what the settings are for: XYZ is not shown as if it were RGB.
+pub fn develop(frame: &Frame, develop: &Develop) -> Result<Vec<u8>, ChannelError> {
+    develop_with(frame, develop, SimdLevel::best())
 }
 
 /// [`develop()`] with chosen SIMD instructions; the bytes do not depend on them.
-pub fn develop_with(frame: &Frame, develop: &Develop, level: Level) -> Vec<u8> {
+pub fn develop_with(frame: &Frame, develop: &Develop, level: SimdLevel) -> Result<Vec<u8>, ChannelError> {
+    frame.channels.expect(develop.expects())?;
     let kernel = DevelopKernel::new(develop);
     let mut out = vec![0; frame.width * frame.height * 4];
     for_each_row(&mut out, frame.width * 4, |y, row| {
         at_level!(level, simd => row_8(simd, &kernel, frame, y, row));
     });
-    out
+    Ok(out)
 }
 
 /// The frame as 16-bit sRGB with straight alpha, 4 values per pixel.
-pub fn develop16(frame: &Frame, develop: &Develop) -> Vec<u16> {
-    develop16_with(frame, develop, Level::new())
+///
+/// # Errors
+/// As [`develop()`].
+pub fn develop16(frame: &Frame, develop: &Develop) -> Result<Vec<u16>, ChannelError> {
+    develop16_with(frame, develop, SimdLevel::best())
 }
 
 /// [`develop16`] with chosen SIMD instructions; the values do not depend on them.
-pub fn develop16_with(frame: &Frame, develop: &Develop, level: Level) -> Vec<u16> {
+pub fn develop16_with(frame: &Frame, develop: &Develop, level: SimdLevel) -> Result<Vec<u16>, ChannelError> {
+    frame.channels.expect(develop.expects())?;
     let kernel = DevelopKernel::new(develop);
     let mut out = vec![0; frame.width * frame.height * 4];
     for_each_row(&mut out, frame.width * 4, |y, row| {
         at_level!(level, simd => row_16(simd, &kernel, frame, y, row));
     });
-    out
+    Ok(out)
 }
 
 /// Calls `work` for every row of `out`, in parallel where the feature `rayon` is on.
@@ -109,8 +117,6 @@ fn load_plane<S: Simd>(simd: S, plane: &[f32], start: usize, count: usize, rest:
 
 #[cfg(test)]
 mod tests {
-    use glanz_math::{NARROWEST_LEVEL, simd_level};
-
     use super::*;
     use crate::ToneMap;
 
@@ -141,10 +147,9 @@ mod tests {
     fn every_simd_level_gives_the_same_codes() {
         let frame = sweep(77, 9);
         for develop in settings() {
-            let expected = develop_with(&frame, &develop, simd_level(Some(NARROWEST_LEVEL)).unwrap());
-            let expected16 = develop16_with(&frame, &develop, simd_level(Some(NARROWEST_LEVEL)).unwrap());
-            for name in ["sse2", "avx2", "avx512", "neon", "simd128"] {
-                let Ok(level) = simd_level(Some(name)) else { continue };
+            let expected = develop_with(&frame, &develop, SimdLevel::narrowest());
+            let expected16 = develop16_with(&frame, &develop, SimdLevel::narrowest());
+            for (name, level) in SimdLevel::available() {
                 assert_eq!(develop_with(&frame, &develop, level), expected, "{name}, {develop:?}");
                 assert_eq!(develop16_with(&frame, &develop, level), expected16, "{name}, {develop:?}");
             }
@@ -156,7 +161,7 @@ mod tests {
         let frame = sweep(77, 9);
         for settings in settings().filter(|settings| !settings.dither) {
             let kernel = DevelopKernel::new(&settings);
-            let picture = develop(&frame, &settings);
+            let picture = develop(&frame, &settings).unwrap();
             for (i, bytes) in picture.chunks_exact(4).enumerate() {
                 let rgb = [0, 1, 2].map(|c| frame.rgb[c][i]);
                 let codes = kernel.rgba(rgb, frame.alpha[i]).map(|c| c.round_ties_even() as u8);
@@ -179,7 +184,7 @@ mod tests {
             alpha: vec![1.0; n],
             ..Frame::default()
         };
-        for (pixel, x) in develop16(&frame, &Develop::default()).chunks_exact(4).zip(ramp) {
+        for (pixel, x) in develop16(&frame, &Develop::default()).unwrap().chunks_exact(4).zip(ramp) {
             let error = (f64::from(pixel[0]) - exact(f64::from(x))).abs();
             assert!(error < 0.6, "{x} gave {}", pixel[0]);
             assert_eq!(pixel[3], 65535);
@@ -198,18 +203,37 @@ mod tests {
             alpha: vec![1.0; n],
             ..Frame::default()
         };
-        let picture = develop(&frame, &Develop { dither: true, ..Develop::default() });
+        let picture = develop(&frame, &Develop { dither: true, ..Develop::default() }).unwrap();
         let above = picture.chunks_exact(4).filter(|p| p[0] == 101).count();
         let below = picture.chunks_exact(4).filter(|p| p[0] == 100).count();
         assert_eq!((above, below), (n / 4, 3 * n / 4));
-        assert_eq!(picture, develop(&frame, &Develop { dither: true, ..Develop::default() }));
-        assert!(develop(&frame, &Develop::default()).chunks_exact(4).all(|p| p[0] == 100));
+        assert_eq!(picture, develop(&frame, &Develop { dither: true, ..Develop::default() }).unwrap());
+        assert!(develop(&frame, &Develop::default()).unwrap().chunks_exact(4).all(|p| p[0] == 100));
     }
 
     #[test]
     fn an_empty_frame_is_an_empty_picture() {
-        assert!(develop(&Frame::default(), &Develop::default()).is_empty());
+        assert!(develop(&Frame::default(), &Develop::default()).unwrap().is_empty());
         let thin = Frame { width: 0, height: 5, ..Frame::default() };
-        assert!(develop16(&thin, &Develop::default()).is_empty());
+        assert!(develop16(&thin, &Develop::default()).unwrap().is_empty());
+    }
+
+    #[test]
+    fn channels_of_another_kind_are_an_error_and_not_a_wrong_picture() {
+        use crate::{Channels, Meaning, ScreenMatrix};
+        let of = |meaning| Frame { channels: Channels { meaning, ..Channels::default() }, ..sweep(3, 2) };
+        let matrix = |from| Develop {
+            to_screen: Some(ScreenMatrix { from, rows: [[1.0; 3]; 3] }),
+            ..Develop::default()
+        };
+        let error = develop(&of(Meaning::Xyz), &Develop::default()).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "expected a frame of linear sRGB, found XYZ; bring it to the screen first"
+        );
+        assert!(develop(&of(Meaning::LinearSrgb), &matrix(Meaning::Xyz)).is_err());
+        assert!(develop16(&of(Meaning::Receptors), &matrix(Meaning::Xyz)).is_err());
+        assert!(develop(&of(Meaning::Xyz), &matrix(Meaning::Xyz)).is_ok());
+        assert!(develop(&of(Meaning::Display), &Develop::default()).is_ok());
     }
 }

@@ -1,5 +1,8 @@
 //! What a user can choose about development.
 
+use super::ScreenMatrix;
+use crate::Meaning;
+
 /// How radiance is compressed to the display's range. All work on linear sRGB; formulas and sources
 /// are those of the module `tone_map`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,8 +50,8 @@ pub struct Develop {
     pub tone_map: ToneMap,
     /// Ordered dithering before rounding to 8 bits; 16-bit codes need none.
     pub dither: bool,
-    /// From the frame's channels to linear sRGB, row by row; none where they are linear sRGB already.
-    pub to_screen: Option<[[f32; 3]; 3]>,
+    /// From the frame's channels to linear sRGB; none where they are linear sRGB already.
+    pub to_screen: Option<ScreenMatrix>,
 }
 
 #[cfg(test)]
@@ -61,5 +64,12 @@ mod tests {
             assert_eq!((ToneMap::named(name), map.name()), (Some(map), name));
         }
         assert_eq!(ToneMap::named("filmic"), None);
+    }
+}
+
+impl Develop {
+    /// What the channels of a frame must be that is developed so.
+    pub fn expects(&self) -> Meaning {
+        self.to_screen.map_or(Meaning::LinearSrgb, |matrix| matrix.from)
     }
 }

@@ -2,37 +2,56 @@
 
 use glanz_color::Matrix3;
 
+use crate::Meaning;
+
+/// A linear map from three channels to linear sRGB, white adaptation included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenMatrix {
+    /// What the channels are.
+    pub from: Meaning,
+    /// By rows.
+    pub rows: [[f32; 3]; 3],
+}
+
 /// A linear map from any number of channels to linear sRGB, white adaptation included.
 ///
 /// Colours outside of the screen's gamut get components below 0 or above 1; they are clipped when codes
 /// are made, and kept in linear pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToScreen {
+    /// What the channels are.
+    from: Meaning,
     /// The linear sRGB of one unit of each channel.
     columns: Vec<[f64; 3]>,
 }
 
 impl ToScreen {
     /// From three channels.
-    pub fn of_matrix(matrix: Matrix3) -> Self {
-        Self { columns: matrix.transposed().0.to_vec() }
+    pub fn of_matrix(from: Meaning, matrix: Matrix3) -> Self {
+        Self { from, columns: matrix.transposed().0.to_vec() }
     }
 
     /// From the linear sRGB of one unit of each channel.
-    pub fn of_columns(columns: impl Iterator<Item = [f64; 3]>) -> Self {
-        Self { columns: columns.collect() }
+    pub fn of_columns(from: Meaning, columns: impl Iterator<Item = [f64; 3]>) -> Self {
+        Self { from, columns: columns.collect() }
     }
 
-    /// The rows of the matrix for a frame of three channels, of which those that the observer does not
-    /// have count for nothing.
+    /// What the channels are that it takes to the screen.
+    pub fn from(&self) -> Meaning {
+        self.from
+    }
+
+    /// The matrix for a frame of three channels, of which those that the observer does not have count for
+    /// nothing.
     ///
     /// None for more than three channels, which no single frame holds.
-    pub fn rows(&self) -> Option<[[f32; 3]; 3]> {
+    pub fn matrix(&self) -> Option<ScreenMatrix> {
         if self.columns.len() > 3 {
             return None;
         }
         let column = |c: usize| self.columns.get(c).copied().unwrap_or_default();
-        Some(core::array::from_fn(|row| core::array::from_fn(|c| column(c)[row] as f32)))
+        let rows = core::array::from_fn(|row| core::array::from_fn(|c| column(c)[row] as f32));
+        Some(ScreenMatrix { from: self.from, rows })
     }
 
     /// The linear sRGB of the channels of one pixel.
@@ -78,19 +97,22 @@ mod tests {
 
     #[test]
     fn a_frames_matrix_has_the_columns_of_the_channels() {
-        let map = ToScreen::of_matrix(M);
-        assert_eq!(map.rows(), Some([[1.0, 2.0, 0.0], [0.0, 0.5, 0.25], [-1.0, 0.0, 4.0]]));
+        let map = ToScreen::of_matrix(Meaning::Xyz, M);
+        assert_eq!(
+            map.matrix().map(|map| map.rows),
+            Some([[1.0, 2.0, 0.0], [0.0, 0.5, 0.25], [-1.0, 0.0, 4.0]])
+        );
         assert_eq!(map.apply([1.0, 10.0, 100.0].into_iter()), [21.0, 30.0, 399.0]);
         assert_eq!(map.channels_of(map.apply([3.0, 2.0, 1.0].into_iter())), [3.0, 2.0, 1.0]);
     }
 
     #[test]
     fn one_channel_is_a_gray_and_five_need_more_than_a_frame() {
-        let gray = ToScreen::of_columns([[1.0; 3]].into_iter());
-        assert_eq!(gray.rows(), Some([[1.0, 0.0, 0.0]; 3]));
+        let gray = ToScreen::of_columns(Meaning::Receptors, [[1.0; 3]].into_iter());
+        assert_eq!(gray.matrix().map(|map| map.rows), Some([[1.0, 0.0, 0.0]; 3]));
         assert!((gray.channels_of([1.0, 0.0, 0.0])[0] - 0.2126).abs() < 1e-7, "red as a grey");
-        let two = ToScreen::of_columns([[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]].into_iter());
+        let two = ToScreen::of_columns(Meaning::Receptors, [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]].into_iter());
         assert_eq!(two.channels_of([0.75, 0.25, 0.25]), [0.5, 0.25, 0.0]);
-        assert_eq!(ToScreen::of_columns([[1.0; 3]; 5].into_iter()).rows(), None);
+        assert_eq!(ToScreen::of_columns(Meaning::Receptors, [[1.0; 3]; 5].into_iter()).matrix(), None);
     }
 }

@@ -35,6 +35,9 @@ pub enum OutputError {
         /// What was expected and what was found.
         message: String,
     },
+    /// The channels are not what the format is for.
+    #[error(transparent)]
+    Channels(#[from] crate::ChannelError),
     /// There are more or fewer values than the size says.
     #[error("a picture of {width}×{height} pixels needs {expected} values, but there are {found}")]
     Size {

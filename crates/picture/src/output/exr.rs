@@ -6,24 +6,11 @@
 
 use std::io::{Seek, Write};
 
-use ::exr::error::Error as ExrError;
-use ::exr::meta::attribute::{AttributeValue, Chromaticities, Text};
-use ::exr::prelude::{
-    AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
-    LineOrder, SmallVec, Vec2, WritableImage,
-};
+use glanz_color::exr::{Attribute, ExrWriteError, write_planes};
 
 use super::error::check_size;
 use super::{Metadata, OutputError};
-use crate::Frame;
-
-/// The primaries and the white of sRGB, IEC 61966-2-1.
-const SRGB: Chromaticities = Chromaticities {
-    red: Vec2(0.64, 0.33),
-    green: Vec2(0.30, 0.60),
-    blue: Vec2(0.15, 0.06),
-    white: Vec2(0.3127, 0.3290),
-};
+use crate::{Frame, Meaning};
 
 /// Writes the frame's colour, in linear sRGB, and alpha and what else it holds, and `more` planes under
 /// their names. Takes the frame, so that its planes need not be copied. Alpha is left out where the whole picture is opaque.
@@ -35,31 +22,26 @@ pub fn write_exr(
     more: Vec<(String, Vec<f32>)>,
     metadata: &Metadata,
 ) -> Result<(), OutputError> {
+    frame.channels.expect(Meaning::LinearSrgb)?;
     let (width, height) = (frame.width, frame.height);
-    if width == 0 || height == 0 {
-        let message = format!("both sides must be at least 1 pixel, but are {width}×{height}");
-        return Err(OutputError::Encode { format: "OpenEXR", message });
-    }
-    let mut channels = SmallVec::new();
     let own = planes(frame).map(|(name, samples)| (name.to_owned(), samples));
-    for (name, samples) in own.chain(more) {
+    let planes: Vec<_> = own.chain(more).collect();
+    for (_, samples) in &planes {
         check_size(width, height, 1, samples.len())?;
-        channels.push(AnyChannel::new(text(&name)?, FlatSamples::F32(samples)));
     }
-    let encoding = Encoding {
-        compression: Compression::ZIP16,
-        blocks: Blocks::ScanLines,
-        line_order: LineOrder::Increasing,
-    };
-    let mut attributes =
-        LayerAttributes { software_name: Some(text(&metadata.software)?), ..LayerAttributes::default() };
-    for (key, value) in metadata.pairs() {
-        attributes.other.insert(text(key)?, AttributeValue::Text(text(value)?));
+    let software = ("software", metadata.software.as_str());
+    let texts = [software].into_iter().chain(metadata.pairs());
+    let attributes: Vec<_> = texts.map(|(key, text)| (key, Attribute::Text(text.to_owned()))).collect();
+    write_planes(out, (width, height), planes, &attributes).map_err(OutputError::from)
+}
+
+impl From<ExrWriteError> for OutputError {
+    fn from(error: ExrWriteError) -> Self {
+        match error {
+            ExrWriteError::Stream(error) => Self::Stream(error),
+            other => Self::Encode { format: "OpenEXR", message: other.to_string() },
+        }
     }
-    let layer = Layer::new(Vec2(width, height), attributes, encoding, AnyChannels::sort(channels));
-    let mut image = Image::from_layer(layer);
-    image.attributes.chromaticities = Some(SRGB);
-    image.write().non_parallel().to_buffered(out).map_err(failed)
 }
 
 /// The planes that the frame has, with the names of their channels.
@@ -81,25 +63,12 @@ fn planes(frame: Frame) -> impl Iterator<Item = (&'static str, Vec<f32>)> {
     always.into_iter().chain(if_there.into_iter().filter(|(_, plane)| !plane.is_empty()))
 }
 
-fn text(text: &str) -> Result<Text, OutputError> {
-    Text::new_or_none(text).ok_or_else(|| OutputError::Encode {
-        format: "OpenEXR",
-        message: format!("metadata must be Latin text, but there is '{text}'"),
-    })
-}
-
-fn failed(error: ExrError) -> OutputError {
-    match error {
-        ExrError::Io(error) => OutputError::Stream(error),
-        other => OutputError::Encode { format: "OpenEXR", message: other.to_string() },
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::io::Cursor;
 
-    use ::exr::prelude::{ReadChannels, ReadLayers, read};
+    use glanz_color::exr::{ExrFile, ExrPart};
+    use glanz_color::models::RgbSpace;
 
     use super::*;
 
@@ -113,29 +82,30 @@ mod tests {
             depth: (0..12).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect(),
             normal: [plane(0.01), plane(0.02), plane(0.03)],
             object: (0..12).map(|i| i * 1000).collect(),
-            more: Vec::new(),
+            ..Frame::default()
         }
     }
 
-    type Flat = ::exr::image::FlatImage;
-
-    fn round_trip(frame: Frame, metadata: &Metadata) -> Flat {
+    fn written(frame: Frame, metadata: &Metadata) -> Vec<u8> {
         let mut file = Cursor::new(Vec::new());
         write_exr(&mut file, frame, Vec::new(), metadata).unwrap();
-        let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers();
-        reader.all_attributes().non_parallel().from_buffered(Cursor::new(file.into_inner())).unwrap()
+        file.into_inner()
     }
 
-    fn plane(image: &Flat, name: &str) -> Option<Vec<f32>> {
-        let channels = &image.layer_data[0].channel_data.list;
-        let channel = channels.iter().find(|c| c.name.to_string() == name)?;
-        Some(channel.sample_data.values_as_f32().collect())
+    fn part(bytes: &[u8]) -> ExrPart {
+        let file = ExrFile::open(bytes).unwrap();
+        assert_eq!(file.parts().len(), 1);
+        file.parts()[0].clone()
+    }
+
+    fn plane(bytes: &[u8], name: &str) -> Option<Vec<f32>> {
+        let channel = part(bytes).channel(name)?;
+        ExrFile::open(bytes).unwrap().planes(0, &[channel]).unwrap().pop()
     }
 
     #[test]
     fn every_plane_comes_back_to_the_bit() {
-        let image = round_trip(frame(0.5), &Metadata::default());
-        assert_eq!(image.layer_data.len(), 1);
+        let file = written(frame(0.5), &Metadata::default());
         let frame = frame(0.5);
         let [r, g, b] = frame.rgb;
         let [x, y, z] = frame.normal;
@@ -152,16 +122,15 @@ mod tests {
             ("id", id),
         ];
         for (name, values) in expected {
-            assert_eq!(plane(&image, name), Some(values), "{name}");
+            assert_eq!(plane(&file, name), Some(values), "{name}");
         }
     }
 
     #[test]
     fn what_the_frame_does_not_hold_is_not_in_the_file() {
         let bare = Frame { depth: Vec::new(), normal: Default::default(), object: Vec::new(), ..frame(1.0) };
-        let image = round_trip(bare, &Metadata::default());
-        let names: Vec<_> =
-            image.layer_data[0].channel_data.list.iter().map(|c| c.name.to_string()).collect();
+        let part = part(&written(bare, &Metadata::default()));
+        let names: Vec<_> = part.channels.iter().map(|channel| channel.name.as_str()).collect();
         assert_eq!(names, ["B", "G", "R"]);
     }
 
@@ -172,13 +141,18 @@ mod tests {
             entries: vec![("scene".to_owned(), "kite.toml".to_owned())],
             ..Metadata::default()
         };
-        let image = round_trip(frame(1.0), &metadata);
-        assert_eq!(image.attributes.chromaticities, Some(SRGB));
-        let attributes = &image.layer_data[0].attributes;
-        assert_eq!(attributes.software_name.as_ref().unwrap().to_string(), metadata.software);
-        let other = |key: &str| attributes.other.get(&Text::from(key)).cloned();
-        assert_eq!(other("Scene-Hash"), Some(AttributeValue::Text(Text::from("c0ffee"))));
-        assert_eq!(other("scene"), Some(AttributeValue::Text(Text::from("kite.toml"))));
+        let file = written(frame(1.0), &metadata);
+        let part = part(&file);
+        let space = part.space.unwrap();
+        assert_eq!(space.to_linear_srgb_matrix(), None, "{space:?}");
+        assert!((space.white[0] - RgbSpace::SRGB.white[0]).abs() < 1e-6, "{space:?}");
+        let text = |text: &str| Attribute::Text(text.to_owned());
+        let expected = [("Scene-Hash", text("c0ffee")), ("scene", text("kite.toml"))];
+        assert_eq!(part.attributes, expected.map(|(name, value)| (name.to_owned(), value)));
+        let mut software = b"software\0string\0".to_vec();
+        software.extend((metadata.software.len() as u32).to_le_bytes());
+        software.extend(metadata.software.bytes());
+        assert!(file.windows(software.len()).any(|bytes| bytes == software));
     }
 
     #[test]

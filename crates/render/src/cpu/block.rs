@@ -7,8 +7,8 @@
 use fearless_simd::Simd;
 use glanz_math::Lanes;
 
-use super::bins::TILE_WIDTH;
-use super::raster::Grid;
+use crate::cpu::geometry::bins::TILE_WIDTH;
+use crate::cpu::visibility::raster::Grid;
 
 /// Pixels of a block.
 pub(crate) const BLOCK: usize = 16;
@@ -48,8 +48,8 @@ pub(crate) fn place(column: usize, row: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bins::TILE_PIXELS;
     use super::*;
+    use crate::cpu::geometry::bins::TILE_PIXELS;
 
     #[test]
     fn every_pixel_of_a_tile_has_one_place() {

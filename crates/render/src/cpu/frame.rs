@@ -1,29 +1,16 @@
 //! Everything about a frame that all its tiles share.
 
-use glanz_bsdf::{LightTerm, Shape};
 use glanz_scene::{AlphaMode, Interpolation, Shading};
 
-use super::background::ViewBackground;
-use super::camera::ViewCamera;
-use super::lights::ViewLights;
-use super::polygons::PolygonView;
-use super::samples;
-use crate::prepare::{
-    Attributes, DirectLobe, LobeIntegrals, MixTints, PreparedLight, PreparedMaterial, PreparedObject,
-    TintSeries,
-};
-use crate::{DebugView, DrawOptions, Prepared, View};
-
-/// How a triangle of an object takes part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pass {
-    /// Hides what is behind it.
-    Opaque,
-    /// Hides where its texture is opaque enough.
-    Masked,
-    /// Lets through what is behind it.
-    Blended,
-}
+use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::shading::polygons::PolygonView;
+use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
+use crate::view::camera::ViewCamera;
+use crate::view::lights::ViewLights;
+use crate::view::materials::shown_materials;
+use crate::view::objects::{Pass, ViewObject};
+use crate::view::{DebugView, DrawOptions, View, samples};
 
 /// An object seen from the eye.
 #[derive(Clone, Debug)]
@@ -43,7 +30,7 @@ pub(crate) struct ObjectView {
 /// Where attribute groups of three values are among an object's interpolated attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Layout {
-    /// Light of the second kind ([`super::reflect::Reflected::plain`]), Gouraud or flat with texture.
+    /// Light of the second kind ([`crate::cpu::lighting::reflect::Reflected::plain`]), Gouraud or flat with texture.
     pub plain: Option<usize>,
     /// The first of two groups with light through the second and third spectrum that texels mix; the first
     /// spectrum is in group 0. Gouraud or flat with texture, where texels mix spectra.
@@ -61,8 +48,8 @@ pub(crate) struct Layout {
 pub(crate) struct FrameView<'a> {
     pub prepared: &'a Prepared,
     pub camera: ViewCamera,
-    pub lights: ViewLights<'a>,
-    pub materials: std::borrow::Cow<'a, [PreparedMaterial]>,
+    pub lights: ShadeLights<'a>,
+    pub materials: Vec<ShadeMaterial<'a>>,
     pub objects: Vec<ObjectView>,
     pub options: &'a DrawOptions,
     pub samples: &'static [[i32; 2]],
@@ -74,8 +61,8 @@ pub(crate) struct FrameView<'a> {
 impl<'a> FrameView<'a> {
     pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
         let camera = ViewCamera::new(prepared, view);
-        let lights = ViewLights::new(prepared, &camera, options);
-        let materials = shown_materials(prepared, options.show);
+        let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options));
+        let materials = ShadeMaterial::all(shown_materials(prepared, options.show));
         let objects: Vec<_> = prepared
             .objects
             .iter()
@@ -106,28 +93,22 @@ impl FrameView<'_> {
 impl ObjectView {
     fn new(
         object: &PreparedObject,
-        materials: &[PreparedMaterial],
-        lights: &ViewLights,
+        materials: &[ShadeMaterial],
+        lights: &ShadeLights,
         camera: &ViewCamera,
         show: DebugView,
     ) -> Self {
         let material = &materials[object.material];
-        let pass = match material.alpha_mode {
-            _ if material.transmittance.is_some() => Pass::Blended,
-            AlphaMode::Opaque => Pass::Opaque,
-            AlphaMode::Mask { .. } => Pass::Masked,
-            AlphaMode::Blend => Pass::Blended,
-        };
-        let hidden = object.closed && pass == Pass::Opaque && camera.is_outside(object);
+        let ViewObject { pass, cull_back, anchor } = ViewObject::new(object, material, camera);
         let scanline = object.interpolation == Interpolation::Scanline;
         let mut view = Self {
             material: object.material,
             shading: object.shading,
             interpolation: object.interpolation,
             pass,
-            cull_back: material.cull_back || hidden,
+            cull_back,
             layout: Layout::new(object, material, show),
-            anchor: camera.anchor(object),
+            anchor,
             polygons: None,
         };
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
@@ -161,64 +142,5 @@ impl Layout {
         let tangent = group(bent);
         let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
         Self { plain, mix, uv, color, tangent, extra, ..layout }
-    }
-}
-
-/// The materials as the chosen view wants them: all terms, or one, or none but a test for light.
-fn shown_materials(prepared: &Prepared, show: DebugView) -> std::borrow::Cow<'_, [PreparedMaterial]> {
-    let term = match show {
-        DebugView::Ambient => LightTerm::Ambient,
-        DebugView::Diffuse => LightTerm::Diffuse,
-        DebugView::Specular => LightTerm::Specular,
-        DebugView::Lit => {
-            let lights = &prepared.lights;
-            return prepared.materials.iter().map(|material| lit_test(material, lights)).collect();
-        }
-        _ => return std::borrow::Cow::Borrowed(&prepared.materials),
-    };
-    prepared.materials.iter().map(|material| one_term(material, term)).collect()
-}
-
-fn one_term(material: &PreparedMaterial, term: LightTerm) -> PreparedMaterial {
-    let mut material = material.clone();
-    let lobes = material.lobes.len().max(1);
-    let mixes = material.mix.is_some();
-    let left_out = |i: usize| material.lobes[i % lobes].term != term;
-    let mut mix = material.mix.take().unwrap_or_default();
-    for i in (0..material.tints.len()).filter(|i| left_out(*i)) {
-        material.tints[i] = [0.0; 3];
-        mix.tints.get_mut(i).into_iter().for_each(|tint| *tint = Default::default());
-        material.series.get_mut(i).into_iter().for_each(|series| *series = TintSeries::default());
-    }
-    if term != LightTerm::Ambient {
-        material.ambient = Default::default();
-        material.spot_ambient.clear();
-        material.emission = [0.0; 3];
-        *mix = MixTints { tints: mix.tints, ..MixTints::default() };
-    }
-    material.mix = mixes.then_some(mix);
-    material
-}
-
-/// A material whose value is above zero exactly where some light reaches the front of the surface.
-fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMaterial {
-    let shape = Shape::named("lambert", &[]).expect("lambert is in the list of models");
-    PreparedMaterial {
-        lobes: vec![DirectLobe::new(shape)],
-        classic: true,
-        tints: vec![[1.0; 3]; lights.iter().map(|light| light.shape.rows()).sum()],
-        integrals: vec![LobeIntegrals::of_cosine(lights.len())],
-        anisotropic: false,
-        transmits: false,
-        metal_rough_map: None,
-        transmittance: None,
-        series: Vec::new(),
-        ambient: Default::default(),
-        spot_ambient: Vec::new(),
-        emission: [0.0; 3],
-        mix: None,
-        base_color: None,
-        emission_map: None,
-        ..material.clone()
     }
 }

@@ -2,23 +2,24 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use fearless_simd::Level;
-use glanz_math::at_level;
+use glanz_math::{SimdLevel, at_level};
 
-use super::bins::{TILE_HEIGHT, TILE_WIDTH};
-use super::frame::FrameView;
-use super::geometry::{self, ChunkOutput, Screen};
-use super::gouraud::{Lit, VertexLight};
-use super::target::{Band, Codes, PlaneBand, empty_block};
-use super::tile::{self, TilePlace, TileScratch};
-use super::triangle_setup::Projected;
-use crate::{Develop, DrawOptions, Frame, Prepared, View};
+use crate::cpu::frame::FrameView;
+use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
+use crate::cpu::geometry::process::{self, ChunkOutput, Screen};
+use crate::cpu::shading::gouraud::{Lit, VertexLight};
+use crate::cpu::shading::triangle_setup::Projected;
+use crate::cpu::tile::draw::{self, TilePlace, TileScratch};
+use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
+use crate::{Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
+use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
 
 /// Draws frames, and keeps its working memory from one to the next.
 #[derive(Debug, Default)]
 pub struct Renderer {
+    level: SimdLevel,
     screen: Vec<Screen>,
     lit: Vec<Lit>,
     lit_mix: Vec<Lit>,
@@ -35,29 +36,32 @@ impl Renderer {
         Self::default()
     }
 
-    /// Draws into a frame of linear channels.
-    pub fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+    /// A renderer on chosen SIMD instructions; pictures do not depend on them.
+    pub fn with_level(level: SimdLevel) -> Self {
+        Self { level, ..Self::default() }
+    }
+}
+
+impl Backend for Renderer {
+    fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
         let view_frame = FrameView::new(prepared, view, options);
         let (width, height) = (view.width as usize, view.height as usize);
-        let mut frame = empty_frame(width, height, options);
+        let mut frame = empty_frame(width, height, prepared, options);
         self.project(&view_frame);
         let bands = plane_bands(&mut frame);
         self.draw_bands(&view_frame, bands);
         frame
     }
 
-    /// Draws and develops into 8-bit RGBA; see [`crate::draw_rgba8`].
-    ///
-    /// # Panics
-    /// If `out` does not hold 4 bytes for each pixel of the view.
-    pub fn draw_rgba8(
+    fn draw_rgba8(
         &mut self,
         prepared: &Prepared,
         view: &View,
         options: &DrawOptions,
         develop: &Develop,
         out: &mut [u8],
-    ) {
+    ) -> Result<(), ChannelError> {
+        shown(prepared, options).expect(develop.expects())?;
         let (width, height) = (view.width as usize, view.height as usize);
         assert_eq!(out.len(), 4 * width * height, "four bytes for each pixel");
         let frame = FrameView::new(prepared, view, options);
@@ -70,8 +74,11 @@ impl Renderer {
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))
             .collect();
         self.draw_bands(&frame, bands);
+        Ok(())
     }
+}
 
+impl Renderer {
     /// The first pass.
     fn project(&mut self, frame: &FrameView) {
         let geometry = &frame.prepared.geometry;
@@ -101,7 +108,7 @@ impl Renderer {
             lit_mix = rest;
             tasks.push((range, own, VertexLight { lit: own_lit, mix: own_mix }, output));
         }
-        let level = frame.options.level;
+        let level = self.level;
         for_each(tasks, |(range, screen, lit, output)| {
             output.solid.reset(frame.camera.width, frame.camera.height);
             output.points.reset(frame.camera.width, frame.camera.height);
@@ -117,7 +124,7 @@ impl Renderer {
         let projected =
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
         let columns = frame.camera.width.div_ceil(TILE_WIDTH);
-        let level = frame.options.level;
+        let level = self.level;
         let tasks: Vec<_> = bands.into_iter().enumerate().collect();
         for_each(tasks, |(row, mut band)| {
             // No two threads have the same number, so none ever waits here.
@@ -132,35 +139,41 @@ impl Renderer {
 
 /// One dispatch per chunk: everything below is compiled for the level.
 fn process(
-    level: Level,
+    level: SimdLevel,
     frame: &FrameView,
     range: core::ops::Range<usize>,
     screen: &mut [Screen],
     lit: VertexLight,
     output: &mut ChunkOutput,
 ) {
-    at_level!(level, simd => geometry::process(simd, frame, range, screen, lit, output));
+    at_level!(level, simd => process::process(simd, frame, range, screen, lit, output));
 }
 
 /// One dispatch per tile.
 fn draw_tile(
-    level: Level,
+    level: SimdLevel,
     frame: &FrameView,
     projected: &Projected,
     place: TilePlace,
     scratch: &mut TileScratch,
     band: &mut Band,
 ) {
-    at_level!(level, simd => tile::draw(simd, frame, projected, place, scratch, band));
+    at_level!(level, simd => draw::draw(simd, frame, projected, place, scratch, band));
 }
 
-fn empty_frame(width: usize, height: usize, options: &DrawOptions) -> Frame {
+/// What the channels of a frame will be.
+fn shown(prepared: &Prepared, options: &DrawOptions) -> Channels {
+    if options.show.is_light() { prepared.channels.clone() } else { Channels::display() }
+}
+
+fn empty_frame(width: usize, height: usize, prepared: &Prepared, options: &DrawOptions) -> Frame {
     let count = width * height;
     let plane = |wanted: bool| vec![0.0f32; if wanted { count } else { 0 }];
     let layers = options.aovs;
     Frame {
         width,
         height,
+        channels: shown(prepared, options),
         rgb: core::array::from_fn(|_| plane(true)),
         more: Vec::new(),
         alpha: plane(true),

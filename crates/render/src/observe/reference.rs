@@ -9,55 +9,58 @@
 use std::sync::Arc;
 
 use glanz_color::{SAMPLES, STEP_NM, Spectrum, rgb_spectra};
-use glanz_scene::{Background, Light, LightColor, LightColors, Scene, Tint};
+use glanz_scene::{Background, Light, LightColor, LightColors, Material, Tint};
 
-use crate::prepare::Observation;
-use crate::{Aovs, DrawOptions, Frame, PrepareError, PrepareOptions, Prepared, View, draw as draw_once};
+use glanz_picture::Frame;
+
+use crate::Backend;
+use crate::prepare::{Observation, PrepareError, Prepared};
+use crate::view::{Aovs, DrawOptions, View};
 
 /// Channels that a picture has.
 const AT_ONCE: usize = 3;
 
+/// Lights and materials: all that the table depends on.
+type Colors = (Vec<Light>, Vec<Material>);
+
 pub(super) fn draw(
+    backend: &mut dyn Backend,
     prepared: &Prepared,
-    scene: &Scene,
-    options: &PrepareOptions,
     view: &View,
-    draw_options: &DrawOptions,
+    options: &DrawOptions,
     step: &mut dyn FnMut(f64),
 ) -> Result<Frame, PrepareError> {
-    let channels = options.observation.channel_count();
-    let background = match draw_options.background {
+    let observation = prepared.observation();
+    let background = match options.background {
         Background::Environment => Background::Environment,
         _ => Background::Transparent,
     };
-    let bare = DrawOptions { background, aovs: Aovs::default(), ..*draw_options };
-    let mut sum = ChannelSums::new(channels, view);
-    let own = PrepareOptions { observation: Observation::spectrum(), ..options.clone() };
-    let lights: Vec<[Spectrum; 3]> = scene.lights.iter().map(spectra).collect();
+    let bare = DrawOptions { background, aovs: Aovs::default(), ..*options };
+    let mut sum = ChannelSums::new(observation.channel_count(), view);
+    let mut add_frames = |colors: Colors, firsts: &[usize]| -> Result<(), PrepareError> {
+        for &first in firsts {
+            let own = prepared.recolored(colors.clone(), Observation::spectrum(), first)?;
+            sum.add(&backend.draw(&own, view, &bare), observation, first);
+        }
+        Ok(())
+    };
+    let (scene_lights, materials) = prepared.colors();
+    let lights: Vec<[Spectrum; 3]> = scene_lights.iter().map(spectra).collect();
     for input in 0..SAMPLES {
         step(input as f64 / SAMPLES as f64);
         if !lights.iter().flatten().any(|light| light[input] != 0.0) {
             continue;
         }
-        let lit = only(scene, &lights, input);
-        let leaving: Vec<usize> = (0..SAMPLES).filter(|out| answers(scene, *out, input)).collect();
-        for first in groups(&leaving) {
-            let own = PrepareOptions { first_channel: first, ..own.clone() };
-            let frame = draw_once(&prepared.refilled(&lit, &own)?, view, &bare);
-            sum.add(&frame, &options.observation, first);
-        }
+        let leaving: Vec<usize> = (0..SAMPLES).filter(|out| answers(materials, *out, input)).collect();
+        add_frames(only((scene_lights, materials), &lights, input), &groups(&leaving))?;
     }
-    if scene.materials.iter().any(glows) {
-        let dark = without_lights(scene);
-        for first in (0..SAMPLES).step_by(AT_ONCE) {
-            let own = PrepareOptions { first_channel: first, ..own.clone() };
-            sum.add(&draw_once(&prepared.refilled(&dark, &own)?, view, &bare), &options.observation, first);
-        }
+    if materials.iter().any(glows) {
+        let dark = (without_light(scene_lights), materials.to_vec());
+        add_frames(dark, &groups(&Vec::from_iter(0..SAMPLES)))?;
     }
     // Depth, normals and coverage are those of any picture.
-    let whole = DrawOptions { background: Background::Transparent, ..*draw_options };
-    let like = draw_once(prepared, view, &whole);
-    Ok(sum.over(like, draw_options.background))
+    let whole = DrawOptions { background: Background::Transparent, ..*options };
+    Ok(sum.over(backend.draw(prepared, view, &whole), options.background))
 }
 
 /// The channels so far, in f64.
@@ -119,7 +122,7 @@ fn spectra(light: &Light) -> [Spectrum; 3] {
 }
 
 /// The scene's lights and materials, with light at one wavelength only and no light of its own.
-fn only(scene: &Scene, lights: &[[Spectrum; 3]], input: usize) -> Scene {
+fn only((lights, materials): (&[Light], &[Material]), spectra: &[[Spectrum; 3]], input: usize) -> Colors {
     let single = |light: &Spectrum| {
         let mut line = Spectrum::ZERO;
         line.0[input] = light[input];
@@ -130,48 +133,38 @@ fn only(scene: &Scene, lights: &[[Spectrum; 3]], input: usize) -> Scene {
         diffuse: single(diffuse),
         specular: single(specular),
     };
-    let mut lit = table_part(scene);
-    for (light, own) in lit.lights.iter_mut().zip(lights) {
+    let (mut lights, mut materials) = (lights.to_vec(), materials.to_vec());
+    for (light, own) in lights.iter_mut().zip(spectra) {
         light.colors = colors(own);
     }
-    for material in &mut lit.materials {
-        for lobe in &mut material.lobes {
-            if is_emission(lobe) {
-                lobe.tint = Tint::BLACK;
-            }
+    for lobe in materials.iter_mut().flat_map(|material| &mut material.lobes) {
+        if is_emission(lobe) {
+            lobe.tint = Tint::BLACK;
         }
     }
-    lit
+    (lights, materials)
 }
 
-fn without_lights(scene: &Scene) -> Scene {
-    let mut dark = table_part(scene);
-    for light in &mut dark.lights {
-        light.colors = LightColors::all(glanz_color::Rgb::BLACK);
-    }
-    dark
-}
-
-/// All of a scene that the tint table depends on.
-fn table_part(scene: &Scene) -> Scene {
-    Scene { lights: scene.lights.clone(), materials: scene.materials.clone(), ..Scene::default() }
+fn without_light(lights: &[Light]) -> Vec<Light> {
+    let dark = |light: &Light| Light { colors: LightColors::all(glanz_color::Rgb::BLACK), ..light.clone() };
+    lights.iter().map(dark).collect()
 }
 
 fn is_emission(lobe: &glanz_scene::Lobe) -> bool {
     lobe.shape.info().term == glanz_bsdf::LightTerm::Emission
 }
 
-fn glows(material: &glanz_scene::Material) -> bool {
+fn glows(material: &Material) -> bool {
     material.lobes.iter().any(|lobe| is_emission(lobe) && !lobe.tint.is_black())
 }
 
 /// Whether any surface sends light out at `out` when it is lit at `input`.
-fn answers(scene: &Scene, out: usize, input: usize) -> bool {
+fn answers(materials: &[Material], out: usize, input: usize) -> bool {
     let moves = |tint: &Tint| match tint {
         Tint::Reradiation(matrix) => matrix.get(out, input) != 0.0,
         _ => false,
     };
-    out == input || scene.materials.iter().flat_map(|m| &m.lobes).any(|lobe| moves(&lobe.tint))
+    out == input || materials.iter().flat_map(|m| &m.lobes).any(|lobe| moves(&lobe.tint))
 }
 
 #[cfg(test)]

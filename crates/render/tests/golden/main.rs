@@ -13,8 +13,9 @@ mod models;
 mod scenes;
 mod shelf;
 
-use glanz_math::{NARROWEST_LEVEL, simd_level};
-use glanz_render::{Aovs, DrawOptions, Frame, Observation, PrepareOptions, View, draw, prepare};
+use glanz_math::SimdLevel;
+use glanz_render::cpu::Renderer;
+use glanz_render::{Aovs, Backend, DrawOptions, Frame, Observation, PrepareOptions, View, prepare};
 use glanz_scene::{Background, Scene};
 
 /// A frame and what a screen shows of it.
@@ -22,9 +23,6 @@ struct Drawn {
     frame: Frame,
     rgba: Vec<u8>,
 }
-
-/// The levels that are wider on some machine; those that this one lacks are left out.
-const WIDER: [&str; 3] = ["avx2", "avx512", "neon"];
 
 /// Draws a scene as its settings ask, on the narrowest path; panics unless all other paths give the same
 /// frame.
@@ -41,28 +39,27 @@ fn drawn(scene: &Scene) -> Drawn {
         background = Background::Color(glanz_color::Rgb(to_screen.channels_of(color.0)));
     }
     let aovs = Aovs { depth: true, normal: true, object: true };
-    let path = |level: &str, threads: usize| {
+    let path = |level: SimdLevel, threads: usize| {
         let options = DrawOptions {
             samples: scene.image.samples,
             supersample: scene.image.supersample,
             aovs,
-            level: simd_level(Some(level)).unwrap(),
             ..DrawOptions::new(background)
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| draw(&prepared, &view, &options))
+        pool.install(|| Renderer::with_level(level).draw(&prepared, &view, &options))
     };
-    let frame = path(NARROWEST_LEVEL, 1);
-    for level in WIDER.iter().chain([&NARROWEST_LEVEL]).filter(|name| simd_level(Some(name)).is_ok()) {
+    let frame = path(SimdLevel::narrowest(), 1);
+    for (name, level) in SimdLevel::available() {
         assert!(
             hash::of(&path(level, 3)) == hash::of(&frame),
-            "level {level} with 3 threads gives other bits"
+            "level {name} with 3 threads gives other bits"
         );
     }
     let screen = match &to_screen {
-        Some(to_screen) => frame.clone().on_screen(to_screen),
+        Some(to_screen) => frame.clone().on_screen(to_screen).unwrap(),
         None => frame.clone(),
     };
-    let rgba = glanz_render::develop(&screen, &glanz_render::Develop::default());
+    let rgba = glanz_render::develop(&screen, &glanz_render::Develop::default()).unwrap();
     Drawn { frame, rgba }
 }

@@ -14,7 +14,7 @@ use common::{add, empty, pixel_camera, rectangle, transparent};
 use glam::{DMat4, DVec3};
 use glanz_bsdf::Shape;
 use glanz_color::{Fluorophore, Observer, Reradiation, Spectrum, ior, light, reflectance, rgb_spectra};
-use glanz_render::{Frame, Observation, PrepareOptions, View, draw, prepare};
+use glanz_render::{Change, Frame, Observation, PrepareOptions, View, draw, prepare};
 use glanz_scene::{ColorMode, Light, LightColor, LightColors, LightKind, Lobe, Material, Scene, Tint};
 
 /// A few roundings of f32.
@@ -81,8 +81,8 @@ pub fn observed(scene: &Scene, observation: Observation, size: u32) -> Frame {
     let view = View::new(&scene.camera.unwrap(), size, size).unwrap();
     if options.observation.mode() == ColorMode::Reference || options.observation.channel_count() > 3 {
         let draw_options = transparent();
-        return glanz_render::draw_observed(&prepared, scene, &options, &view, &draw_options, &mut |_| ())
-            .unwrap();
+        let backend = &mut *glanz_render::default_backend();
+        return glanz_render::draw_observed(backend, &prepared, &view, &draw_options, &mut |_| ()).unwrap();
     }
     draw(&prepared, &view, &transparent())
 }
@@ -180,7 +180,8 @@ fn filling_the_table_anew_is_preparing_anew() {
     let first = faced(matte(patch("orange")), &unit("D65"));
     let second = faced(matte(patch("blue")), &unit("A"));
     let prepared = prepare(&first, &options).unwrap();
-    let refilled = prepared.refilled(&second, &options).unwrap();
+    let mut refilled = prepared.clone();
+    refilled.update(&second, &[Change::Colors]).unwrap();
     let anew = prepare(&second, &options).unwrap();
     assert_eq!(refilled.materials, anew.materials);
     assert_ne!(refilled.materials, prepared.materials);

@@ -27,7 +27,7 @@ fn on_screen(scene: &Scene, mode: ColorMode, white: White) -> Frame {
     let to_screen = observation.to_screen(scene, white).unwrap();
     let frame = observed(scene, observation, 4);
     match to_screen {
-        Some(to_screen) => frame.on_screen(&to_screen),
+        Some(to_screen) => frame.on_screen(&to_screen).unwrap(),
         None => frame,
     }
 }

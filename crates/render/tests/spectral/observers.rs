@@ -51,7 +51,7 @@ fn white_under_daylight_is_white_for_every_observer() {
         let scene = faced(matte(Rgb::WHITE.into()), &unit("D65"));
         let observation = spectral(seen_by);
         let to_screen = observation.to_screen(&scene, White::D65).unwrap().unwrap();
-        let frame = observed(&scene, observation, 4).on_screen(&to_screen);
+        let frame = observed(&scene, observation, 4).on_screen(&to_screen).unwrap();
         assert_near(frame.pixel(2, 1), [1.0; 3], 1e-5, &name);
     }
 }
@@ -80,7 +80,7 @@ fn a_sensor_that_mixes_the_standard_curves_shows_the_same_picture() {
     let scene = faced(matte(patch("orange")), &unit("A"));
     let shown = |observation: Observation| {
         let to_screen = observation.to_screen(&scene, White::Scene).unwrap().unwrap();
-        observed(&scene, observation, 4).on_screen(&to_screen).pixel(1, 1)
+        observed(&scene, observation, 4).on_screen(&to_screen).unwrap().pixel(1, 1)
     };
     let [r, g, b, _] = shown(spectral(standard)).map(f64::from);
     assert_near(shown(spectral(Observer::from_channels("mixed", channels))), [r, g, b], 1e-5, "mixed");

@@ -108,7 +108,7 @@ fn texels_and_vertex_colours_agree_with_rgb_under_daylight_in_every_scheme() {
             let rgb = seen(&scene, ColorMode::Rgb, 8);
             let observation = glanz_render::Observation::new(ColorMode::Spectral, None).unwrap();
             let map = observation.to_screen(&scene, glanz_scene::White::D65).unwrap().unwrap();
-            let spectral = super::observed(&scene, observation, 8).on_screen(&map);
+            let spectral = super::observed(&scene, observation, 8).on_screen(&map).unwrap();
             for i in 0..64 {
                 for c in 0..3 {
                     let (a, b) = (rgb.rgb[c][i], spectral.rgb[c][i]);

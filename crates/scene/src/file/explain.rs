@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::Problem;
-use super::near::{list, nearest};
+use super::near::{did_you_mean, list};
 
 /// The problem that an error of the TOML reader tells of. `root` is the document that was read, if
 /// it could be parsed at all.
@@ -50,7 +50,7 @@ fn unknown(
     span: Option<Range<usize>>,
 ) -> Problem {
     let known = || known.iter().map(String::as_str);
-    let near = nearest(name, known()).map(|near| format!("; did you mean '{near}'?")).unwrap_or_default();
+    let near = did_you_mean(name, known());
     let place = if what == "key" { within(table) } else { String::new() };
     let help = Some(format!("known {what}s: {}", list(known())));
     Problem { span, message: format!("unknown {what} '{name}'{place}{near}"), help }

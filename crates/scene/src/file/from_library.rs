@@ -23,7 +23,8 @@ impl Builder {
             return self.library_material(name);
         }
         let own = || self.material_names.keys().map(String::as_str);
-        let near = match (nearest(name, own()), nearest(name, library::names())) {
+        let first = |names: Vec<&str>| names.first().map(|name| (*name).to_owned());
+        let near = match (first(nearest(name, own())), first(nearest(name, library::names()))) {
             (Some(own), Some(other)) => format!("; did you mean '{own}', or '{other}' of the library?"),
             (Some(own), None) => format!("; did you mean '{own}'?"),
             (None, Some(other)) => format!("; did you mean '{other}' of the library?"),

@@ -12,6 +12,9 @@ use super::values::At;
 /// The kinds whose light comes from somewhere.
 const NOT_AMBIENT: &[KindName] = &[Directional, Point, Spot, Rectangle, Disk, Sphere, Environment];
 
+/// A key, its place where it is given, and the kinds of light that have it.
+type Key<'a> = (&'static str, Option<&'a Range<usize>>, &'static [KindName]);
+
 fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
     value.as_ref().map(|v| &v.span)
 }
@@ -19,7 +22,19 @@ fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
 impl LightTable {
     /// Keys that lights of this kind do not have.
     pub(super) fn refuse_foreign_keys(&self) -> Result<(), Problem> {
-        let given: [(&str, _, &[KindName]); 25] = [
+        for (key, span, kinds) in self.keys() {
+            if let Some(span) = span.filter(|_| !kinds.contains(&self.kind)) {
+                let kinds = kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
+                let message = format!("{} light has no '{key}'", with_article(self.kind));
+                return Err(Problem::at(span, message).help(format!("'{key}' is for lights of kind {kinds}")));
+            }
+        }
+        self.refuse_keys_without_a_profile()
+    }
+
+    /// The keys that only some kinds of light have.
+    fn keys(&self) -> [Key<'_>; 25] {
+        [
             ("position", place(&self.position), &[Point, Spot, Rectangle, Disk, Sphere]),
             ("direction", place(&self.direction), &[Directional, Point, Spot, Rectangle, Disk]),
             ("target", place(&self.target), &[Point, Spot, Rectangle, Disk]),
@@ -49,15 +64,7 @@ impl LightTable {
             ("two_sided", place(&self.two_sided), &[Rectangle, Disk]),
             ("file", place(&self.file), &[Environment]),
             ("rotate_deg", place(&self.rotate_deg), &[Environment]),
-        ];
-        for (key, span, kinds) in given {
-            if let Some(span) = span.filter(|_| !kinds.contains(&self.kind)) {
-                let kinds = kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
-                let message = format!("{} light has no '{key}'", with_article(self.kind));
-                return Err(Problem::at(span, message).help(format!("'{key}' is for lights of kind {kinds}")));
-            }
-        }
-        self.refuse_keys_without_a_profile()
+        ]
     }
 
     /// Keys of point and spot lights that mean something with a profile only.

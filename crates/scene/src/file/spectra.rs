@@ -92,10 +92,10 @@ impl Builder {
         Ok(match self.function(table, &value.span, false)? {
             Function::Fraction(spectrum) | Function::Either(spectrum) => {
                 let spectrum = spectrum * scale;
-                if spectrum.max() > 1.0 {
-                    let most = spectrum.max();
-                    self.notes
-                        .push(format!("a reflectance of up to {most:.3} returns more light than arrives"));
+                let most = spectrum.max();
+                if most > 1.0 {
+                    let note = format!("a reflectance of up to {most:.3} returns more light than arrives");
+                    self.notes.push(note);
                 }
                 Tint::Spectrum(Arc::new(spectrum))
             }
@@ -105,17 +105,7 @@ impl Builder {
             }
             Function::Reradiation(matrix) if scale == 1.0 => Tint::Reradiation(matrix),
             Function::Reradiation(matrix) => Tint::Reradiation(Arc::new(matrix.scaled(scale))),
-            Function::Ior(ior) => match &table.scale {
-                None => match &table.polarization {
-                    None => Tint::Ior(ior),
-                    Some(At { value: PolarizationName::S, .. }) => Tint::Polarized(ior, Polarization::S),
-                    Some(At { value: PolarizationName::P, .. }) => Tint::Polarized(ior, Polarization::P),
-                },
-                Some(scale) => {
-                    return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
-                        .help("the index of refraction says how much is reflected"));
-                }
-            },
+            Function::Ior(ior) => fresnel(ior, table)?,
         })
     }
 
@@ -153,30 +143,8 @@ impl Builder {
         span: &Range<usize>,
         light: bool,
     ) -> Result<Function, Problem> {
-        let given = [
-            ("spectrum", table.spectrum.is_some()),
-            ("blackbody", table.blackbody.is_some()),
-            ("gaussian", table.gaussian.is_some()),
-            ("line", table.line.is_some()),
-            ("file", table.file.is_some()),
-            ("nm", table.nm.is_some() || table.value.is_some()),
-            ("reradiation", table.reradiation.is_some()),
-            ("ior", table.ior.is_some()),
-        ];
-        if let Some(thickness) = &table.film_nm {
-            return Err(Problem::at(&thickness.span, "'film_nm' is for what surfaces do with light"));
-        }
-        if let Some(medium) = &table.film_ior {
-            return Err(Problem::at(&medium.span, "'film_ior' is for what surfaces do with light"));
-        }
-        if let (Some(polarization), None) = (&table.polarization, &table.ior) {
-            return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
-        }
-        if let (Some(column), None) = (&table.column, &table.file) {
-            return Err(Problem::at(&column.span, "'column' needs 'file'"));
-        }
-        let names: Vec<&str> = given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
-        match names.as_slice() {
+        refuse_keys_out_of_place(table)?;
+        match functions(table).as_slice() {
             ["spectrum"] => named(table.spectrum.as_ref().expect("it is given"), light),
             ["blackbody"] => {
                 formula(table.blackbody.as_ref().expect("it is given"), |t| format!("blackbody({t})"))
@@ -306,6 +274,51 @@ impl Builder {
         self.hash.bytes(&bytes);
         Ok(bytes)
     }
+}
+
+/// The keys of a table that are functions of wavelength.
+fn functions(table: &SpectralTable) -> Vec<&'static str> {
+    let given = [
+        ("spectrum", table.spectrum.is_some()),
+        ("blackbody", table.blackbody.is_some()),
+        ("gaussian", table.gaussian.is_some()),
+        ("line", table.line.is_some()),
+        ("file", table.file.is_some()),
+        ("nm", table.nm.is_some() || table.value.is_some()),
+        ("reradiation", table.reradiation.is_some()),
+        ("ior", table.ior.is_some()),
+    ];
+    given.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect()
+}
+
+/// Keys that mean something with another key only, or elsewhere.
+fn refuse_keys_out_of_place(table: &SpectralTable) -> Result<(), Problem> {
+    if let Some(thickness) = &table.film_nm {
+        return Err(Problem::at(&thickness.span, "'film_nm' is for what surfaces do with light"));
+    }
+    if let Some(medium) = &table.film_ior {
+        return Err(Problem::at(&medium.span, "'film_ior' is for what surfaces do with light"));
+    }
+    if let (Some(polarization), None) = (&table.polarization, &table.ior) {
+        return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
+    }
+    if let (Some(column), None) = (&table.column, &table.file) {
+        return Err(Problem::at(&column.span, "'column' needs 'file'"));
+    }
+    Ok(())
+}
+
+/// Fresnel reflection at a surface of that index of refraction.
+fn fresnel(ior: Arc<Ior>, table: &SpectralTable) -> Result<Tint, Problem> {
+    if let Some(scale) = &table.scale {
+        return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
+            .help("the index of refraction says how much is reflected"));
+    }
+    Ok(match table.polarization.as_ref().map(|polarization| &polarization.value) {
+        None => Tint::Ior(ior),
+        Some(PolarizationName::S) => Tint::Polarized(ior, Polarization::S),
+        Some(PolarizationName::P) => Tint::Polarized(ior, Polarization::P),
+    })
 }
 
 /// The factor that gives light a luminance, or what makes one.

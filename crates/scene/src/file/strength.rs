@@ -87,15 +87,21 @@ impl LightTable {
                 return Ok(Unit::Classic(self.intensity.as_ref().map_or(1.0, |intensity| intensity.0)));
             }
         };
-        let own_law = self.attenuation.as_ref().filter(|_| unit.is_intensity());
-        if let Some(law) = own_law
-            && law.build(&law.span)? != Attenuation::PHYSICAL
-        {
-            let message = format!("'{key}' fades by the inverse square law");
-            return Err(Problem::at(&law.span, message).help("leave 'attenuation' out, or give \"physical\""));
+        if unit.is_intensity() {
+            self.refuse_own_law(key)?;
         }
         builder.photometric.push(value_span.clone());
         Ok(unit)
+    }
+
+    /// An intensity in a physical unit fades in one way only.
+    fn refuse_own_law(&self, key: &str) -> Result<(), Problem> {
+        let Some(law) = &self.attenuation else { return Ok(()) };
+        if law.build(&law.span)? == Attenuation::PHYSICAL {
+            return Ok(());
+        }
+        let message = format!("'{key}' fades by the inverse square law");
+        Err(Problem::at(&law.span, message).help("leave 'attenuation' out, or give \"physical\""))
     }
 
     fn dimming_place(&self) -> Option<(&'static str, &Range<usize>)> {

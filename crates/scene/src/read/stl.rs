@@ -97,42 +97,46 @@ fn read_binary(
     context: &mut Context<'_>,
 ) -> Result<Mesh, ReadError> {
     let file = context.file;
-    let malformed =
-        |place, expected: String, found: String| ReadError::malformed(file, place, expected, found);
-    let Some(count) = claimed(head) else {
-        return Err(malformed(
-            Place::File,
-            format!("'solid' or a binary header of {HEADER} bytes"),
-            format!("{} bytes: {}", head.len(), excerpt(head)),
-        ));
-    };
-    let needed = HEADER as u64 + FACET as u64 * count;
-    if len < needed {
-        let expected = format!("{needed} bytes for the {count} facets that are told here");
-        return Err(malformed(Place::Byte(80), expected, format!("{len} bytes")));
-    }
-    if len > needed {
-        context.notes.add_times("bytes after the last facet are ignored", len - needed);
-    }
+    let count = facet_count(head, len, context)?;
     let mut mesh = Mesh { name: name_of(&head[..80]), ..Mesh::default() };
     let (mut weld, mut bytes) = (Weld::default(), [0; FACET]);
     for facet in 0..count {
         reader.read_exact(&mut bytes).map_err(|error| io_error(file, error))?;
+        let malformed = |expected: &str, found: String| {
+            ReadError::malformed(file, Place::Item("facet", facet), expected, found)
+        };
         if !corners_fit(&mesh, 3) {
-            return Err(malformed(Place::Item("facet", facet), "at most 2^32 corners".into(), "more".into()));
+            return Err(malformed("at most 2^32 corners", "more".to_owned()));
         }
         for corner in bytes[12..48].chunks_exact(12) {
             let float =
                 |i: usize| f32::from_le_bytes([corner[i], corner[i + 1], corner[i + 2], corner[i + 3]]);
             let position = Vec3::new(float(0), float(4), float(8));
             if !position.is_finite() {
-                let found = format!("{position}");
-                return Err(malformed(Place::Item("facet", facet), "finite coordinates".into(), found));
+                return Err(malformed("finite coordinates", position.to_string()));
             }
             weld.corner(&mut mesh, position);
         }
     }
     Ok(mesh)
+}
+
+/// How many facets a binary file of so many bytes has.
+fn facet_count(head: &[u8], len: u64, context: &mut Context<'_>) -> Result<u64, ReadError> {
+    let Some(count) = claimed(head) else {
+        let expected = format!("'solid' or a binary header of {HEADER} bytes");
+        let found = format!("{} bytes: {}", head.len(), excerpt(head));
+        return Err(ReadError::malformed(context.file, Place::File, expected, found));
+    };
+    let needed = HEADER as u64 + FACET as u64 * count;
+    if len < needed {
+        let expected = format!("{needed} bytes for the {count} facets that are told here");
+        return Err(ReadError::malformed(context.file, Place::Byte(80), expected, format!("{len} bytes")));
+    }
+    if len > needed {
+        context.notes.add_times("bytes after the last facet are ignored", len - needed);
+    }
+    Ok(count)
 }
 
 /// The printable beginning of a header.

@@ -138,15 +138,20 @@ fn measure<const N: usize>(slices: u32, stacks: u32, frames: usize) {
         }
     }
     check(color.as_ref(), slices);
+    print_times(times, &format!("{slices}x{stacks}"), corners.len() / 3, N);
+}
+
+/// Prints what was measured as a line of JSON.
+fn print_times(mut times: Vec<f64>, sphere: &str, triangles: usize, lights: usize) {
     times.sort_by(f64::total_cmp);
     let round = |ms: f64| (ms * 1e3).round() / 1e3;
     let result = serde_json::json!({
         "program": "euc",
         "version": "0.5.3",
         "threads": 1,
-        "sphere": format!("{slices}x{stacks}"),
-        "triangles": corners.len() / 3,
-        "lights": N,
+        "sphere": sphere,
+        "triangles": triangles,
+        "lights": lights,
         "frames": times.len(),
         "median_ms": round(times[times.len() / 2]),
         "min_ms": round(times[0]),

@@ -1,9 +1,8 @@
 //! A table with a pair of directions in each line, its columns known by their names.
 
 use glanz_math::Vec3;
+use glanz_math::names::did_you_mean;
 use thiserror::Error;
-
-use crate::input::lobes::did_you_mean;
 
 /// Columns of angles in degrees.
 const ANGLES: [&str; 4] = ["theta_o_deg", "phi_o_deg", "theta_i_deg", "phi_i_deg"];
@@ -160,7 +159,7 @@ impl Columns {
 fn nearest(names: &[String]) -> String {
     let known: Vec<_> = ANGLES.into_iter().chain(VECTORS).collect();
     let near = names.iter().filter(|name| !known.contains(&name.as_str())).find_map(|name| {
-        let near = did_you_mean(name, &known);
+        let near = did_you_mean(name, known.iter().copied());
         (!near.is_empty()).then(|| format!("; '{}'{}", name, near.replacen(';', ":", 1)))
     });
     near.unwrap_or_default()

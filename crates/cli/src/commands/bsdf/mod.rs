@@ -8,10 +8,11 @@ mod table;
 
 use clap::{Args, Subcommand};
 use glanz_bsdf::Shape;
+use glanz_math::names::did_you_mean;
 use serde_json::Value;
 
 use crate::args;
-use crate::input::lobes::{did_you_mean, model_names};
+use crate::input::lobes::model_names;
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 
@@ -79,7 +80,7 @@ impl ModelArgs {
         Shape::named(&self.name, &set).map_err(|error| {
             let near = match &error {
                 glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
-                    did_you_mean(name, &known.split(", ").collect::<Vec<_>>())
+                    did_you_mean(name, known.split(", "))
                 }
                 _ => String::new(),
             };

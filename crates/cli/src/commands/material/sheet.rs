@@ -13,7 +13,7 @@ use super::room::Room;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
 use crate::encode;
 use crate::input::spectra;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
@@ -97,8 +97,9 @@ impl SheetArgs {
         for (index, info) in chosen.iter().enumerate() {
             let input = room.input(info.material(), size);
             let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             progress.step();
         }
         drop(progress);

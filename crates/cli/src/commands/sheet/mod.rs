@@ -7,14 +7,15 @@ use std::path::Path;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glanz_bsdf::models::info_named;
+use glanz_math::names::did_you_mean;
 use glanz_plot::{Grid, Variation};
 use glanz_scene::builtin::Builtin;
 
 use self::ball::Ball;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices, size};
 use crate::encode;
-use crate::input::lobes::{did_you_mean, model_names};
-use crate::pipeline::{Picture, Plan};
+use crate::input::lobes::model_names;
+use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
@@ -103,8 +104,9 @@ impl SheetArgs {
         for (index, ball) in balls.into_iter().enumerate() {
             let input = ball.input(self.size)?;
             let plan = Plan::new(&input, Some(self.size), &look, &camera, self.develop)?;
-            let prepared = plan.prepare(&input.scene)?;
-            sheet.put(&mut canvas, index, &plan.codes(&prepared, &mut Timings::default())?);
+            let mut shot = plan.shot(&input.scene)?;
+            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
+            sheet.put(&mut canvas, index, &codes);
             progress.step();
         }
         drop(progress);
@@ -127,7 +129,7 @@ impl SheetArgs {
         let keys: Vec<_> = varied.chain(self.set.iter().map(|(key, _)| ("--set", key.as_str()))).collect();
         for (index, (option, key)) in keys.iter().enumerate() {
             if !known.contains(key) {
-                let near = did_you_mean(key, &known);
+                let near = did_you_mean(key, known.iter().copied());
                 let known = known.join(", ");
                 let model = &self.model;
                 return Err(Failure::Usage(format!(

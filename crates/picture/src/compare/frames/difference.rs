@@ -1,5 +1,7 @@
 //! How far two pictures of the same scene are apart.
 
+use glanz_color::difference::cie76;
+use glanz_color::models::{ColorModel, Lab, LinearSrgb};
 use glanz_color::srgb_decode_u8;
 
 use crate::Frame;
@@ -49,9 +51,10 @@ impl Difference {
                 sum.max_codes = sum.max_codes.max(code);
             }
             let lab = |picture: &Developed| {
-                lab([0, 1, 2].map(|channel| decode[usize::from(picture.codes[4 * pixel + channel])]))
+                let light = |channel| decode[usize::from(picture.codes[4 * pixel + channel])];
+                LinearSrgb([0, 1, 2].map(light)).to::<Lab>()
             };
-            sum.mean_delta_e += distance(lab(a), lab(b));
+            sum.mean_delta_e += cie76(lab(a), lab(b));
         }
         let values = (3 * sum.pixels).max(1) as f64;
         Self {
@@ -66,24 +69,6 @@ impl Difference {
 /// Whether an object is there. Frames without object numbers count everywhere.
 fn shows_surface(frame: &Frame, pixel: usize) -> bool {
     frame.object.get(pixel).is_none_or(|object| *object != 0)
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-}
-
-/// CIELAB of linear sRGB, for the white D65: IEC 61966-2-1, then CIE 15.
-fn lab([r, g, b]: [f64; 3]) -> [f64; 3] {
-    let x = (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505;
-    let y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    let z = (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089;
-    const EDGE: f64 = 6.0 / 29.0;
-    let f = |t: f64| match t > EDGE * EDGE * EDGE {
-        true => libm::cbrt(t),
-        false => t / (3.0 * EDGE * EDGE) + 4.0 / 29.0,
-    };
-    let (fx, fy, fz) = (f(x), f(y), f(z));
-    [116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)]
 }
 
 #[cfg(test)]
@@ -113,11 +98,10 @@ mod tests {
     }
 
     #[test]
-    fn lab_of_the_primaries_is_as_published() {
-        // L*a*b* of sRGB red, from the colour calculator of B. Lindbloom.
-        let red = lab([1.0, 0.0, 0.0]);
-        assert!(distance(red, [53.24, 80.09, 67.20]) < 0.1, "{red:?}");
-        assert!(distance(lab([1.0; 3]), [100.0, 0.0, 0.0]) < 0.02);
-        assert_eq!(lab([0.0; 3]), [0.0; 3]);
+    fn a_step_of_grey_is_a_step_of_lightness() {
+        // sRGB codes 119 and 120 have L* 50.034 and 50.432 (CIE 15 of the light by IEC 61966-2-1).
+        let difference =
+            Difference::between(&gray([0, 119], [0.0; 2], [0, 1]), &gray([0, 120], [0.0; 2], [0, 1]));
+        assert!((difference.mean_delta_e - 0.398).abs() < 1e-3, "{difference:?}");
     }
 }

@@ -81,14 +81,19 @@ impl Source<'_> {
     /// That a picture of this size is within the limits and not more than the file can hold, whose every
     /// byte stands for at most `pixels_per_byte`.
     fn check_size(&self, width: usize, height: usize, pixels_per_byte: usize) -> Result<(), ReadError> {
-        let pixels = width.saturating_mul(height);
-        if width > MAX_SIDE || height > MAX_SIDE || pixels > MAX_PIXELS {
-            return Err(ReadError::TooLarge { name: self.name.to_owned(), width, height });
-        }
+        self.check_limits(width, height)?;
         let held = self.bytes.len().saturating_mul(pixels_per_byte);
-        if pixels > held {
+        if width.saturating_mul(height) > held {
             let expected = format!("at most the {held} pixels that {} bytes can hold", self.bytes.len());
             return Err(self.content(expected, format_args!("a claim of {width}×{height}")));
+        }
+        Ok(())
+    }
+
+    /// That a picture of this size is within the limits.
+    fn check_limits(&self, width: usize, height: usize) -> Result<(), ReadError> {
+        if width > MAX_SIDE || height > MAX_SIDE || width.saturating_mul(height) > MAX_PIXELS {
+            return Err(ReadError::TooLarge { name: self.name.to_owned(), width, height });
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ mod radiance;
 #[cfg(test)]
 pub(super) mod tests;
 
-use glanz_color::models::{RgbSpace, Transfer};
+use glanz_color::models::RgbSpace;
 
 use super::error::excerpt;
 use super::notes::Notes;
@@ -22,8 +22,6 @@ const PIXEL: u64 = 12;
 const MAX_BYTES: u64 = 16_384 * 8192 * PIXEL;
 /// The most that a channel may be; sums of squares of it must fit into `f32`.
 const MAX_VALUE: f32 = 1e12;
-/// Chromaticities that differ by less are the same: files round theirs to four digits.
-const SAME_CHROMATICITY: f64 = 1e-3;
 
 /// Reads a Radiance HDR or OpenEXR picture as surroundings; its first bytes tell which. `file` is its name
 /// for messages. Sides and memory are limited by `max_texture_side` and `max_texture_bytes` of `options`,
@@ -115,23 +113,12 @@ impl Source<'_> {
     }
 
     /// Brings pixels of other primaries to those of sRGB; their white becomes D65.
-    fn convert_primaries(
-        &mut self,
-        pixels: &mut [[f32; 3]],
-        primaries: [[f64; 2]; 3],
-        white: [f64; 2],
-    ) -> Result<(), ReadError> {
-        let srgb = RgbSpace::LINEAR_SRGB;
-        let found = primaries.iter().chain([&white]).flatten();
-        let known = srgb.primaries.iter().chain([&srgb.white]).flatten();
-        if found.zip(known).all(|(found, known)| (found - known).abs() < SAME_CHROMATICITY) {
-            return Ok(());
-        }
-        let own = RgbSpace::new(primaries, white, Transfer::Linear);
-        let matrix = srgb.from_xyz_matrix().times(own.to_xyz_matrix());
+    fn convert_to_srgb(&mut self, pixels: &mut [[f32; 3]], space: &RgbSpace) -> Result<(), ReadError> {
+        let Some(matrix) = space.to_linear_srgb_matrix() else { return Ok(()) };
         if !matrix.0.iter().flatten().all(|value| value.is_finite()) {
             let expected = "chromaticities of three primaries and a white";
-            return Err(self.malformed(Place::File, expected, format!("{primaries:?} and {white:?}")));
+            let found = format!("{:?} and {:?}", space.primaries, space.white);
+            return Err(self.malformed(Place::File, expected, found));
         }
         for pixel in pixels {
             *pixel = matrix.apply(pixel.map(f64::from)).map(|value| value as f32);

@@ -4,6 +4,8 @@
 //! exponent, m · 2^(e − 136), plain or run-length encoded in the old or the new way. An own reader, since
 //! those of the crates know one orientation, leave the exposure out, or overflow in damaged runs.
 
+use glanz_color::models::{RgbSpace, Transfer};
+
 use super::Source;
 use crate::EnvironmentMap;
 use crate::read::error::excerpt;
@@ -41,7 +43,8 @@ pub fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
         source.notes.add("the exposure or colour correction that the file tells of is undone");
     }
     if let Some([red, green, blue, white]) = header.primaries {
-        source.convert_primaries(&mut pixels, [red, green, blue], white)?;
+        let space = RgbSpace::new([red, green, blue], white, Transfer::Linear);
+        source.convert_to_srgb(&mut pixels, &space)?;
     }
     Ok(EnvironmentMap { width, height, pixels })
 }

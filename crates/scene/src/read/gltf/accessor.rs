@@ -2,7 +2,7 @@
 
 use super::super::{Place, ReadError};
 use super::Source;
-use super::json::{Accessor, SparsePart};
+use super::json::{Accessor, Sparse, SparsePart};
 
 /// The type of a number in a buffer.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -62,6 +62,9 @@ impl Component {
     }
 }
 
+/// Replaced items: their numbers, rising, and the bytes of the new ones without gaps.
+type SparseItems<'a> = (Vec<u32>, &'a [u8]);
+
 /// Items in a buffer, checked to lie in it.
 struct Items<'a> {
     /// From the first item on; `None` for zeros.
@@ -70,8 +73,7 @@ struct Items<'a> {
     count: usize,
     component: Component,
     normalized: bool,
-    /// Replaced items: their numbers, rising, and the bytes of the new ones without gaps.
-    sparse: Option<(Vec<u32>, &'a [u8])>,
+    sparse: Option<SparseItems<'a>>,
     /// Bytes of an item.
     size: usize,
 }
@@ -151,22 +153,28 @@ impl Source<'_> {
             None => (None, size),
         };
         let sparse = match &accessor.sparse {
-            Some(sparse) => {
-                let replaced = usize::try_from(sparse.count).ok().filter(|replaced| *replaced <= count);
-                let replaced = replaced.ok_or_else(|| {
-                    self.malformed(
-                        place(index),
-                        format!("at most {count} sparse items"),
-                        sparse.count.to_string(),
-                    )
-                })?;
-                let (values, _) = self.buffers.view(self.root, sparse.values.buffer_view, self.file)?;
-                let values = self.slice(values, sparse.values.byte_offset, size, size, replaced, index)?;
-                Some((self.sparse_indices(&sparse.indices, replaced, count, index)?, values))
-            }
+            Some(sparse) => Some(self.sparse(sparse, size, count, index)?),
             None => None,
         };
         Ok(Items { bytes, stride, count, component, normalized: accessor.normalized, sparse, size })
+    }
+
+    /// The items, each of `size` bytes, that replace some of the `count` items of an accessor, and which.
+    fn sparse(
+        &self,
+        sparse: &Sparse,
+        size: usize,
+        count: usize,
+        index: usize,
+    ) -> Result<SparseItems<'_>, ReadError> {
+        let replaced = usize::try_from(sparse.count).ok().filter(|replaced| *replaced <= count);
+        let replaced = replaced.ok_or_else(|| {
+            let expected = format!("at most {count} sparse items");
+            self.malformed(place(index), expected, sparse.count.to_string())
+        })?;
+        let (values, _) = self.buffers.view(self.root, sparse.values.buffer_view, self.file)?;
+        let values = self.slice(values, sparse.values.byte_offset, size, size, replaced, index)?;
+        Ok((self.sparse_indices(&sparse.indices, replaced, count, index)?, values))
     }
 
     /// The part of a view that holds `count` items.

@@ -14,46 +14,55 @@ pub(super) fn split<'a>(bytes: &'a [u8], file: &str) -> Result<(&'a [u8], Option
     if !bytes.starts_with(b"glTF") {
         return Ok((bytes, None));
     }
-    let malformed = |byte: usize, expected: String, found: String| {
-        ReadError::malformed(file, Place::Byte(byte as u64), expected, found)
-    };
-    let word = |at: usize| {
-        let word = bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map(u32::from_le_bytes);
-        word.ok_or_else(|| malformed(at, "4 bytes".to_owned(), "the end of the file".to_owned()))
-    };
-    let version = word(4)?;
+    let version = word(bytes, 4, file)?;
     if version != 2 {
         let found = format!("version {version}");
         return Err(ReadError::unsupported(file, Place::Byte(4), "version 2 of glTF", found));
     }
-    let length = word(8)? as usize;
+    let length = word(bytes, 8, file)? as usize;
     if length > bytes.len() || length < 20 {
         let expected = format!("a file of {length} bytes, as told here, and at least 20");
-        return Err(malformed(8, expected, format!("{} bytes", bytes.len())));
+        return Err(malformed(file, 8, expected, format!("{} bytes", bytes.len())));
     }
+    chunks(&bytes[..length], file)
+}
+
+/// The chunks of a binary container: JSON, and the binary one if there is one.
+fn chunks<'a>(bytes: &'a [u8], file: &str) -> Result<(&'a [u8], Option<&'a [u8]>), ReadError> {
     let (mut json, mut binary, mut at) = (None, None, 12);
     // Up to three bytes of padding may be left.
-    while at + 8 <= length {
-        let (size, kind) = (word(at)? as usize, word(at + 4)?);
-        let end = (at + 8).checked_add(size).filter(|end| *end <= length);
+    while at + 8 <= bytes.len() {
+        let (size, kind) = (word(bytes, at, file)? as usize, word(bytes, at + 4, file)?);
+        let end = (at + 8).checked_add(size).filter(|end| *end <= bytes.len());
         let Some(end) = end else {
-            let expected = format!("a chunk of at most {} bytes", length - at - 8);
-            return Err(malformed(at, expected, format!("{size} bytes")));
+            let expected = format!("a chunk of at most {} bytes", bytes.len() - at - 8);
+            return Err(malformed(file, at, expected, format!("{size} bytes")));
         };
         let chunk = &bytes[at + 8..end];
         match (kind, json) {
             (JSON_CHUNK, None) => json = Some(chunk),
             (BINARY_CHUNK, Some(_)) if binary.is_none() => binary = Some(chunk),
             (_, None) => {
-                return Err(malformed(at + 4, "the chunk 'JSON'".into(), excerpt(&kind.to_le_bytes())));
+                return Err(malformed(file, at + 4, "the chunk 'JSON'", excerpt(&kind.to_le_bytes())));
             }
             // Chunks of other kinds are for extensions.
             _ => {}
         }
         at = end;
     }
-    let json = json.ok_or_else(|| malformed(12, "the chunk 'JSON'".into(), "the end of the file".into()))?;
-    Ok((json, binary))
+    match json {
+        Some(json) => Ok((json, binary)),
+        None => Err(malformed(file, 12, "the chunk 'JSON'", "the end of the file")),
+    }
+}
+
+fn word(bytes: &[u8], at: usize, file: &str) -> Result<u32, ReadError> {
+    let word = bytes.get(at..at + 4).and_then(|word| word.try_into().ok()).map(u32::from_le_bytes);
+    word.ok_or_else(|| malformed(file, at, "4 bytes", "the end of the file"))
+}
+
+fn malformed(file: &str, byte: usize, expected: impl Into<String>, found: impl Into<String>) -> ReadError {
+    ReadError::malformed(file, Place::Byte(byte as u64), expected, found)
 }
 
 /// The buffers of a file.

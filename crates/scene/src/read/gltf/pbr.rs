@@ -84,25 +84,16 @@ pub(super) fn check(
         roughness: numbers.factor("pbrMetallicRoughness.roughnessFactor", pbr.roughness_factor)?,
         emission: numbers.least("emissiveFactor times its strength", 0.0, emission)?,
         f0: numbers.f0(json)?,
-        specular: numbers.factor("extensions.KHR_materials_specular", more.specular.specular_factor)?,
-        transmission: numbers
-            .factor("extensions.KHR_materials_transmission", more.transmission.transmission_factor)?,
+        specular: numbers.extension("specular", more.specular.specular_factor)?,
+        transmission: numbers.extension("transmission", more.transmission.transmission_factor)?,
         left: numbers.left(json)?,
-        coat: numbers.factor("extensions.KHR_materials_clearcoat", more.clearcoat.clearcoat_factor)?,
-        coat_roughness: numbers
-            .factor("extensions.KHR_materials_clearcoat", more.clearcoat.clearcoat_roughness_factor)?,
+        coat: numbers.extension("clearcoat", more.clearcoat.clearcoat_factor)?,
+        coat_roughness: numbers.extension("clearcoat", more.clearcoat.clearcoat_roughness_factor)?,
         sheen: numbers.factors("extensions.KHR_materials_sheen", more.sheen.sheen_color_factor)?,
-        sheen_roughness: numbers
-            .factor("extensions.KHR_materials_sheen", more.sheen.sheen_roughness_factor)?,
-        anisotropy: numbers
-            .factor("extensions.KHR_materials_anisotropy", more.anisotropy.anisotropy_strength)?,
-        iridescence: numbers
-            .factor("extensions.KHR_materials_iridescence", more.iridescence.iridescence_factor)?,
-        film_ior: numbers.least(
-            "extensions.KHR_materials_iridescence",
-            1.0,
-            [more.iridescence.iridescence_ior],
-        )?[0],
+        sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor)?,
+        anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength)?,
+        iridescence: numbers.extension("iridescence", more.iridescence.iridescence_factor)?,
+        film_ior: numbers.film_ior(json)?,
         film_nm: numbers.film_nm(json)?,
     };
     context.notes.add_times("glTF: factors above 1 count as 1", numbers.beyond);
@@ -141,6 +132,11 @@ impl Numbers<'_> {
         self.factors(name, [value]).map(|[value]| value)
     }
 
+    /// A factor of the extension of that name.
+    fn extension(&mut self, name: &str, value: f64) -> Result<f64, ReadError> {
+        self.factor(&format!("extensions.KHR_materials_{name}"), value)
+    }
+
     /// ((ior − 1) / (ior + 1))² · specular colour. An index of 0 mirrors everything, as the extension has it for
     /// materials that come from an older model.
     fn f0(&self, json: &json::Material) -> Result<[f64; 3], ReadError> {
@@ -168,6 +164,11 @@ impl Numbers<'_> {
         }
         let faces = if json.double_sided { 2.0 } else { 1.0 };
         Ok(color.map(|channel| libm::pow(channel, thickness / (faces * distance))))
+    }
+
+    fn film_ior(&self, json: &json::Material) -> Result<f64, ReadError> {
+        let ior = json.extensions.iridescence.iridescence_ior;
+        self.least("extensions.KHR_materials_iridescence", 1.0, [ior]).map(|[ior]| ior)
     }
 
     /// The thickness of the film: where a texture would say it, the middle of its range.

@@ -96,16 +96,13 @@ fn build(
     notes: &mut Notes,
 ) -> Result<Option<Mesh>, ReadError> {
     let mode = primitive.mode.unwrap_or(4);
-    match mode {
-        0..=3 => {
-            notes.add("glTF: points and lines are ignored");
-            return Ok(None);
-        }
-        4..=6 => {}
-        _ => {
-            let place = Place::Path(format!("{path}.mode"));
-            return Err(source.malformed(place, "a mode of 0 to 6", mode.to_string()));
-        }
+    if mode > 6 {
+        let place = Place::Path(format!("{path}.mode"));
+        return Err(source.malformed(place, "a mode of 0 to 6", mode.to_string()));
+    }
+    if mode < 4 {
+        notes.add("glTF: points and lines are ignored");
+        return Ok(None);
     }
     let Some(&position) = primitive.attributes.get("POSITION") else {
         notes.add("glTF: primitives without positions are ignored");
@@ -113,17 +110,7 @@ fn build(
     };
     notes.add_times("glTF: morph targets are ignored", u64::from(!primitive.targets.is_empty()));
     let vertices = source.count(position, path)?;
-    let (corner_count, user) = match primitive.indices {
-        Some(indices) => (source.count(indices, path)?, format!("{path}.indices")),
-        None => (vertices, String::new()),
-    };
-    let size = 16 * corner_count as u64 + VERTEX_BYTES * vertices.min(corner_count) as u64;
-    budget.spend(size, source.file, || path.to_owned())?;
-    let corners = match primitive.indices {
-        Some(indices) => source.indices(indices, vertices, &user)?,
-        None => (0..vertices as u32).collect(),
-    };
-    let mut corners = triangles(corners, mode, notes);
+    let mut corners = triangles(corners(source, budget, primitive, vertices, path)?, mode, notes);
     if corners.is_empty() {
         return Ok(None);
     }
@@ -133,6 +120,23 @@ fn build(
     mesh.corners = corners;
     finish_mesh(&mut mesh, notes);
     Ok(Some(mesh))
+}
+
+/// The vertex of each corner, by the indices of the primitive if it has them.
+fn corners(
+    source: &Source<'_>,
+    budget: &mut Budget,
+    primitive: &Primitive,
+    vertices: usize,
+    path: &str,
+) -> Result<Vec<u32>, ReadError> {
+    let count = primitive.indices.map_or(Ok(vertices), |indices| source.count(indices, path))?;
+    let size = 16 * count as u64 + VERTEX_BYTES * vertices.min(count) as u64;
+    budget.spend(size, source.file, || path.to_owned())?;
+    match primitive.indices {
+        Some(indices) => source.indices(indices, vertices, &format!("{path}.indices")),
+        None => Ok((0..vertices as u32).collect()),
+    }
 }
 
 /// The corners of single triangles (glTF 2.0, §3.7.2.1).
@@ -169,6 +173,25 @@ fn compact(corners: &mut [u32]) -> Vec<u32> {
     used
 }
 
+/// The accessor of an attribute and the place that names it, if there is one; it has a value for each of the
+/// `count` positions.
+fn attribute(
+    source: &Source<'_>,
+    primitive: &Primitive,
+    name: &str,
+    count: usize,
+    path: &str,
+) -> Result<Option<(usize, String)>, ReadError> {
+    let Some(&index) = primitive.attributes.get(name) else { return Ok(None) };
+    let user = format!("{path}.attributes.{name}");
+    let found = source.count(index, &user)?;
+    if found == count {
+        return Ok(Some((index, user)));
+    }
+    let expected = format!("{count} items, as there are positions");
+    Err(source.malformed(Place::Path(user), expected, found.to_string()))
+}
+
 /// The vertices of a primitive: all, or those that `pick` names.
 fn attributes(
     source: &Source<'_>,
@@ -180,19 +203,8 @@ fn attributes(
 ) -> Result<Mesh, ReadError> {
     let uv_set = primitive.material.map_or(0, |material| source.uv_set(material));
     let uv_name = format!("TEXCOORD_{uv_set}");
-    let find = |name: &str| -> Result<Option<(usize, String)>, ReadError> {
-        let Some(&index) = primitive.attributes.get(name) else { return Ok(None) };
-        let user = format!("{path}.attributes.{name}");
-        let (found, expected) = (source.count(index, &user)?, source.count(position, path)?);
-        match found == expected {
-            true => Ok(Some((index, user))),
-            false => Err(source.malformed(
-                Place::Path(user),
-                format!("{expected} items, as there are positions"),
-                found.to_string(),
-            )),
-        }
-    };
+    let count = source.count(position, path)?;
+    let find = |name: &str| attribute(source, primitive, name, count, path);
     let user = format!("{path}.attributes.POSITION");
     let positions = source.floats::<3>(position, &["VEC3"], pick, &user)?;
     let mut mesh = Mesh { positions: positions.into_iter().map(Vec3::from).collect(), ..Mesh::default() };

@@ -94,20 +94,29 @@ pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Mo
             b"o" => parts.begin_object(rest(lines.line()).chars().take(MAX_NAME).collect()),
             b"usemtl" => parts.use_material(rest(lines.line())),
             b"mtllib" => {
-                let place = lines.place();
-                read_libraries(lines.line(), place, &mut library, &mut libraries, context)?;
+                read_libraries(lines.line(), lines.place(), &mut library, &mut libraries, context)?;
             }
             _ if keyword.starts_with(b"#") => {}
-            _ => match IGNORED.iter().find(|(known, _)| *known == keyword) {
-                Some((_, note)) => context.notes.add(note),
-                None => return Err(lines.expected("a keyword of OBJ such as v, vt, vn or f")),
-            },
+            _ => {
+                let expected = || lines.expected("a keyword of OBJ such as v, vt, vn or f");
+                context.notes.add(ignored(keyword).ok_or_else(expected)?);
+            }
         }
     }
     if data.positions.is_empty() {
         return Err(ReadError::malformed(context.file, lines.place(), "vertices (v)", "the end of the file"));
     }
     drop(data);
+    build(parts, library, context)
+}
+
+/// What is said of a keyword that is known and ignored.
+fn ignored(keyword: &[u8]) -> Option<&'static str> {
+    IGNORED.iter().find(|(known, _)| *known == keyword).map(|(_, note)| *note)
+}
+
+/// The model of the parts and the materials that they use.
+fn build(parts: Parts, library: Library, context: &mut Context<'_>) -> Result<Model, ReadError> {
     let (meshes, objects, names) = parts.finish(&mut context.notes);
     let (materials, textures) = library.build(&names, context)?;
     if objects.is_empty() {

@@ -1,0 +1,62 @@
+//! The seam between what is drawn and what draws it.
+
+use glanz_picture::{ChannelError, Develop, Frame, develop};
+
+use crate::cpu::Renderer;
+use crate::{DrawOptions, Prepared, View};
+
+/// Whatever turns prepared arrays and a view into a frame: the CPU's rasteriser, or a program's own.
+///
+/// A back end reads [`Prepared`] and what [`crate::view`] makes of it for one camera; it never sees the scene. All
+/// back ends are compared with the CPU's narrowest path.
+pub trait Backend: Send {
+    /// Draws into a frame of linear channels, three of them.
+    fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame;
+
+    /// Draws and develops into 8-bit RGBA: `4·width·height` bytes, rows from the top. The result is that of
+    /// [`Backend::draw`] followed by [`develop()`]; a back end may do both at once.
+    ///
+    /// # Errors
+    /// If the channels are not what the settings of development are for.
+    ///
+    /// # Panics
+    /// If `out` has another length.
+    fn draw_rgba8(
+        &mut self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        settings: &Develop,
+        out: &mut [u8],
+    ) -> Result<(), ChannelError> {
+        out.copy_from_slice(&develop(&self.draw(prepared, view, options), settings)?);
+        Ok(())
+    }
+}
+
+/// The back end that draws where none is chosen: the CPU's, with the machine's best instructions.
+pub fn default_backend() -> Box<dyn Backend> {
+    Box::new(Renderer::new())
+}
+
+/// Draws into a frame of linear channels by the [default back end](default_backend). Runs in the current rayon pool.
+pub fn draw(prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+    default_backend().draw(prepared, view, options)
+}
+
+/// Draws and develops by the [default back end](default_backend); see [`Backend::draw_rgba8`].
+///
+/// # Errors
+/// If the channels are not what the settings of development are for.
+///
+/// # Panics
+/// If `out` has another length.
+pub fn draw_rgba8(
+    prepared: &Prepared,
+    view: &View,
+    options: &DrawOptions,
+    settings: &Develop,
+    out: &mut [u8],
+) -> Result<(), ChannelError> {
+    default_backend().draw_rgba8(prepared, view, options, settings, out)
+}

@@ -1,0 +1,312 @@
+//! Light from surfaces that shine.
+
+use std::sync::LazyLock;
+
+use glanz_math::{Frame, PI, Real, Vec3};
+use glanz_scene::AreaShape;
+
+use crate::cpu::lighting::form_factor::{above_horizon, form_factor};
+use crate::cpu::lighting::general::LightSum;
+use crate::cpu::lighting::general::apart;
+use crate::cpu::lighting::general::is_transmitting;
+use crate::cpu::lighting::general::layered;
+use crate::cpu::lighting::general::shape_value;
+use crate::cpu::lighting::shade_material::ShadeLights;
+use crate::cpu::lighting::shadow;
+use crate::prepare::{AreaIntegral, DirectLobe, LtcTable};
+use crate::view::lights::{ViewArea, splat};
+use glanz_math::inline::inlined;
+use glanz_math::inline::three;
+
+/// Corners of the polygon that stands for a disk, or for what is seen of a sphere.
+const ROUND: usize = 16;
+
+/// The extent of a light over its distance below which it counts as a point: the integral is then right to its
+/// square, and the rounding of the sum over its edges would be larger.
+const SMALL: f64 = 0.01;
+
+/// Points of the light along each of its directions, for lobes that know a tangent.
+const POINTS: usize = 8;
+
+/// The corners of a polygon with the area of the unit circle.
+static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
+    let turn = 2.0 * PI / ROUND as f64;
+    let stretch = libm::sqrt(turn / libm::sin(turn));
+    core::array::from_fn(|i| {
+        let (sin, cos) = libm::sincos(turn * i as f64);
+        (cos * stretch, sin * stretch)
+    })
+});
+
+/// Points of the unit disk that stand for equal areas of it.
+static DISK: LazyLock<[(f64, f64); POINTS * POINTS]> = LazyLock::new(|| {
+    core::array::from_fn(|i| {
+        let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+        let (sin, cos) = libm::sincos(2.0 * PI * step(i / POINTS));
+        let radius = libm::sqrt(step(i % POINTS));
+        (radius * cos, radius * sin)
+    })
+});
+
+/// A light as seen from a point: the corners of its outline relative to it.
+struct Outline<R: Real> {
+    corners: [Vec3<R>; ROUND],
+    count: usize,
+    /// Unit vector to its middle, and how far that is.
+    middle: Vec3<R>,
+    distance: R,
+    /// 1 where the point is on a side that shines.
+    shines: R,
+    /// The solid angle of a light that is small or far.
+    solid: R,
+    /// Where it is so small that the sum over its edges would be rounding alone.
+    small: R::Mask,
+}
+
+/// Adds what an area gives.
+#[inline(always)]
+pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &ViewArea, row: usize) {
+    let outline = Outline::of(area, sum.point.position);
+    let mut attenuation = outline.shines;
+    if let Some(bvh) = lights.bvh {
+        attenuation = attenuation * shadow::free(bvh, sum.point, outline.middle, Some(outline.distance));
+    }
+    let normal = sum.point.normal;
+    let zero = attenuation.zero();
+    attenuation = attenuation.select(normal.dot(normal).gt(zero.lit(0.25)), zero);
+    if !R::any(zero.lt(attenuation)) {
+        return;
+    }
+    let frame = view_frame(sum.point.wo, normal, sum.cos_o);
+    let material = sum.material;
+    for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
+        let map = match &integrals.area {
+            AreaIntegral::Ltc(map) => Some(&**map),
+            _ => None,
+        };
+        let value = match &integrals.area {
+            AreaIntegral::Mirror => apart(
+                attenuation,
+                #[inline(always)]
+                || mirrored(sum, area, lobe),
+            ),
+            AreaIntegral::Points => apart(
+                attenuation,
+                #[inline(always)]
+                || by_points(sum, area, lobe),
+            ),
+            AreaIntegral::Cosine | AreaIntegral::Ltc(_) => {
+                let below = is_transmitting(lobe);
+                let local = inlined(
+                    #[inline(always)]
+                    |v: &Vec3<R>| {
+                        let v = frame.to_local(*v);
+                        if below { Vec3::new(v.x, v.y, -v.z) } else { v }
+                    },
+                );
+                seen_through(&outline, map, sum.cos_o, local) * integrals.albedo.at(sum.cos_o).max(zero)
+            }
+        };
+        sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));
+    }
+}
+
+/// The share of a lobe that the light fills.
+#[inline(always)]
+fn seen_through<R: Real>(
+    outline: &Outline<R>,
+    map: Option<&LtcTable>,
+    cos_o: R,
+    local: impl Fn(&Vec3<R>) -> Vec3<R>,
+) -> R {
+    let inverse = map.map(|map| map.at(cos_o));
+    let mapped = inlined(
+        #[inline(always)]
+        |v: &Vec3<R>| match inverse {
+            Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+            None => *v,
+        },
+    );
+    let zero = cos_o.zero();
+    let mut corners = [Vec3::new(zero, zero, zero); 2 * ROUND];
+    let mut count = outline.count;
+    for (local_corner, corner) in corners.iter_mut().zip(&outline.corners[..count]) {
+        *local_corner = local(corner);
+    }
+    let mut lowest = zero.one();
+    for corner in &corners[..count] {
+        lowest = lowest.min(corner.z);
+    }
+    if R::any(lowest.lt(zero)) {
+        // What is below the surface's own horizon must not come up by the map.
+        count = above_horizon(&mut corners, count);
+    }
+    for corner in &mut corners[..count] {
+        *corner = mapped(corner);
+    }
+    let polygon = apart(
+        cos_o,
+        #[inline(always)]
+        || form_factor(&corners[..count]),
+    );
+    if !R::any(outline.small) {
+        return polygon;
+    }
+    let middle = local(&outline.middle);
+    let (w, determinant) = match inverse {
+        Some([a, b, c, d, e]) => (mapped(&middle), (c * (a * e - b * d)).abs()),
+        None => (middle, zero.one()),
+    };
+    let squared = w.dot(w).max(zero.lit(1e-30));
+    let density = w.z.max(zero) * determinant / squared.sqr() * zero.lit(1.0 / PI);
+    let lit = zero.lt(middle.z);
+    (density * outline.solid).select(outline.small & lit, polygon.select(!outline.small, zero))
+}
+
+/// The frame around the normal whose x axis is the viewer's tangential direction.
+#[inline(always)]
+fn view_frame<R: Real>(wo: Vec3<R>, n: Vec3<R>, cos_o: R) -> Frame<R> {
+    let flat = wo - n * cos_o;
+    let squared = flat.dot(flat);
+    let known = squared.lit(1e-10).lt(squared);
+    let unit = flat * squared.max(squared.lit(1e-10)).rsqrt();
+    let any = Frame::around(n).t;
+    let t = Vec3::new(unit.x.select(known, any.x), unit.y.select(known, any.y), unit.z.select(known, any.z));
+    Frame { t, b: n.cross(t), n }
+}
+
+/// What a perfect mirror shows: 1 where the mirrored line of sight meets the light.
+#[inline(always)]
+fn mirrored<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R {
+    let point = sum.point;
+    let zero = sum.cos_o.zero();
+    if is_transmitting(lobe) {
+        return zero;
+    }
+    let ray = point.wo.reflected(point.normal);
+    let to_center = splat(zero, &area.center) - point.position;
+    let along = |axis: usize, v: Vec3<R>| v.dot(splat(zero, &area.axes[axis]));
+    let met = match area.form {
+        AreaShape::Sphere { radius } => {
+            let nearest = to_center.dot(ray);
+            let off = to_center.dot(to_center) - nearest.sqr();
+            off.lt(zero.lit(radius * radius)) & zero.lt(nearest)
+        }
+        AreaShape::Rectangle { .. } | AreaShape::Disk { .. } => {
+            let slope = along(2, ray);
+            let t = along(2, to_center) / slope.select(slope.abs().gt(zero.lit(1e-20)), zero.lit(1e-20));
+            let hit = ray * t - to_center;
+            let inside = match area.form {
+                AreaShape::Rectangle { width, height } => {
+                    along(0, hit).abs().lt(zero.lit(0.5 * width))
+                        & along(1, hit).abs().lt(zero.lit(0.5 * height))
+                }
+                _ => {
+                    let radius = area.form.area() / PI;
+                    (along(0, hit).sqr() + along(1, hit).sqr()).lt(zero.lit(radius))
+                }
+            };
+            inside & zero.lt(t)
+        }
+    };
+    layered(lobe, zero.one().select(met, zero), &sum.mirror_pair())
+}
+
+/// The lobe over points of the light, each standing for its part of the outline.
+#[inline(always)]
+fn by_points<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R {
+    let zero = sum.cos_o.zero();
+    let center = splat(zero, &area.center) - sum.point.position;
+    let (axes, size) = disk(area, center);
+    let mut total = zero;
+    for i in 0..POINTS * POINTS {
+        let (u, v) = grid_point(area.form, i);
+        let to = center + axes[0] * zero.lit(u) * size[0] + axes[1] * zero.lit(v) * size[1];
+        let squared = to.dot(to).max(zero.lit(1e-20));
+        let wi = to * squared.rsqrt();
+        let facing = wi.dot(axes[2]).abs();
+        let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
+        let pair = sum.pair(wi);
+        total = total + layered(lobe, shape_value(lobe, &pair), &pair) * solid;
+    }
+    total
+}
+
+/// A point of a grid over −1 … 1 squared, or over the unit disk with equal areas.
+fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
+    let step = |i: usize| 2.0 * (i as f64 + 0.5) / POINTS as f64 - 1.0;
+    match form {
+        AreaShape::Rectangle { .. } => (step(number % POINTS), step(number / POINTS)),
+        _ => DISK[number],
+    }
+}
+
+/// The flat figure that is seen of a light: its axes, half extents along the first two, and its area.
+#[inline(always)]
+fn disk<R: Real>(area: &ViewArea, center: Vec3<R>) -> ([Vec3<R>; 3], [R; 3]) {
+    let zero = center.x.zero();
+    let own = three(
+        area.axes,
+        #[inline(always)]
+        |axis| splat(zero, &axis),
+    );
+    match area.form {
+        AreaShape::Rectangle { width, height } => {
+            (own, [zero.lit(0.5 * width), zero.lit(0.5 * height), zero.lit(width * height)])
+        }
+        AreaShape::Disk { radius } => {
+            (own, [zero.lit(radius), zero.lit(radius), zero.lit(PI * radius * radius)])
+        }
+        AreaShape::Sphere { radius } => {
+            // The rim of the visible cap, seen as a disk in front of the centre.
+            let squared = center.dot(center).max(zero.lit(radius * radius * 1.000_001));
+            let towards = center * squared.rsqrt();
+            let frame = Frame::around(towards);
+            let shrink = (zero.one() - zero.lit(radius * radius) / squared).sqrt();
+            // Moved to the centre it must be larger in proportion.
+            let rim = zero.lit(radius) / shrink;
+            ([frame.t, frame.b, towards], [rim, rim, rim.sqr() * zero.lit(PI)])
+        }
+    }
+}
+
+impl<R: Real> Outline<R> {
+    #[inline(always)]
+    fn of(area: &ViewArea, position: Vec3<R>) -> Self {
+        let zero = position.x.zero();
+        let center = splat(zero, &area.center) - position;
+        let (axes, size) = disk(area, center);
+        let squared = center.dot(center).max(zero.lit(1e-20));
+        let middle = center * squared.rsqrt();
+        let mut corners = [center; ROUND];
+        // In units of the distance, so that squares of far lights stay numbers.
+        let inverse = squared.rsqrt();
+        let count = match area.form {
+            AreaShape::Rectangle { .. } => {
+                for (corner, (u, v)) in
+                    corners.iter_mut().zip([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+                {
+                    *corner = center + axes[0] * size[0] * zero.lit(u) + axes[1] * size[1] * zero.lit(v);
+                }
+                4
+            }
+            _ => {
+                for (corner, (u, v)) in corners.iter_mut().zip(RIM.iter()) {
+                    *corner = center + axes[0] * size[0] * zero.lit(*u) + axes[1] * size[1] * zero.lit(*v);
+                }
+                ROUND
+            }
+        };
+        let always = area.two_sided || matches!(area.form, AreaShape::Sphere { .. });
+        let faces = center.dot(splat(zero, &area.axes[2])).lt(zero);
+        let shines = if always { zero.one() } else { zero.one().select(faces, zero) };
+        for corner in &mut corners {
+            *corner = *corner * inverse;
+        }
+        let extent = size[0].max(size[1]) * inverse;
+        let facing = middle.dot(axes[2]).abs();
+        let solid = size[2] * inverse * inverse * facing;
+        let small = extent.lt(zero.lit(SMALL));
+        Self { corners, count, middle, distance: squared.sqrt(), shines, solid, small }
+    }
+}

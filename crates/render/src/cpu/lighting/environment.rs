@@ -1,0 +1,94 @@
+//! Light from all around.
+
+use glanz_bsdf::LightTerm;
+use glanz_math::{Real, Vec3};
+
+use crate::cpu::lighting::general::LightSum;
+use crate::cpu::lighting::general::apart;
+use crate::cpu::lighting::general::is_transmitting;
+use crate::cpu::lighting::general::layered;
+use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals};
+use crate::view::lights::turned;
+
+/// Adds what surroundings give; they are the three lights of the table from `row` on.
+#[inline(always)]
+pub(crate) fn add<R: Real>(
+    sum: &mut LightSum<R>,
+    environment: &EnvironmentLight,
+    number: usize,
+    to_map: &[[f32; 3]; 3],
+    row: usize,
+) {
+    let zero = sum.cos_o.zero();
+    // Without a normal there is no surface to light.
+    let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
+    let material = sum.material;
+    for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
+        if is_transmitting(lobe) && lobe.term == LightTerm::Specular && material.transmittance.is_some() {
+            // They are seen through the surface already.
+            continue;
+        }
+        let pair = sum.typical_pair(lobe);
+        let seen = seen(sum, environment, number, to_map, lobe, integrals);
+        let mut share = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+        if lobe.shape.info().delta {
+            share = layered(lobe, share, &pair);
+        }
+        for (basis, seen) in seen.into_iter().enumerate() {
+            sum.add(row + basis, k, seen * share, &pair);
+        }
+    }
+}
+
+/// What a lobe sees of the surroundings, as amounts of the three spectra; 1 where they are uniform.
+#[inline(always)]
+fn seen<R: Real>(
+    sum: &LightSum<R>,
+    environment: &EnvironmentLight,
+    number: usize,
+    to_map: &[[f32; 3]; 3],
+    lobe: &DirectLobe,
+    integrals: &LobeIntegrals,
+) -> [R; 3] {
+    let one = sum.cos_o.one();
+    let Some(map) = &environment.map else { return [one; 3] };
+    let normal = sum.point.normal;
+    let below = is_transmitting(lobe);
+    if lobe.term == LightTerm::Diffuse {
+        let side = if below { -normal } else { normal };
+        let side = turned(to_map, side);
+        return apart(
+            one,
+            #[inline(always)]
+            || environment.irradiance.at(side),
+        );
+    }
+    let direction = match lobe.shape.info().delta {
+        true if below => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
+        true => sum.point.wo.reflected(normal),
+        false => {
+            let [sine, cosine] = &integrals.middle;
+            let (sine, cosine) = (sine.at(sum.cos_o), cosine.at(sum.cos_o));
+            let up = if below { -cosine } else { cosine };
+            let middle = (normal * sum.cos_o - sum.point.wo) * sine + normal * up;
+            middle * middle.dot(middle).max(one.lit(1e-12)).rsqrt()
+        }
+    };
+    let own = integrals.prefiltered.get(number).and_then(Option::as_deref).unwrap_or(map);
+    let direction = turned(to_map, direction);
+    apart(
+        one,
+        #[inline(always)]
+        || own.at(direction),
+    )
+}
+
+/// Where a line of sight goes on below a surface; where it is reflected totally, along the surface.
+#[inline(always)]
+fn refracted<R: Real>(wo: Vec3<R>, normal: Vec3<R>, cos_o: R, eta: f64) -> Vec3<R> {
+    let inverse = cos_o.lit(1.0 / eta);
+    let sin2 = (cos_o.one() - cos_o.sqr()) * inverse.sqr();
+    let cos_t = (cos_o.one() - sin2).max(cos_o.zero()).sqrt();
+    let down = normal * (cos_o * inverse - cos_t) - wo * inverse;
+    down * down.dot(down).max(cos_o.lit(1e-12)).rsqrt()
+}

@@ -1,0 +1,156 @@
+//! The form factor of a polygon: the integral of a clamped cosine over it.
+//!
+//! Source: J. H. Lambert 1760; D. R. Baum, H. E. Rushmeier and J. M. Winget, "Improving Radiosity Solutions
+//! Transmittance the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
+
+use glanz_math::{PI, Real, Vec3};
+
+/// ∫ cosθ/π over the part of a convex polygon that is above the plane z = 0, seen from the origin. Which way it
+/// turns does not matter. There must be corners.
+#[inline(always)]
+pub(crate) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
+    let last = &corners[corners.len() - 1];
+    let zero = last.z.zero();
+    let mut sum = zero;
+    // Where the outline goes below the horizon, and where it comes up again.
+    let (mut down, mut up) = (Vec3::new(zero, zero, zero), Vec3::new(zero, zero, zero));
+    let mut from = *last;
+    for &to in corners {
+        let (above_from, above_to) = (zero.lt(from.z), zero.lt(to.z));
+        let span = from.z - to.z;
+        let t = from.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
+        let crossing = from + (to - from) * t;
+        let start = choose(above_from, from, crossing);
+        let end = choose(above_to, to, crossing);
+        sum = sum + edge(start, end).select(above_from | above_to, zero);
+        down = choose(above_from & !above_to, crossing, down);
+        up = choose(above_to & !above_from, crossing, up);
+        from = to;
+    }
+    ((sum + edge(down, up)) * zero.lit(0.5 / PI)).abs().min(zero.one())
+}
+
+/// What of an edge is above the plane z = 0: where it begins and ends, and whether anything is.
+#[inline(always)]
+fn kept<R: Real>(a: Vec3<R>, b: Vec3<R>) -> (Vec3<R>, Vec3<R>, R::Mask) {
+    let zero = a.z.zero();
+    let span = a.z - b.z;
+    let t = a.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
+    let crossing = a + (b - a) * t;
+    let (above_a, above_b) = (zero.lt(a.z), zero.lt(b.z));
+    (choose(above_a, a, crossing), choose(above_b, b, crossing), above_a | above_b)
+}
+
+/// Cuts away what a convex polygon has below the plane z = 0; there must be room for twice its corners. Where nothing
+/// of it is above, its corners come together in one point. Returns how many corners it has now.
+#[inline(always)]
+pub(crate) fn above_horizon<R: Real>(corners: &mut [Vec3<R>], count: usize) -> usize {
+    let zero = corners[0].z.zero();
+    // Edges that are wholly below stand where the outline was left before; for the first that is the last.
+    let mut at = Vec3::new(zero, zero, zero);
+    for i in 0..count {
+        let (_, end, any) = kept(corners[i], corners[(i + 1) % count]);
+        at = choose(any, end, at);
+    }
+    let first = corners[0];
+    let mut edges = [Vec3::new(zero, zero, zero); 32];
+    for i in 0..count {
+        let next = if i + 1 == count { first } else { corners[i + 1] };
+        let (start, end, any) = kept(corners[i], next);
+        edges[2 * i] = choose(any, start, at);
+        edges[2 * i + 1] = choose(any, end, at);
+        at = edges[2 * i + 1];
+    }
+    corners[..2 * count].copy_from_slice(&edges[..2 * count]);
+    2 * count
+}
+
+/// An edge's part: its angle seen from the origin times the z component of the normal of its plane.
+#[inline(always)]
+fn edge<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
+    let normal = a.cross(b);
+    let squared = normal.dot(normal);
+    let zero = squared.zero();
+    let length = squared.max(zero.lit(1e-36)).sqrt();
+    let angle = length.atan2(a.dot(b));
+    (normal.z * angle / length).select(zero.lit(1e-34).lt(squared), zero)
+}
+
+#[inline(always)]
+fn choose<R: Real>(mask: R::Mask, a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
+    Vec3::new(a.x.select(mask, b.x), a.y.select(mask, b.y), a.z.select(mask, b.z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(height: f64, half: f64, shift: f64) -> [Vec3<f64>; 4] {
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+            .map(|(x, y)| Vec3::new(x * half + shift, y * half, height))
+    }
+
+    /// ∫ cosθ/π dω by the midpoint rule.
+    fn by_points(height: f64, half: f64, shift: f64) -> f64 {
+        let n = 400;
+        let at = |i: usize| ((i as f64 + 0.5) / n as f64 * 2.0 - 1.0) * half;
+        let patch = 4.0 * half * half / (n * n) as f64;
+        let mut sum = 0.0;
+        for i in 0..n {
+            for j in 0..n {
+                let r2 = (at(i) + shift) * (at(i) + shift) + at(j) * at(j) + height * height;
+                sum += height * height / (r2 * r2) * patch / PI;
+            }
+        }
+        sum
+    }
+
+    #[test]
+    fn a_square_above_has_the_form_factor_of_its_integral() {
+        for (height, half, shift) in [(1.0, 0.5, 0.0), (0.2, 1.0, 0.7), (2.0, 0.01, 1.0)] {
+            let (got, expected) = (form_factor(&square(height, half, shift)), by_points(height, half, shift));
+            assert!((got / expected - 1.0).abs() < 1e-4, "{got} for {expected}");
+        }
+    }
+
+    #[test]
+    fn what_is_below_the_horizon_does_not_count() {
+        // A wall that reaches from below to above the plane is its upper part.
+        let wall = |low: f64| {
+            [
+                Vec3::new(1.0, -1.0, low),
+                Vec3::new(1.0, 1.0, low),
+                Vec3::new(1.0, 1.0, 2.0),
+                Vec3::new(1.0, -1.0, 2.0),
+            ]
+        };
+        let whole = form_factor(&wall(0.0));
+        assert!(whole > 0.1);
+        assert!((form_factor(&wall(-3.0)) - whole).abs() < 1e-12);
+        let below = [Vec3::new(1.0, -1.0, -2.0), Vec3::new(1.0, 1.0, -2.0), Vec3::new(1.0, 0.0, -1.0)];
+        assert_eq!(form_factor::<f64>(&below), 0.0);
+    }
+
+    #[test]
+    fn cutting_at_the_horizon_changes_no_form_factor_and_leaves_nothing_below() {
+        let low = [(1.0, -1.0, -1.0), (2.0, 1.0, 0.5), (1.0, 1.5, 2.0), (0.5, -1.0, 1.0)];
+        let corners = low.map(|(x, y, z)| Vec3::new(x, y, z));
+        let mut cut = [Vec3::new(0.0, 0.0, 0.0); 8];
+        cut[..4].copy_from_slice(&corners);
+        let count = above_horizon(&mut cut, 4);
+        assert!(cut[..count].iter().all(|corner| corner.z >= -1e-12));
+        assert!((form_factor(&cut[..count]) - form_factor(&corners)).abs() < 1e-12);
+        let mut below = corners.map(|v| Vec3::new(v.x, v.y, v.z - 5.0)).to_vec();
+        below.resize(8, below[0]);
+        let count = above_horizon(&mut below, 4);
+        assert_eq!(form_factor(&below[..count]), 0.0);
+    }
+
+    #[test]
+    fn a_sky_wide_polygon_is_one_and_single_precision_follows() {
+        assert!((form_factor(&square(1e-4, 10.0, 0.0)) - 1.0).abs() < 1e-6);
+        let short = square(1.0, 0.001, 0.3).map(|v| Vec3::new(v.x as f32, v.y as f32, v.z as f32));
+        let expected = form_factor(&square(1.0, 0.001, 0.3));
+        assert!((f64::from(form_factor(&short)) / expected - 1.0).abs() < 1e-3);
+    }
+}

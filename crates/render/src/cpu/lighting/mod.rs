@@ -1,0 +1,10 @@
+//! The sum over lights and lobes: C = Σ_l a_l · Σ_k s_k · T\[l, k, c\].
+
+pub(crate) mod area;
+pub(crate) mod environment;
+pub(crate) mod form_factor;
+pub(crate) mod general;
+pub(crate) mod punctual;
+pub(crate) mod reflect;
+pub(crate) mod shade_material;
+pub(crate) mod shadow;

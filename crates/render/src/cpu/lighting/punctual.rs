@@ -1,0 +1,49 @@
+//! Light from points and from afar.
+
+use glanz_math::Real;
+
+use crate::cpu::lighting::general::LightSum;
+use crate::cpu::lighting::general::is_transmitting;
+use crate::cpu::lighting::general::layered;
+use crate::cpu::lighting::general::shape_value;
+use crate::cpu::lighting::reflect::{add as add_light, arrive, literal, mixed};
+use crate::cpu::lighting::shade_material::ShadeLights;
+use crate::cpu::lighting::shadow;
+use crate::view::lights::ViewLight;
+
+/// Adds what a lamp gives.
+#[inline(always)]
+pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &ViewLight, row: usize) {
+    let point = sum.point;
+    let like = point.normal.x;
+    let incident = arrive(light, point);
+    if let (Some(cone), Some(ambient)) = (incident.cone, sum.material.spot_ambient.get(row)) {
+        let textured = match &sum.mix {
+            Some((mix, texel)) => mixed(&mix.spot_ambient[row], texel),
+            None => literal(like, &ambient[0]),
+        };
+        add_light(&mut sum.reflected.textured, cone, textured);
+        add_light(&mut sum.reflected.plain, cone, literal(like, &ambient[1]));
+    }
+    let pair = sum.pair(incident.wi);
+    if !sum.material.transmits && !R::any(like.zero().lt(pair.cos_i)) {
+        return;
+    }
+    let mut attenuation = incident.attenuation.unwrap_or(like.one());
+    if let Some(bvh) = lights.bvh {
+        attenuation = attenuation * shadow::free(bvh, point, incident.wi, incident.distance);
+    }
+    let mut last = like.zero();
+    for (k, lobe) in sum.material.lobes.iter().enumerate() {
+        let is_lit =
+            if is_transmitting(lobe) { pair.cos_i.lt(like.zero()) } else { like.zero().lt(pair.cos_i) };
+        if lobe.shape.info().delta || !R::any(is_lit) {
+            continue;
+        }
+        // Lobes of one shape under different veils stand together.
+        if !sum.material.repeats[k] {
+            last = shape_value(lobe, &pair) * attenuation;
+        }
+        sum.add(row, k, layered(lobe, last, &pair), &pair);
+    }
+}

@@ -1,0 +1,77 @@
+//! What the CPU decides once per frame: which materials and lights its fast path serves.
+
+use std::borrow::Cow;
+use std::ops::Deref;
+
+use glanz_bsdf::Side;
+use glanz_scene::Metalness;
+
+use crate::prepare::{DirectLobe, PreparedMaterial, TintCoordinate};
+use crate::view::lights::{ViewLight, ViewLights};
+
+/// A material, and how the CPU evaluates it.
+pub(crate) struct ShadeMaterial<'a> {
+    data: Cow<'a, PreparedMaterial>,
+    /// Eligible for the fast path: no layers, no per-pixel roughness, no transmission, inlined shapes.
+    pub fast_path: bool,
+    /// Of each lobe whether its shape is that of the lobe before, so that its value is known already.
+    pub repeats: Vec<bool>,
+}
+
+impl<'a> ShadeMaterial<'a> {
+    /// The materials of a frame.
+    pub fn all(materials: Cow<'a, [PreparedMaterial]>) -> Vec<Self> {
+        match materials {
+            Cow::Borrowed(materials) => materials.iter().map(|data| Self::new(Cow::Borrowed(data))).collect(),
+            Cow::Owned(materials) => materials.into_iter().map(|data| Self::new(Cow::Owned(data))).collect(),
+        }
+    }
+
+    fn new(data: Cow<'a, PreparedMaterial>) -> Self {
+        let fast_path = data.lobes.iter().all(is_simple) && data.metal_rough_map.is_none();
+        let pairs = data.lobes.windows(2).map(|pair| pair[0].shape == pair[1].shape);
+        let repeats = std::iter::once(false).chain(pairs).collect();
+        Self { data, fast_path, repeats }
+    }
+}
+
+impl Deref for ShadeMaterial<'_> {
+    type Target = PreparedMaterial;
+    fn deref(&self) -> &PreparedMaterial {
+        &self.data
+    }
+}
+
+/// Whether the fast path evaluates a lobe. It passes over whole blocks that no light reaches from the front, so
+/// light from behind is none of its business.
+fn is_simple(lobe: &DirectLobe) -> bool {
+    let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any;
+    let reflects = lobe.shape.info().side == Side::Reflection;
+    bare && reflects
+        && lobe.shape.is_in_place()
+        && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })
+}
+
+/// The lights of a frame, and whether the fast path serves them.
+pub(crate) struct ShadeLights<'a> {
+    view: ViewLights<'a>,
+    /// Punctual lights without luminaires and shadows alone.
+    pub fast_path: bool,
+}
+
+impl<'a> ShadeLights<'a> {
+    pub fn new(view: ViewLights<'a>) -> Self {
+        let simple = |light: &ViewLight| {
+            matches!(light, ViewLight::Directional { .. } | ViewLight::Point { luminaire: None, .. })
+        };
+        let fast_path = view.bvh.is_none() && view.list.iter().all(simple);
+        Self { view, fast_path }
+    }
+}
+
+impl<'a> Deref for ShadeLights<'a> {
+    type Target = ViewLights<'a>;
+    fn deref(&self) -> &ViewLights<'a> {
+        &self.view
+    }
+}

@@ -1,0 +1,241 @@
+//! What varies over a surface beside its normal: textures, vertex colours, whole-polygon values.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, Real, Vec3};
+use glanz_scene::{AlphaMode, TextureUse};
+
+use crate::cpu::frame::Layout;
+use crate::cpu::lighting::reflect::ShadingPoint;
+use crate::cpu::lighting::shade_material::ShadeMaterial;
+use crate::cpu::shading::gouraud::unit;
+use crate::cpu::shading::polygons::{CORNER, PolygonView};
+use crate::cpu::shading::shade_block::{Place, ShadeBlock};
+use crate::cpu::shading::triangle_setup::GROUP;
+use crate::prepare::Mipmap;
+use glanz_math::inline::inlined;
+use glanz_math::inline::three;
+
+/// Factors and directions that textures and vertex colours give sixteen pixels.
+pub(crate) struct SurfaceAttributes<S: Simd> {
+    /// Multiplies the textured lobes: the vertices' colour times the texel.
+    pub base: [Lanes<S>; 3],
+    /// The texel alone.
+    texel: [Lanes<S>; 3],
+    /// Multiplies the material's opacity.
+    pub alpha: Lanes<S>,
+    /// Multiplies the emission.
+    pub emission: [Lanes<S>; 3],
+    /// Multiplies the roughness.
+    pub rough: Lanes<S>,
+    /// Multiplies how metallic the surface is.
+    pub metal: Lanes<S>,
+    pub uv: [Lanes<S>; 2],
+    tangent: Option<(Vec3<Lanes<S>>, Lanes<S>)>,
+    bend: [Lanes<S>; 3],
+}
+
+impl<S: Simd> SurfaceAttributes<S> {
+    #[inline(always)]
+    pub fn new(like: Lanes<S>) -> Self {
+        let (zero, one) = (like.zero(), like.one());
+        Self {
+            base: [one; 3],
+            texel: [one; 3],
+            alpha: one,
+            emission: [one; 3],
+            rough: one,
+            metal: one,
+            uv: [zero; 2],
+            tangent: None,
+            bend: [zero, zero, one],
+        }
+    }
+
+    /// Reads what the layout has.
+    #[inline(always)]
+    pub fn read(
+        &mut self,
+        shade_block: &ShadeBlock<S>,
+        layout: &Layout,
+        material: &ShadeMaterial,
+        place: &Place<S>,
+        rows: &[Lanes<S>; GROUP],
+    ) {
+        if let Some(color) = layout.color {
+            self.base = shade_block.attribute(color, place);
+        }
+        let mut extra = [shade_block.px.one(); 3];
+        if let Some(number) = layout.extra {
+            extra = shade_block.attribute(number, place);
+            self.alpha = extra[0];
+        }
+        if let Some(number) = layout.uv {
+            let [u, v, _] = shade_block.attribute(number, place);
+            self.uv = [u, v];
+            let across = shade_block.uv_at(rows, number, 1.0, 0.0);
+            let down = shade_block.uv_at(rows, number, 0.0, 1.0);
+            self.sample(shade_block, material, &footprint([u, v], across, down));
+        }
+        if let Some(number) = layout.tangent {
+            let [x, y, z] = shade_block.attribute(number, place);
+            self.tangent = Some((Vec3::new(x, y, z), extra[1]));
+        }
+    }
+
+    /// Looks all the material's textures up at `self.uv`.
+    #[inline(always)]
+    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &ShadeMaterial, footprint: &[f32; 16]) {
+        let uv = self.uv.map(
+            #[inline(always)]
+            |lanes| {
+                let mut array = [0.0; 16];
+                lanes.store(&mut array);
+                array
+            },
+        );
+        let textures = &shade_block.frame.prepared.textures;
+        let look = inlined(
+            #[inline(always)]
+            |map: &TextureUse| {
+                let columns = lookup(&textures[map.texture], map, &uv, footprint);
+                columns.map(
+                    #[inline(always)]
+                    |column| Lanes::load(shade_block.simd, &column),
+                )
+            },
+        );
+        if let Some(map) = &material.base_color {
+            let [r, g, b, a] = look(map);
+            self.texel = [r, g, b];
+            for (base, texel) in self.base.iter_mut().zip([r, g, b]) {
+                *base = *base * texel;
+            }
+            if material.alpha_mode != AlphaMode::Opaque {
+                self.alpha = self.alpha * a;
+            }
+        }
+        if let Some(map) = &material.emission_map {
+            let [r, g, b, _] = look(map);
+            self.emission = [r, g, b];
+        }
+        if let Some(map) = &material.metal_rough_map {
+            let [_, rough, metal, _] = look(map);
+            (self.rough, self.metal) = (rough, metal);
+        }
+        if let Some(map) = &material.normal_map {
+            let [x, y, z, _] = look(map);
+            let centered = inlined(
+                #[inline(always)]
+                |c: Lanes<S>| c + c - c.one(),
+            );
+            let scale = shade_block.px.lit(f64::from(map.scale));
+            self.bend = [centered(x) * scale, centered(y) * scale, centered(z)];
+        }
+    }
+
+    /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
+    #[inline(always)]
+    pub fn apply(&self, material: &ShadeMaterial, point: &mut ShadingPoint<Lanes<S>>) {
+        point.normal = self.bend(material, point.normal);
+        if material.anisotropic {
+            point.tangent = self.tangent.map(|(tangent, _)| tangent);
+        }
+        if material.metal_rough_map.is_some() {
+            // The width of a lobe is the square of its roughness.
+            (point.alpha_scale, point.metal) = (self.rough.sqr(), self.metal);
+        }
+    }
+
+    /// The normal, bent by the normal map.
+    #[inline(always)]
+    fn bend(&self, material: &ShadeMaterial, normal: Vec3<Lanes<S>>) -> Vec3<Lanes<S>> {
+        let (Some((tangent, sign)), true) = (self.tangent, material.normal_map.is_some()) else {
+            return normal;
+        };
+        let tangent = unit(tangent - normal * normal.dot(tangent));
+        let bitangent = normal.cross(tangent) * sign;
+        let [x, y, z] = self.bend;
+        unit(tangent * x + bitangent * y + normal * z)
+    }
+}
+
+/// How far a pixel reaches in texture coordinates, along the longer of its two directions.
+#[inline(always)]
+fn footprint<S: Simd>(uv: [Lanes<S>; 2], across: [Lanes<S>; 2], down: [Lanes<S>; 2]) -> [f32; 16] {
+    let length = inlined(
+        #[inline(always)]
+        |to: [Lanes<S>; 2]| (to[0] - uv[0]).sqr() + (to[1] - uv[1]).sqr(),
+    );
+    let mut array = [0.0; 16];
+    length(across).max(length(down)).sqrt().store(&mut array);
+    array
+}
+
+/// One texture at sixteen places; the four channels.
+fn lookup(texture: &Mipmap, map: &TextureUse, uv: &[[f32; 16]; 2], footprint: &[f32; 16]) -> [[f32; 16]; 4] {
+    let mut columns = [[0.0; 16]; 4];
+    // The transform stretches the footprint as it stretches the coordinates, at most by its longer column.
+    let [[ux, vx, _], [uy, vy, _]] = map.transform;
+    let stretch = Real::max(ux * ux + uy * uy, vx * vx + vy * vy).sqrt();
+    for lane in 0..16 {
+        let (u, v) = (uv[0][lane], uv[1][lane]);
+        let at = map.transform.map(|[a, b, c]| a * u + b * v + c);
+        for (column, value) in columns.iter_mut().zip(texture.sample(at, footprint[lane] * stretch)) {
+            column[lane] = value;
+        }
+    }
+    columns
+}
+
+/// Replaces what was interpolated over triangles by what the scheme of 1971 gives over whole polygons.
+pub(crate) fn scanline<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    polygons: &PolygonView,
+    values: &mut [[Lanes<S>; 3]; 4],
+    extra: &mut SurfaceAttributes<S>,
+) {
+    let mut columns = [[0.0f32; 16]; CORNER];
+    let (mut px, mut py) = ([0.0; 16], [0.0; 16]);
+    shade_block.px.store(&mut px);
+    shade_block.py.store(&mut py);
+    let mut found = 0u32;
+    for run in shade_block.runs {
+        let setup = shade_block.setup(run);
+        for lane in (0..16).filter(|lane| run.bits >> lane & 1 == 1) {
+            if let Some(corner) = polygons.interpolate(setup.facet, setup.back, px[lane], py[lane]) {
+                found |= 1 << lane;
+                for (column, value) in columns.iter_mut().zip(corner) {
+                    column[lane] = value;
+                }
+            }
+        }
+    }
+    let mask = glanz_math::LanesMask::from_bits(shade_block.simd, found);
+    let lanes = |i: usize, other: Lanes<S>| Lanes::load(shade_block.simd, &columns[i]).select(mask, other);
+    let layout = &shade_block.object.layout;
+    let (first, plain) = (values[0], values[1]);
+    let flat = shade_block.object.shading == glanz_scene::Shading::Flat;
+    if !flat {
+        values[0] = three([0, 1, 2], |c| {
+            let whole = lanes(c, first[c]);
+            let separate =
+                layout.plain.is_some() || shade_block.object.shading == glanz_scene::Shading::Phong;
+            if separate { whole } else { (whole + lanes(3 + c, whole.zero())).select(mask, first[c]) }
+        });
+        if layout.plain.is_some() {
+            values[1] = three([0, 1, 2], |c| lanes(3 + c, plain[c]));
+        }
+        if layout.mix.is_some() {
+            let (second, third) = (values[2], values[3]);
+            values[2] = three([0, 1, 2], |c| lanes(12 + c, second[c]));
+            values[3] = three([0, 1, 2], |c| lanes(15 + c, third[c]));
+        }
+    }
+    if layout.color.is_some() {
+        let (base, texel) = (extra.base, extra.texel);
+        extra.base = three([0, 1, 2], |c| {
+            let color = lanes(8 + c, base[c].one());
+            (color * texel[c]).select(mask, base[c])
+        });
+    }
+}

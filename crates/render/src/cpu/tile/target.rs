@@ -1,0 +1,303 @@
+//! Where finished blocks go.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, SimdLevel};
+
+use crate::Develop;
+use crate::cpu::block::{self, BLOCK, SIDE};
+use crate::cpu::geometry::bins::{TILE_PIXELS, TILE_WIDTH};
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::visibility::raster::Grid;
+use glanz_math::inline::inlined;
+use glanz_picture::DevelopKernel;
+
+/// The pixels of a tile, block by block: linear colour, coverage, and the planes that were asked for.
+///
+/// Blocks are given their background when they are first touched, so that empty parts of the picture
+/// cost next to nothing.
+#[derive(Debug)]
+pub(crate) struct TilePixels {
+    pub rgb: [[f32; TILE_PIXELS]; 3],
+    pub alpha: [f32; TILE_PIXELS],
+    pub distance: Vec<f32>,
+    pub normal: [Vec<f32>; 3],
+    pub object: Vec<u32>,
+    touched: [bool; TILE_PIXELS / BLOCK],
+}
+
+impl Default for TilePixels {
+    fn default() -> Self {
+        Self {
+            rgb: [[0.0; TILE_PIXELS]; 3],
+            alpha: [0.0; TILE_PIXELS],
+            distance: vec![f32::INFINITY; TILE_PIXELS],
+            normal: core::array::from_fn(|_| vec![0.0; TILE_PIXELS]),
+            object: vec![0; TILE_PIXELS],
+            touched: [false; TILE_PIXELS / BLOCK],
+        }
+    }
+}
+
+impl TilePixels {
+    /// Forgets everything.
+    pub fn clear(&mut self) {
+        self.touched = [false; TILE_PIXELS / BLOCK];
+    }
+
+    /// Sees to it that the block of this place holds the background, or what was drawn since.
+    #[inline(always)]
+    pub fn touch<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid, place: usize) {
+        let block = place / BLOCK;
+        if self.touched[block] {
+            return;
+        }
+        self.touched[block] = true;
+        let range = block * BLOCK..(block + 1) * BLOCK;
+        let (color, alpha) = background.block(simd, grid, block * BLOCK);
+        self.put(block * BLOCK, color, alpha);
+        self.distance[range.clone()].fill(f32::INFINITY);
+        for plane in &mut self.normal {
+            plane[range.clone()].fill(0.0);
+        }
+        self.object[range].fill(0);
+    }
+
+    /// Writes colour and coverage of a whole block.
+    #[inline(always)]
+    pub fn put<S: Simd>(&mut self, place: usize, rgb: [Lanes<S>; 3], alpha: Lanes<S>) {
+        self.touched[place / BLOCK] = true;
+        let store = inlined(
+            #[inline(always)]
+            |plane: &mut [f32; TILE_PIXELS], value: Lanes<S>| {
+                value.store(plane[place..].first_chunk_mut().expect("tiles are whole blocks"));
+            },
+        );
+        let [r, g, b] = &mut self.rgb;
+        store(r, rgb[0]);
+        store(g, rgb[1]);
+        store(b, rgb[2]);
+        store(&mut self.alpha, alpha);
+    }
+
+    #[inline(always)]
+    fn touch_all<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid) {
+        (0..TILE_PIXELS).step_by(BLOCK).for_each(
+            #[inline(always)]
+            |place| self.touch(simd, background, grid, place),
+        );
+    }
+}
+
+/// A band of the picture, one tile high: the part of the output that one task writes.
+pub(crate) enum Band<'a> {
+    /// 8-bit RGBA, developed.
+    Codes(Codes<'a>),
+    /// Linear planes.
+    Planes(PlaneBand<'a>),
+}
+
+/// The rows of an 8-bit RGBA picture that belong to a band.
+pub(crate) struct Codes<'a> {
+    pub out: &'a mut [u8],
+    pub kernel: &'a DevelopKernel,
+    /// Whether alpha is 1 everywhere.
+    pub opaque: bool,
+    /// A block of background; none where dithering makes each pixel another.
+    pub empty: Option<[u8; 4 * BLOCK]>,
+}
+
+/// The rows of a frame's planes that belong to a band; planes that were not asked for are empty.
+#[derive(Default)]
+pub(crate) struct PlaneBand<'a> {
+    pub rgb: [&'a mut [f32]; 3],
+    pub alpha: &'a mut [f32],
+    pub depth: &'a mut [f32],
+    pub normal: [&'a mut [f32]; 3],
+    pub object: &'a mut [u32],
+}
+
+/// A tile's place in its band.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slot {
+    /// Width of the picture.
+    pub stride: usize,
+    /// First column and first row in the picture.
+    pub left: usize,
+    pub top: usize,
+    /// Columns and rows that are in the picture.
+    pub size: [usize; 2],
+}
+
+impl Slot {
+    /// Calls `work` with the places of the blocks that are in the picture, at least in part.
+    #[inline(always)]
+    pub fn for_each_block(&self, mut work: impl FnMut(usize)) {
+        for row in 0..self.size[1].div_ceil(SIDE) {
+            for column in 0..self.size[0].div_ceil(SIDE) {
+                work(block::place(column, row));
+            }
+        }
+    }
+}
+
+impl Band<'_> {
+    /// Writes a tile.
+    #[inline(always)]
+    pub fn write<S: Simd>(
+        &mut self,
+        simd: S,
+        pixels: &mut TilePixels,
+        slot: Slot,
+        (background, grid): (&ViewBackground, &Grid),
+    ) {
+        match self {
+            Band::Codes(codes) => {
+                if codes.empty.is_none() {
+                    pixels.touch_all(simd, background, grid);
+                }
+                codes.write(simd, pixels, &slot);
+            }
+            Band::Planes(planes) => {
+                pixels.touch_all(simd, background, grid);
+                planes.write(pixels, slot);
+            }
+        }
+    }
+
+    /// Writes a tile in which nothing is.
+    #[inline(always)]
+    pub fn write_empty<S: Simd>(
+        &mut self,
+        simd: S,
+        pixels: &mut TilePixels,
+        slot: Slot,
+        behind: (&ViewBackground, &Grid),
+    ) {
+        if let Band::Codes(Codes { out, empty: Some(empty), .. }) = self {
+            for row in 0..slot.size[1] {
+                let start = 4 * (row * slot.stride + slot.left);
+                let (whole, rest) = out[start..start + 4 * slot.size[0]].as_chunks_mut();
+                whole.fill(*empty);
+                rest.copy_from_slice(&empty[..rest.len()]);
+            }
+        } else {
+            self.write(simd, pixels, slot, behind);
+        }
+    }
+}
+
+impl Codes<'_> {
+    #[inline(always)]
+    fn write<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot) {
+        slot.for_each_block(
+            #[inline(always)]
+            |place| self.write_block(simd, pixels, slot, place),
+        );
+    }
+
+    #[inline(always)]
+    fn write_block<S: Simd>(&mut self, simd: S, pixels: &TilePixels, slot: &Slot, place: usize) {
+        if !pixels.touched[place / BLOCK] && self.put_empty(slot, place) {
+            return;
+        }
+        let lanes = inlined(
+            #[inline(always)]
+            |plane: &[f32; TILE_PIXELS]| {
+                Lanes::load(simd, plane[place..].first_chunk().expect("tiles are whole blocks"))
+            },
+        );
+        let [r, g, b] = &pixels.rgb;
+        let rgb = [lanes(r), lanes(g), lanes(b)];
+        if self.opaque {
+            return self.put(slot, place, rgb);
+        }
+        let mut bytes = [0; 4 * BLOCK];
+        let [column, row] = block::pixel(place);
+        let at = [slot.left + column, slot.top + row];
+        self.kernel.store_block_rgba(rgb, lanes(&pixels.alpha), at, &mut bytes);
+        self.copy(slot, place, &bytes);
+    }
+
+    /// Develops a block of opaque pixels into its place.
+    #[inline(always)]
+    pub fn put<S: Simd>(&mut self, slot: &Slot, place: usize, rgb: [Lanes<S>; 3]) {
+        let mut bytes = [0; 4 * BLOCK];
+        let [column, row] = block::pixel(place);
+        self.kernel.store_block(rgb, [slot.left + column, slot.top + row], &mut bytes);
+        self.copy(slot, place, &bytes);
+    }
+
+    /// Writes a block of background, if it is the same everywhere.
+    #[inline(always)]
+    pub fn put_empty(&mut self, slot: &Slot, place: usize) -> bool {
+        let Some(empty) = self.empty else { return false };
+        self.copy(slot, place, &empty);
+        true
+    }
+
+    #[inline(always)]
+    fn copy(&mut self, slot: &Slot, place: usize, bytes: &[u8; 4 * BLOCK]) {
+        const ROW: usize = 4 * SIDE;
+        let [column, row] = block::pixel(place);
+        let rows = SIDE.min(slot.size[1] - row);
+        let length = ROW.min(4 * (slot.size[0] - column));
+        let [a, b, c, d] = bytes.as_chunks::<ROW>().0 else { return };
+        let (start, stride) = (4 * (row * slot.stride + slot.left + column), 4 * slot.stride);
+        if rows == SIDE && length == ROW {
+            for (i, bytes) in [a, b, c, d].into_iter().enumerate() {
+                let out = self.out[start + i * stride..].first_chunk_mut();
+                *out.expect("the block is in the picture") = *bytes;
+            }
+            return;
+        }
+        for (i, bytes) in [a, b, c, d].into_iter().enumerate().take(rows) {
+            self.out[start + i * stride..][..length].copy_from_slice(&bytes[..length]);
+        }
+    }
+}
+
+/// A block of background codes, unless dithering makes each pixel another.
+pub(crate) fn empty_block(
+    develop: &Develop,
+    kernel: &DevelopKernel,
+    background: &ViewBackground,
+) -> Option<[u8; 64]> {
+    if develop.dither {
+        return None;
+    }
+    let (color, alpha) = background.fixed()?;
+    let mut block = [0; 4 * BLOCK];
+    let simd = glanz_math::narrowest(SimdLevel::best().token());
+    let splat = |value| Lanes::splat(simd, value);
+    kernel.store_rgba(color.map(splat), splat(alpha), 0, 0, &mut block);
+    Some(block)
+}
+
+impl PlaneBand<'_> {
+    fn write(&mut self, pixels: &TilePixels, slot: Slot) {
+        let planes = self.rgb.iter_mut().zip(&pixels.rgb).chain([(&mut self.alpha, &pixels.alpha)]);
+        for (out, plane) in planes {
+            copy(out, plane, slot);
+        }
+        copy(self.depth, &pixels.distance, slot);
+        for (out, plane) in self.normal.iter_mut().zip(&pixels.normal) {
+            copy(out, plane, slot);
+        }
+        copy(self.object, &pixels.object, slot);
+    }
+}
+
+/// Copies a tile's plane to its place; does nothing where the plane was not asked for.
+fn copy<T: Copy>(out: &mut [T], tile: &[T], slot: Slot) {
+    if out.is_empty() {
+        return;
+    }
+    for row in 0..slot.size[1] {
+        let start = row * slot.stride + slot.left;
+        let blocks = &tile[block::place(0, row / SIDE)..][..TILE_WIDTH * SIDE];
+        let rows = blocks.chunks(BLOCK).map(|block| &block[row % SIDE * SIDE..][..SIDE]);
+        for (out, four) in out[start..start + slot.size[0]].chunks_mut(SIDE).zip(rows) {
+            out.copy_from_slice(&four[..out.len()]);
+        }
+    }
+}

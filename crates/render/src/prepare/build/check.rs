@@ -1,0 +1,41 @@
+//! What must hold of a scene before it is prepared.
+
+use glanz_scene::{Background, LightKind, Scene};
+
+use crate::prepare::PrepareError;
+
+/// That a scene can be drawn: every index names something, and the background exists.
+pub(crate) fn check(scene: &Scene) -> Result<(), PrepareError> {
+    check_references(scene)?;
+    let environment = |light: &glanz_scene::Light| matches!(light.kind, LightKind::Environment { .. });
+    if scene.image.background == Background::Environment && !scene.lights.iter().any(environment) {
+        let what = "the background is 'environment', but no light of that kind is there".to_owned();
+        return Err(PrepareError::Scene { what });
+    }
+    Ok(())
+}
+
+/// Every index of the scene must name something.
+fn check_references(scene: &Scene) -> Result<(), PrepareError> {
+    for mesh in &scene.meshes {
+        mesh.validate().map_err(|source| PrepareError::Mesh { name: mesh.name.clone(), source })?;
+    }
+    let fail = |what: String| Err(PrepareError::Scene { what });
+    for object in &scene.objects {
+        if object.mesh >= scene.meshes.len() {
+            return fail(format!("object '{}' names mesh {}, which is not there", object.name, object.mesh));
+        }
+        if object.material >= scene.materials.len() {
+            let number = object.material;
+            return fail(format!("object '{}' names material {number}, which is not there", object.name));
+        }
+    }
+    for material in &scene.materials {
+        let maps =
+            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
+        if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
+            return fail(format!("material '{}' names a texture that is not there", material.name));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,62 @@
+//! Whether a mesh is a closed surface seen from outside.
+
+use std::collections::HashMap;
+
+use glanz_scene::Mesh;
+
+use crate::prepare::build::placed::Placed;
+
+/// Above this many triangles the answer is not sought: it would cost more than it saves.
+const MOST_TRIANGLES: usize = 4_000_000;
+
+/// Whether every edge is shared by two facets that run along it in opposite ways, with outward
+/// orientation. Back faces of such a mesh are never seen from outside its box.
+pub(crate) fn is_closed(mesh: &Mesh, placed: &Placed) -> bool {
+    let triangles = mesh.triangle_count();
+    if !(4..=MOST_TRIANGLES).contains(&triangles) || !signed_volume(mesh, placed) {
+        return false;
+    }
+    let points = weld(mesh);
+    let mut edges = Vec::with_capacity(triangles * 3);
+    for t in mesh.triangles() {
+        let t = t.map(|v| points[v as usize]);
+        if t[0] == t[1] || t[1] == t[2] || t[2] == t[0] {
+            continue;
+        }
+        edges.extend((0..3).map(|i| edge_key(t[i], t[(i + 1) % 3])));
+    }
+    edges.sort_unstable();
+    // Sorted by the undirected edge, then by direction: pairs of both directions, and nothing else.
+    edges.chunks(2).all(|pair| pair.len() == 2 && pair[0] >> 1 == pair[1] >> 1 && pair[0] != pair[1])
+        && edges.windows(3).all(|w| w[0] >> 1 != w[2] >> 1)
+}
+
+/// The edge's two points in order, then one bit for its direction.
+fn edge_key(from: u32, to: u32) -> u64 {
+    let (low, high) = (u64::from(from.min(to)), u64::from(from.max(to)));
+    (low << 32 | high) << 1 | u64::from(from > to)
+}
+
+/// For each vertex the number of its position; vertices at the same position share it.
+fn weld(mesh: &Mesh) -> Vec<u32> {
+    let mut numbers = HashMap::with_capacity(mesh.positions.len());
+    let mut points = Vec::with_capacity(mesh.positions.len());
+    for (i, p) in mesh.positions.iter().enumerate() {
+        // Adding zero turns −0 into 0.
+        let key = (*p + glam::Vec3::ZERO).to_array().map(f32::to_bits);
+        points.push(*numbers.entry(key).or_insert(i as u32));
+    }
+    points
+}
+
+/// Whether the volume that the facets enclose, counted with their orientation, is positive.
+fn signed_volume(mesh: &Mesh, placed: &Placed) -> bool {
+    let volume: f64 = mesh
+        .triangles()
+        .map(|t| {
+            let [a, b, c] = t.map(|v| placed.position(mesh.positions[v as usize]));
+            a.dot(b.cross(c))
+        })
+        .sum();
+    if placed.mirrored { volume < 0.0 } else { volume > 0.0 }
+}

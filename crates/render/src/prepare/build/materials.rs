@@ -1,0 +1,153 @@
+//! Materials with their rows of the tint table.
+
+use glanz_bsdf::{LightTerm, MODELS, ParamError, Shape, Side};
+use glanz_scene::{Lobe, Material, Tint};
+
+use crate::prepare::PrepareError;
+use crate::prepare::color::tint_coordinate::coordinate_of;
+use crate::prepare::color::tint_table::{Entry, Table, term_of};
+use crate::prepare::data::{DirectLobe, MixTints, PreparedMaterial, TintCoordinate};
+
+/// Fills a material's rows of the tint table.
+pub(crate) fn prepare(
+    material: &Material,
+    table: &Table,
+    model: Option<&str>,
+) -> Result<PreparedMaterial, PrepareError> {
+    let finite_through = material.transmittance.as_ref().is_none_or(glanz_scene::Transmittance::is_finite);
+    if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) || !finite_through {
+        let what = format!("material '{}': tints must be finite numbers", material.name);
+        return Err(PrepareError::Scene { what });
+    }
+    let direct = direct_lobes(material, model)?;
+    let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
+    let terms = Terms::new(material);
+    let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
+    // Light of its own that textures multiply rides along with the ambient light that they multiply.
+    add(&mut ambient[0], table.emission(&terms.textured_emission, None));
+    Ok(PreparedMaterial {
+        anisotropic: lobes.iter().any(|lobe| lobe.shape.is_anisotropic()),
+        transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
+        lobes,
+        tints: table.direct(&direct, None),
+        integrals: Vec::new(),
+        series: table.series(&direct),
+        ambient,
+        spot_ambient: spot_ambient(table, &terms),
+        emission: table.emission(&terms.emission, None),
+        mix: table.mixes_spectra().then(|| Box::new(mix_tints(table, &direct, &terms))),
+        two_sided: material.two_sided,
+        cull_back: material.cull_back,
+        base_color: material.base_color,
+        normal_map: material.normal_map,
+        emission_map: material.emission_map,
+        metal_rough_map: material.metal_rough_map,
+        aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
+        transmittance: material
+            .transmittance
+            .as_ref()
+            .map(|transmittance| table.transmittance(transmittance)),
+        alpha: material.alpha,
+        alpha_mode: material.alpha_mode,
+    })
+}
+
+/// The lobes for lights with a direction. A model without a highlight takes the highlights away rather
+/// than making matte lobes of them.
+fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&'a Lobe>, PrepareError> {
+    let target = model.map(glanz_bsdf::models::info_named).transpose()?;
+    let matte = target.is_some_and(|info| info.term != LightTerm::Specular);
+    let kept = |lobe: &&Lobe| match term_of(lobe) {
+        LightTerm::Diffuse => true,
+        LightTerm::Specular => !matte,
+        LightTerm::Ambient | LightTerm::Emission => false,
+    };
+    Ok(material.lobes.iter().filter(kept).collect())
+}
+
+fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
+    let term = term_of(lobe);
+    let shape = match model {
+        Some(name) if term == LightTerm::Specular => with_model(&lobe.shape, name)?,
+        _ => lobe.shape.clone(),
+    };
+    // A texel has no say in a tint that is a curve.
+    let coordinate = coordinate_of(lobe);
+    let textured = lobe.textured && coordinate == TintCoordinate::None;
+    Ok(DirectLobe {
+        shape,
+        term,
+        textured,
+        coordinate,
+        layers: lobe.layers.clone(),
+        metalness: lobe.metalness,
+    })
+}
+
+/// The tints of a material's lobes that no light with a direction touches.
+struct Terms<'a> {
+    textured_ambient: Vec<&'a Tint>,
+    plain_ambient: Vec<&'a Tint>,
+    textured_emission: Vec<&'a Tint>,
+    emission: Vec<&'a Tint>,
+}
+
+impl<'a> Terms<'a> {
+    fn new(material: &'a Material) -> Self {
+        let of = |term: LightTerm, textured: bool| {
+            let lobes = material.lobes.iter();
+            lobes.filter(|l| term_of(l) == term && l.textured == textured).map(|l| &l.tint).collect()
+        };
+        Self {
+            textured_ambient: of(LightTerm::Ambient, true),
+            plain_ambient: of(LightTerm::Ambient, false),
+            textured_emission: of(LightTerm::Emission, true),
+            emission: of(LightTerm::Emission, false),
+        }
+    }
+
+    fn ambient(&self, textured: bool) -> &[&'a Tint] {
+        if textured { &self.textured_ambient } else { &self.plain_ambient }
+    }
+}
+
+fn spot_ambient(table: &Table, terms: &Terms) -> Vec<[Entry; 2]> {
+    let textured = table.spot_ambient(terms.ambient(true), None);
+    let plain = table.spot_ambient(terms.ambient(false), None);
+    let rows: Vec<_> = textured.into_iter().zip(plain).map(|(t, p)| [t, p]).collect();
+    if rows.iter().any(|row| *row != [[0.0; 3]; 2]) { rows } else { Vec::new() }
+}
+
+fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
+    const BASIS: [Option<usize>; 3] = [Some(0), Some(1), Some(2)];
+    let by_entry = |columns: [Vec<Entry>; 3]| {
+        let [a, b, c] = columns;
+        a.into_iter().zip(b).zip(c).map(|((a, b), c)| [a, b, c]).collect()
+    };
+    MixTints {
+        tints: by_entry(BASIS.map(|b| table.direct(direct, b))),
+        ambient: BASIS.map(|b| {
+            let mut sum = table.ambient(terms.ambient(true), b);
+            add(&mut sum, table.emission(&terms.textured_emission, b));
+            sum
+        }),
+        spot_ambient: by_entry(BASIS.map(|b| table.spot_ambient(terms.ambient(true), b))),
+        emission: BASIS.map(|b| table.emission(&terms.emission, b)),
+    }
+}
+
+fn add(sum: &mut Entry, value: Entry) {
+    sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
+}
+
+/// `shape` with its model replaced by the one called `name`, keeping parameters of the same name.
+fn with_model(shape: &Shape, name: &str) -> Result<Shape, ParamError> {
+    let kept = shape.info().params.iter().zip(shape.params());
+    let target = glanz_bsdf::models::info_named(name)?;
+    let set: Vec<(&str, f64)> = kept
+        .filter(|(param, _)| target.params.iter().any(|p| p.name == param.name))
+        .map(|(param, value)| (param.name, value))
+        .collect();
+    debug_assert!(MODELS.iter().any(|info| info.name == target.name));
+    Shape::named(name, &set)
+}

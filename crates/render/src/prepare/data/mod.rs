@@ -1,0 +1,80 @@
+//! What a back end reads: plain arrays with public fields.
+//!
+//! | field of [`Prepared`] | layout |
+//! |---|---|
+//! | [`geometry`](Prepared::geometry) | clusters of triangles; vertices as arrays, relative to their object's anchor |
+//! | [`objects`](Prepared::objects) | a range of clusters, a material, an anchor in the world each |
+//! | [`materials`](Prepared::materials) | lobes, and rows of the tint table: entry `light · lobes + lobe` |
+//! | [`lights`](Prepared::lights) | geometry in the world; an environment is three lights of the table |
+//! | [`textures`](Prepared::textures) | mip levels of 8-bit codes with a table to decode them |
+//! | [`bvh`](Prepared::bvh) | the triangles that cast shadows, nodes and leaves in order |
+//!
+//! [`Prepared::pack`] lays all of it out in two pools of `u32` and `f32`, for upload.
+
+pub(crate) mod bvh;
+pub(crate) mod environment_map;
+pub(crate) mod geometry;
+pub(crate) mod intensity_grid;
+pub(crate) mod irradiance;
+pub(crate) mod lights;
+pub(crate) mod lobe_integrals;
+pub(crate) mod ltc;
+pub(crate) mod materials;
+pub(crate) mod mipmap;
+pub(crate) mod objects;
+pub(crate) mod tint_coordinate;
+
+use std::sync::Arc;
+
+use glanz_math::Chebyshev;
+use glanz_picture::Channels;
+
+pub use bvh::{Bvh, BvhNode};
+pub use environment_map::EnvironmentMap;
+pub use geometry::{CLUSTER_TRIANGLES, CLUSTER_VERTICES, Cluster, Geometry, VERTEX_ALIGN};
+pub use intensity_grid::IntensityGrid;
+pub use irradiance::{IRRADIANCE_TERMS, Irradiance};
+pub use lights::{EnvironmentLight, LightShape, PreparedLight, PreparedLuminaire};
+pub use lobe_integrals::{AreaIntegral, LobeIntegrals};
+pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
+pub use materials::{DirectLobe, MixTints, PreparedMaterial};
+pub use mipmap::{MipLevel, Mipmap};
+pub use objects::{Attributes, Facets, Polygons, PreparedObject};
+pub use tint_coordinate::TintCoordinate;
+
+use crate::prepare::source::Source;
+
+/// Three channels over a [coordinate](TintCoordinate), 0 … 1.
+pub type TintSeries = Chebyshev<f32, 3>;
+
+/// A scene as plain arrays, ready to draw from any camera.
+#[derive(Clone, Debug, Default)]
+pub struct Prepared {
+    /// The objects of the scene, in their order.
+    pub objects: Vec<PreparedObject>,
+    /// Vertices and triangles of all objects.
+    pub geometry: Arc<Geometry>,
+    /// Materials, each with its row of the tint table.
+    pub materials: Vec<PreparedMaterial>,
+    /// Lights that have a direction: all but ambient ones.
+    pub lights: Vec<PreparedLight>,
+    /// Decoded, mipmapped textures.
+    pub textures: Vec<Arc<Mipmap>>,
+    /// The number of facets of all objects.
+    pub facet_count: u32,
+    /// What each of the three spectra of the first environment gives in the channels, seen directly.
+    pub environment_tint: Option<[[f32; 3]; 3]>,
+    /// The triangles that cast shadows; none where nothing does.
+    pub bvh: Option<Arc<Bvh>>,
+    /// What the three channels of a frame are.
+    pub channels: Channels,
+    /// What the table was filled from, so that it can be filled anew.
+    pub(crate) source: Source,
+}
+
+impl Prepared {
+    /// The number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.geometry.triangle_count()
+    }
+}

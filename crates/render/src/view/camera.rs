@@ -1,0 +1,123 @@
+//! The view in single precision, relative to the eye.
+
+use glam::DVec3;
+use glanz_math::{Real, Vec3};
+use glanz_scene::Projection;
+
+use crate::prepare::Prepared;
+use crate::prepare::PreparedObject;
+use crate::view::View;
+use glanz_math::inline::inlined;
+
+/// Nearest visible distance, as a fraction of the greatest distance in the scene.
+const NEAR_FRACTION: f64 = 1e-5;
+
+/// The view in single precision. The eye is the origin, the axes are the world's.
+#[derive(Clone, Debug)]
+pub struct ViewCamera {
+    pub width: usize,
+    pub height: usize,
+    /// Centre of the picture, in pixels.
+    pub center: [f32; 2],
+    /// Pixels per metre at distance 1 (perspective) or everywhere (parallel), and its inverse.
+    pub scale: f32,
+    pub inverse_scale: f32,
+    pub axes: [DVec3; 3],
+    pub right: [f32; 3],
+    pub up: [f32; 3],
+    pub back: [f32; 3],
+    pub perspective: bool,
+    pub near: f32,
+    /// Range of distances in the scene, for the depth view.
+    pub range: [f32; 2],
+    pub position: DVec3,
+}
+
+impl ViewCamera {
+    pub fn new(prepared: &Prepared, view: &View) -> Self {
+        let [right, up, back] = view.axes;
+        let mut range = [f64::INFINITY, 0.0f64];
+        for object in &prepared.objects {
+            for corner in corners(object) {
+                let distance = -back.dot(DVec3::from_array(object.anchor) + corner - view.eye);
+                range = [range[0].min(distance), range[1].max(distance)];
+            }
+        }
+        let perspective = matches!(view.projection, Projection::Perspective { .. });
+        let near = if perspective { (range[1] * NEAR_FRACTION).max(1e-30) } else { 0.0 };
+        let scale = view.pixels_per_unit();
+        Self {
+            width: view.width as usize,
+            height: view.height as usize,
+            center: [view.width as f32 * 0.5, view.height as f32 * 0.5],
+            scale: scale as f32,
+            inverse_scale: (1.0 / scale) as f32,
+            axes: view.axes,
+            right: right.as_vec3().to_array(),
+            up: up.as_vec3().to_array(),
+            back: back.as_vec3().to_array(),
+            perspective,
+            near: near as f32,
+            range: [range[0].max(near) as f32, range[1].max(near) as f32],
+            position: view.eye,
+        }
+    }
+
+    /// The object's anchor along right, up and away from the eye.
+    pub fn anchor(&self, object: &PreparedObject) -> [f32; 3] {
+        let offset = DVec3::from_array(object.anchor) - self.position;
+        let [right, up, back] = self.axes;
+        [right.dot(offset) as f32, up.dot(offset) as f32, -back.dot(offset) as f32]
+    }
+
+    /// The object's anchor relative to the eye, along world axes.
+    pub fn offset(&self, object: &PreparedObject) -> Vec3<f32> {
+        let offset = (DVec3::from_array(object.anchor) - self.position).as_vec3();
+        Vec3::new(offset.x, offset.y, offset.z)
+    }
+
+    /// Whether the eye is outside the box of the object, so that a closed one shows no back face.
+    pub fn is_outside(&self, object: &PreparedObject) -> bool {
+        let camera = self.position - DVec3::from_array(object.anchor);
+        let [low, high] = object.bounds.map(DVec3::from_array);
+        let size = high - low;
+        let margin = DVec3::splat(size.length() * 1e-3 + f64::from(self.near) * 2.0);
+        if !self.perspective {
+            return corners(object).all(|c| -self.axes[2].dot(c - camera) > 0.0);
+        }
+        !(camera.cmpge(low - margin).all() && camera.cmple(high + margin).all())
+    }
+
+    /// The surface point and the unit vector to the viewer for a pixel position and a distance.
+    #[inline(always)]
+    pub fn unproject<R: Real>(&self, px: R, py: R, distance: R) -> (Vec3<R>, Vec3<R>) {
+        let x = (px - px.lit(f64::from(self.center[0]))) * px.lit(f64::from(self.inverse_scale));
+        let y = (px.lit(f64::from(self.center[1])) - py) * px.lit(f64::from(self.inverse_scale));
+        let axis = inlined(
+            #[inline(always)]
+            |a: &[f32; 3]| {
+                Vec3::new(px.lit(f64::from(a[0])), px.lit(f64::from(a[1])), px.lit(f64::from(a[2])))
+            },
+        );
+        let across = axis(&self.right) * x + axis(&self.up) * y;
+        let back = axis(&self.back);
+        if self.perspective {
+            let ray = across - back;
+            (ray * distance, (-ray).normalized())
+        } else {
+            (across - back * distance, back)
+        }
+    }
+}
+
+/// The corners of an object's box relative to its anchor.
+fn corners(object: &PreparedObject) -> impl Iterator<Item = DVec3> {
+    let [low, high] = object.bounds.map(DVec3::from_array);
+    (0..8).map(move |i| {
+        DVec3::new(
+            if i & 1 == 0 { low.x } else { high.x },
+            if i & 2 == 0 { low.y } else { high.y },
+            if i & 4 == 0 { low.z } else { high.z },
+        )
+    })
+}

@@ -1,0 +1,186 @@
+//! The lights in single precision, relative to the eye.
+
+use glam::{DMat3, DVec3, Mat3};
+use glanz_math::{Real, Vec3};
+use glanz_scene::{AreaShape, Space};
+
+use crate::prepare::Prepared;
+use crate::prepare::{Bvh, EnvironmentLight, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire};
+use crate::view::DrawOptions;
+use crate::view::camera::ViewCamera;
+
+/// The lights of a frame.
+pub struct ViewLights<'a> {
+    pub list: Vec<ViewLight<'a>>,
+    /// What casts shadows.
+    pub bvh: Option<ViewBvh<'a>>,
+}
+
+/// What casts shadows, as seen from the eye.
+#[derive(Clone, Copy)]
+pub struct ViewBvh<'a> {
+    pub bvh: &'a Bvh,
+    /// Where the eye is among it.
+    pub camera: [f32; 3],
+    /// How far a pixel may be off the surface, in m, and what a metre of distance adds to it: at an edge a pixel of
+    /// several samples is shaded at its centre, where its triangle may have ended.
+    pub pixel: [f32; 2],
+}
+
+/// From the centre of a pixel to its corner, in pixels, and a little more.
+const HALF_DIAGONAL: f32 = 0.75;
+
+/// A cone, in single precision.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewCone {
+    pub axis: [f32; 3],
+    pub cos_cutoff: f32,
+    pub exponent: f32,
+    /// Outer cosine and 1 / (inner − outer).
+    pub smooth_edge: Option<[f32; 2]>,
+}
+
+/// What a luminaire sends into each direction.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewLuminaire<'a> {
+    pub intensities: &'a IntensityGrid,
+    /// Rows: C 0°, C 90°, γ 0°.
+    pub frame: [[f32; 3]; 3],
+}
+
+/// A surface that shines.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewArea {
+    pub form: AreaShape,
+    pub center: [f32; 3],
+    /// TintCoordinate its width, its height and the way it faces.
+    pub axes: [[f32; 3]; 3],
+    pub two_sided: bool,
+}
+
+/// A light relative to the eye, along world axes.
+#[derive(Clone, Copy, Debug)]
+pub enum ViewLight<'a> {
+    Directional {
+        towards: [f32; 3],
+    },
+    Point {
+        position: [f32; 3],
+        /// The factors of 1, d and d² in the denominator by which it fades; none where it does not.
+        attenuation: Option<[f32; 3]>,
+        cone: Option<ViewCone>,
+        luminaire: Option<ViewLuminaire<'a>>,
+    },
+    Area(ViewArea),
+    Environment {
+        environment: &'a EnvironmentLight,
+        /// Its number among the surroundings of the scene.
+        number: usize,
+        /// Rows of the rotation into its own directions.
+        to_map: [[f32; 3]; 3],
+    },
+}
+
+impl<'a> ViewLights<'a> {
+    pub fn new(prepared: &'a Prepared, camera: &ViewCamera, options: &DrawOptions) -> Self {
+        let mut number = 0;
+        let list: Vec<_> = prepared
+            .lights
+            .iter()
+            .map(|light| {
+                let own = ViewLight::new(light, camera, number);
+                number += usize::from(matches!(own, ViewLight::Environment { .. }));
+                own
+            })
+            .collect();
+        let bvh = prepared.bvh.as_deref();
+        // Where each sample is shaded by itself, or is the centre, it is on its own triangle.
+        let beside = options.samples > 1 && !options.supersample;
+        let scale = if beside { camera.inverse_scale * HALF_DIAGONAL } else { 0.0 };
+        let bvh = bvh.map(|bvh| ViewBvh {
+            bvh,
+            camera: (camera.position - DVec3::from_array(bvh.center)).as_vec3().to_array(),
+            pixel: if camera.perspective { [0.0, scale] } else { [scale, 0.0] },
+        });
+        Self { list, bvh }
+    }
+
+    /// The surroundings that are seen behind everything: the first.
+    pub fn environment(&self) -> Option<&ViewLight<'a>> {
+        self.list.iter().find(|light| matches!(light, ViewLight::Environment { .. }))
+    }
+}
+
+impl<'a> ViewLight<'a> {
+    fn new(light: &'a PreparedLight, camera: &ViewCamera, number: usize) -> Self {
+        let direction = |d: DVec3| match light.space {
+            Space::World => d,
+            Space::Camera => camera.axes[0] * d.x + camera.axes[1] * d.y + camera.axes[2] * d.z,
+        };
+        let point = |p: DVec3| match light.space {
+            Space::World => p - camera.position,
+            Space::Camera => direction(p),
+        };
+        let array = |v: DVec3| v.as_vec3().to_array();
+        let luminaire = light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| {
+            ViewLuminaire { intensities, frame: frame.map(|axis| array(direction(DVec3::from_array(axis)))) }
+        });
+        match &light.shape {
+            LightShape::Directional { towards } => {
+                Self::Directional { towards: array(direction(DVec3::from_array(*towards))) }
+            }
+            LightShape::Point { position, attenuation } => Self::Point {
+                position: array(point(DVec3::from_array(*position))),
+                attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
+                cone: None,
+                luminaire,
+            },
+            LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, attenuation } => {
+                Self::Point {
+                    position: array(point(DVec3::from_array(*position))),
+                    attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
+                    cone: Some(ViewCone {
+                        axis: array(direction(DVec3::from_array(*axis))),
+                        cos_cutoff: *cos_cutoff as f32,
+                        exponent: *exponent as f32,
+                        smooth_edge: smooth_edge
+                            .map(|(inner, outer)| [outer as f32, (1.0 / (inner - outer).max(1e-6)) as f32]),
+                    }),
+                    luminaire,
+                }
+            }
+            LightShape::Area { form, position, axes, two_sided } => Self::Area(ViewArea {
+                form: *form,
+                center: array(point(DVec3::from_array(*position))),
+                axes: axes.map(|axis| array(direction(DVec3::from_array(axis)))),
+                two_sided: *two_sided,
+            }),
+            LightShape::Environment(environment) => {
+                let world = DMat3::from_cols_array_2d(
+                    &[DVec3::X, DVec3::Y, DVec3::Z].map(|axis| direction(axis).to_array()),
+                );
+                // The rows of the inverse of a rotation are its columns.
+                let rotation: Mat3 = (world * DMat3::from_cols_array_2d(&environment.rotation)).as_mat3();
+                Self::Environment { environment, number, to_map: rotation.to_cols_array_2d() }
+            }
+        }
+    }
+
+    /// How many lights of the tint table it is.
+    #[inline(always)]
+    pub fn rows(&self) -> usize {
+        if matches!(self, Self::Environment { .. }) { 3 } else { 1 }
+    }
+}
+
+/// A vector of three constants.
+#[inline(always)]
+pub fn splat<R: Real>(like: R, v: &[f32; 3]) -> Vec3<R> {
+    Vec3::new(like.lit(f64::from(v[0])), like.lit(f64::from(v[1])), like.lit(f64::from(v[2])))
+}
+
+/// A vector along other axes.
+#[inline(always)]
+pub fn turned<R: Real>(rows: &[[f32; 3]; 3], v: Vec3<R>) -> Vec3<R> {
+    Vec3::new(v.dot(splat(v.x, &rows[0])), v.dot(splat(v.x, &rows[1])), v.dot(splat(v.x, &rows[2])))
+}

@@ -1,0 +1,42 @@
+//! How the objects of a scene take part in a frame.
+
+use glanz_scene::AlphaMode;
+
+use super::camera::ViewCamera;
+use crate::prepare::{PreparedMaterial, PreparedObject};
+
+/// How a triangle of an object takes part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pass {
+    /// Hides what is behind it.
+    Opaque,
+    /// Hides where its texture is opaque enough.
+    Masked,
+    /// Lets through what is behind it.
+    Blended,
+}
+
+/// An object seen from the camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewObject {
+    /// How its triangles take part.
+    pub pass: Pass,
+    /// Whether back faces can be dropped: nobody sees them, or the material asks for it.
+    pub cull_back: bool,
+    /// The object's anchor along right, up and away from the camera.
+    pub anchor: [f32; 3],
+}
+
+impl ViewObject {
+    /// An object of this material.
+    pub fn new(object: &PreparedObject, material: &PreparedMaterial, camera: &ViewCamera) -> Self {
+        let pass = match material.alpha_mode {
+            _ if material.transmittance.is_some() => Pass::Blended,
+            AlphaMode::Opaque => Pass::Opaque,
+            AlphaMode::Mask { .. } => Pass::Masked,
+            AlphaMode::Blend => Pass::Blended,
+        };
+        let hidden = object.closed && pass == Pass::Opaque && camera.is_outside(object);
+        Self { pass, cull_back: material.cull_back || hidden, anchor: camera.anchor(object) }
+    }
+}

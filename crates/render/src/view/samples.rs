@@ -1,0 +1,67 @@
+//! Where the coverage samples of a pixel are.
+
+/// Subpixel steps per pixel.
+pub const SUBPIXEL: i32 = 256;
+
+/// Sample positions within the pixel, in 1/256 of it, for 1, 2, 4, 8 or 16 samples.
+///
+/// The patterns are those that graphics hardware uses (Direct3D 11 standard sample positions): no two
+/// samples share a row or column. One sample is at the centre.
+pub fn positions(samples: u32) -> &'static [[i32; 2]] {
+    match samples {
+        2 => &TWO,
+        4 => &FOUR,
+        8 => &EIGHT,
+        16 => &SIXTEEN,
+        _ => &ONE,
+    }
+}
+
+/// A position given in sixteenths from the centre.
+const fn at(x: i32, y: i32) -> [i32; 2] {
+    [(x + 8) * 16, (y + 8) * 16]
+}
+
+const ONE: [[i32; 2]; 1] = [at(0, 0)];
+const TWO: [[i32; 2]; 2] = [at(4, 4), at(-4, -4)];
+const FOUR: [[i32; 2]; 4] = [at(-2, -6), at(6, -2), at(-6, 2), at(2, 6)];
+const EIGHT: [[i32; 2]; 8] =
+    [at(1, -3), at(-1, 3), at(5, 1), at(-3, -5), at(-5, 5), at(-7, -1), at(3, 7), at(7, -7)];
+const SIXTEEN: [[i32; 2]; 16] = [
+    at(1, 1),
+    at(-1, -3),
+    at(-3, 2),
+    at(4, -1),
+    at(-5, -2),
+    at(2, 5),
+    at(5, 3),
+    at(3, -5),
+    at(-2, 6),
+    at(0, -7),
+    at(-4, -6),
+    at(-6, 4),
+    at(-8, 0),
+    at(7, -4),
+    at(6, 7),
+    at(-7, -8),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_of_a_pixel_share_no_row_and_no_column() {
+        for count in [1, 2, 4, 8, 16] {
+            let positions = positions(count);
+            assert_eq!(positions.len(), count as usize);
+            for axis in 0..2 {
+                let mut seen: Vec<i32> = positions.iter().map(|p| p[axis]).collect();
+                seen.sort_unstable();
+                seen.dedup();
+                assert_eq!(seen.len(), count as usize);
+                assert!(seen.iter().all(|p| (0..SUBPIXEL).contains(p)));
+            }
+        }
+    }
+}
