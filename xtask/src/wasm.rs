@@ -6,8 +6,7 @@ use crate::steps::Outcome;
 use crate::workspace::{Workspace, run, run_quietly, works};
 
 /// The crates that know no window and no terminal.
-const LIBRARIES: &str =
-    "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-scene -p glanz-render -p glanz";
+const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-plot -p glanz-scene -p glanz-render -p glanz";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 

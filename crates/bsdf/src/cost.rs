@@ -90,6 +90,9 @@ impl Real for Counted {
     fn exp2(self) -> Self {
         Self::after(EXP2, libm::exp2(self.0))
     }
+    fn exp2_above_floor(self) -> Self {
+        self.exp2()
+    }
     fn to_array(self) -> [f32; 16] {
         [self.0 as f32; 16]
     }

@@ -7,12 +7,12 @@ use glanz_picture::output::{
     Animation, Effort, Format, Metadata, OutputError, write_apng, write_atomically, write_exr, write_gif,
     write_png8, write_png16,
 };
+use glanz_plot::Canvas;
 
 use super::args::Target;
-use super::canvas::Canvas;
-use super::failure::Failure;
 use super::pipeline::{Picture, Plan};
 use super::print;
+use super::print::failure::Failure;
 
 /// How long a picture alone is shown in a format that moves.
 const STILL_MS: u32 = 1000;

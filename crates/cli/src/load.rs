@@ -10,7 +10,7 @@ use glanz_scene::read::{ReadError, ReadOptions, read_model};
 use glanz_scene::{Camera, Scene, add_default_lights};
 
 use super::args::{CameraArgs, InputArgs, choices};
-use super::failure::{Failure, Report, without_number};
+use super::print::failure::{Failure, Report, without_number};
 
 /// The material that `--set` describes for a bare model: the one of objects that name none.
 const MODEL_MATERIAL: &str =

@@ -2,32 +2,14 @@
 //! well, 1 when the work failed, 2 when the command line makes no sense.
 
 mod args;
-mod canvas;
-mod colors;
 mod commands;
-mod csv;
-mod delta;
-mod difference;
-mod efficiency;
 mod encode;
-mod failure;
 mod frames;
-mod grid;
-mod heat_sheet;
-mod judge;
+mod input;
 mod load;
-mod lobes;
 mod pipeline;
-mod plot;
-mod preview;
 mod print;
 mod progress;
-mod sheet;
-mod spectra;
-mod summary;
-mod thresholds;
-mod timings;
-mod vary;
 
 use std::process::ExitCode;
 

@@ -2,18 +2,18 @@
 
 use glanz_color::exr::SpectralImage;
 use glanz_math::SimdLevel;
+use glanz_picture::compare::frames::Developed;
 use glanz_picture::{Develop, Frame, develop};
+use glanz_plot::Canvas;
 use glanz_render::{Aovs, Shot, ShotError, ShotOptions, View, takes_several_frames};
 use glanz_scene::{Camera, Scene, Shading, White};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
-use super::canvas::Canvas;
-use super::difference::Developed;
-use super::failure::Failure;
 use super::frames::turned;
 use super::load::Input;
+use super::print::failure::Failure;
+use super::print::timings::{Stage, Timings};
 use super::progress::Progress;
-use super::timings::{Stage, Timings};
 
 /// What is kept of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

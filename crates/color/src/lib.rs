@@ -5,10 +5,13 @@
 //! so that numbers are the same on every machine.
 
 pub mod adaptation;
+mod catalog;
 pub mod chromaticity;
+pub mod colorimetry;
 pub mod cri;
 pub mod difference;
 pub mod dominant;
+pub mod efficiency;
 #[cfg(feature = "exr")]
 pub mod exr;
 mod fluorescent;
@@ -39,6 +42,7 @@ pub mod upsample;
 pub mod write;
 
 pub use adaptation::{Adaptation, AdaptationError};
+pub use catalog::{CatalogSpectrum, SpectrumKind, catalog_spectrum};
 pub use fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};

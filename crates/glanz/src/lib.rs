@@ -9,6 +9,7 @@
 //! | [`color`] | spectra, light sources, observers, surfaces, colour models and their differences |
 //! | [`bsdf`] | the shapes of reflection lobes, from one list of models |
 //! | [`picture`] | linear frames, development, picture files, comparison |
+//! | [`plot`] | plots of lobes, spectra and colours, contact sheets: SVG, PNG, CSV |
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels: prepare, view, back ends |
 
@@ -16,5 +17,6 @@ pub use glanz_bsdf as bsdf;
 pub use glanz_color as color;
 pub use glanz_math as math;
 pub use glanz_picture as picture;
+pub use glanz_plot as plot;
 pub use glanz_render as render;
 pub use glanz_scene as scene;

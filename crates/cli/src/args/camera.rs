@@ -4,9 +4,9 @@ use clap::Args;
 use glam::DVec3;
 use glanz_scene::{Camera, Projection};
 
-use super::super::failure::Failure;
-use super::super::load::Input;
 use super::values;
+use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Another camera than the scene's.
 #[derive(Args, Clone, Debug, Default)]
@@ -16,15 +16,15 @@ pub struct CameraArgs {
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
 
-    /// Where the eye is
+    /// Position of the camera
     #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
     pub eye: Option<[f64; 3]>,
 
-    /// What is in the middle of the picture
+    /// The point in the middle of the picture
     #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
     pub target: Option<[f64; 3]>,
 
-    /// Which direction is upright
+    /// The up direction
     #[arg(long, value_name = "X,Y,Z", value_parser = values::triple, allow_hyphen_values = true)]
     pub up: Option<[f64; 3]>,
 

@@ -1,12 +1,12 @@
-//! How colour is treated, and who looks.
+//! Colour mode, observer and white.
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glanz_render::{DebugView, Observation};
 use glanz_scene::{ColorMode, Scene, White};
 
-use super::super::failure::Failure;
-use super::super::spectra::observer_source;
+use crate::input::spectra::observer_source;
+use crate::print::failure::Failure;
 
 /// Colour otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
@@ -17,7 +17,7 @@ pub struct ColorArgs {
     #[arg(long, value_name = "MODE", value_parser = |text: &str| text.parse::<ColorMode>())]
     pub mode: Option<ColorMode>,
 
-    /// Who looks, in spectral modes: a name from `glanz color list observers`, or a CSV file with the
+    /// The observer, in spectral modes: a name from `glanz color list observers`, or a CSV file with the
     /// curves of a sensor [default: the scene's, else cie1931]
     #[arg(long, value_name = "NAME")]
     pub observer: Option<String>,

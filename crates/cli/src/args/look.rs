@@ -34,7 +34,7 @@ pub struct LookArgs {
     #[arg(long, value_name = "VIEW", value_parser = choices::show())]
     pub show: Option<DebugView>,
 
-    /// What is where nothing is: #rrggbb, linear r,g,b, or transparent
+    /// The background: #rrggbb, linear r,g,b, or transparent
     #[arg(long, value_name = "COLOR", value_parser = values::background)]
     pub background: Option<Background>,
 

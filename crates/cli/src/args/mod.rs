@@ -19,7 +19,7 @@ pub use values::{angles, assignment, numbers, size};
 
 use clap::Args;
 
-use super::failure::Failure;
+use crate::print::failure::Failure;
 
 /// How large the picture is.
 #[derive(Args, Clone, Copy, Debug)]

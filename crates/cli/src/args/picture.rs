@@ -3,9 +3,9 @@
 use clap::{Args, ValueEnum};
 use glanz_render::{Develop, ToneMap};
 
-use super::super::failure::Failure;
-use super::super::load::Input;
 use super::choices;
+use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Bits per channel of a PNG.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -27,7 +27,7 @@ pub struct DevelopArgs {
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     pub ev: Option<f32>,
 
-    /// How what is too bright for a screen is compressed
+    /// Tone mapping: how light above the white of the screen is compressed
     #[arg(long, value_name = "NAME", value_parser = choices::tone_map())]
     pub tone_map: Option<ToneMap>,
 

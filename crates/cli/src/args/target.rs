@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 
-use super::super::failure::{Failure, Report};
+use crate::print::failure::{Failure, Report};
 
 /// Where the picture goes.
 #[derive(Args, Clone, Debug)]

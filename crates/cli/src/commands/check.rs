@@ -1,14 +1,15 @@
-//! `glanz check`: the health certificate of models.
+//! `glanz check`: the certificate of models.
 
 use clap::Args;
 use glanz_bsdf::MODELS;
 use glanz_bsdf::laws::{Certificate, Finding, Verdict, certify};
+use glanz_plot::Lobe;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::args::MachineArgs;
-use crate::failure::{Failure, Report};
-use crate::lobes::{Case, SetArgs, model_names};
+use crate::input::lobes::{SetArgs, model_names};
+use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.
@@ -46,24 +47,24 @@ impl CheckArgs {
     /// Looks at every combination, and prints what is found.
     pub fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
-        let cases = match self.all {
-            true => self.set.cases(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
-            false => self.set.cases(&self.models)?,
+        let lobes = match self.all {
+            true => self.set.lobes(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
+            false => self.set.lobes(&self.models)?,
         };
-        let certificates: Vec<_> = cases.par_iter().map(|case| certify(&case.shape)).collect();
+        let certificates: Vec<_> = lobes.par_iter().map(|lobe| certify(&lobe.shape)).collect();
         match self.format.is_json() {
             true => print::json(&certificates.iter().map(describe).collect())?,
-            false => print::text(&table(&cases, &certificates))?,
+            false => print::text(&table(&lobes, &certificates))?,
         }
-        verdict(&cases, &certificates)
+        verdict(&lobes, &certificates)
     }
 }
 
 /// The label of each case and its certificate, with an empty line between them.
-fn table(cases: &[Case], certificates: &[Certificate]) -> String {
-    let blocks = cases.iter().zip(certificates);
+fn table(lobes: &[Lobe], certificates: &[Certificate]) -> String {
+    let blocks = lobes.iter().zip(certificates);
     blocks
-        .map(|(case, certificate)| format!("{}\n{certificate}\n", case.label))
+        .map(|(lobe, certificate)| format!("{}\n{certificate}\n", lobe.label))
         .collect::<Vec<_>>()
         .join("\n")
 }
@@ -92,13 +93,13 @@ fn describe(certificate: &Certificate) -> Value {
 }
 
 /// The failure that names what is broken, if anything is.
-fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> {
-    let broken: Vec<_> = cases
+fn verdict(lobes: &[Lobe], certificates: &[Certificate]) -> Result<(), Failure> {
+    let broken: Vec<_> = lobes
         .iter()
         .zip(certificates)
-        .flat_map(|(case, certificate)| {
+        .flat_map(|(lobe, certificate)| {
             let findings = certificate.findings.iter().filter(|finding| finding.is_broken());
-            findings.map(move |finding| (case, finding))
+            findings.map(move |finding| (lobe, finding))
         })
         .collect();
     if broken.is_empty() {
@@ -107,9 +108,9 @@ fn verdict(cases: &[Case], certificates: &[Certificate]) -> Result<(), Failure> 
     let unknown = |finding: &Finding| matches!(finding.verdict, Verdict::Broken { known: None });
     let names: Vec<_> = broken
         .iter()
-        .map(|(case, finding)| {
+        .map(|(lobe, finding)| {
             let known = if unknown(finding) { "" } else { " (known)" };
-            format!("{} of {}{known}", finding.law.name(), case.label)
+            format!("{} of {}{known}", finding.law.name(), lobe.label)
         })
         .collect();
     let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };

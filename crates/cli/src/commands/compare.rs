@@ -1,52 +1,76 @@
-//! `glanz shade-compare`: flat, Gouraud and Phong shading side by side, and how far apart they are.
+//! `glanz compare`: how far two picture files are apart.
 
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
-use clap::Args;
-use glanz_scene::Shading;
-use serde_json::json;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueHint};
+use glanz_picture::compare::{
+    CompareError, DEFAULT_PPD, Measurement, Metric, MetricOptions, PPD_RANGE, Pair, Picture as PictureFile,
+    Scale, read_picture,
+};
+use glanz_picture::output::Metadata;
+use glanz_plot::heat_map_sheet;
+use serde_json::{Value, json};
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::canvas::Canvas;
-use crate::difference::{Developed, Difference};
+use crate::args::{MachineArgs, Target, TargetArgs};
 use crate::encode;
-use crate::failure::Failure;
-use crate::pipeline::{self, Picture, Plan};
-use crate::print::{self, Format, FormatArgs};
+use crate::input::thresholds::{Statistic, Threshold, is_spread};
+use crate::pipeline::Picture;
+use crate::print::failure::{Failure, Report, without_number};
+use crate::print::{self, Format, FormatArgs, number};
 use crate::progress::Progress;
-use crate::sheet::Sheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
 Examples:
-  glanz shade-compare scene.toml -o three.png
-  glanz shade-compare model.glb --size 400x400 --format json
+  glanz compare a.png b.png
+  glanz compare reference.exr b.exr -o errors.png --metric de2000,flip
+  glanz compare golden.png new.png --fail-above de2000=0.5,flip.max=0.2 --fail-below ssim=0.99
 
-Only pixels that show a surface count. Linear values are those before exposure and tone mapping,
-codes are the 8-bit values of the picture, ΔE76 is the colour difference of the codes in CIELAB.";
+Two OpenEXR files are compared as linear light without bounds: rmse and psnr are those of
+light, ssim is left out, flip looks at several exposures (HDR-FLIP). A PNG holds sRGB codes;
+beside one, and with --as-shown, light is clipped to what a screen shows, and rmse, psnr and
+ssim are those of sRGB codes from 0 to 1. The peak of psnr is 1. Pictures are laid over black.
 
-/// The shadings, from the crudest to the one that the others are compared with.
-const SHADINGS: [(Shading, &str, &str); 3] = [
-    (Shading::Flat, "flat", "flat"),
-    (Shading::Gouraud, "gouraud", "Gouraud"),
-    (Shading::Phong, "phong", "Phong"),
-];
+The value of de2000, flip and ssim is the mean; de2000, flip and rmse also have .mean, .median,
+.p95 and .max over the pixels. The exit code is 1 when a bound is broken.";
 
-/// Options of `glanz shade-compare`.
+/// Options of `glanz compare`.
 #[derive(Args, Debug)]
 pub struct CompareArgs {
-    #[command(flatten)]
-    input: InputArgs,
-    #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    size: SizeArgs,
-    #[command(flatten)]
-    look: LookArgs,
-    #[command(flatten)]
-    camera: CameraArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
+    /// The picture that the other is compared with (.png, .exr)
+    #[arg(value_name = "REFERENCE", value_hint = ValueHint::FilePath)]
+    reference: PathBuf,
+
+    /// The other picture, of the same size (.png, .exr)
+    #[arg(value_name = "PICTURE", value_hint = ValueHint::FilePath)]
+    test: PathBuf,
+
+    /// What is measured, separated by commas [default: all that apply]
+    #[arg(long, value_name = "METRICS", value_delimiter = ',', value_parser = metric())]
+    metric: Vec<Metric>,
+
+    /// Pixels per degree of the field of view, for flip
+    #[arg(long, value_name = "PIXELS", default_value_t = DEFAULT_PPD, value_parser = pixels_per_degree)]
+    ppd: f64,
+
+    /// Compare light as a screen shows it too: clipped, as sRGB codes
+    #[arg(long)]
+    as_shown: bool,
+
+    /// Fail above this: METRIC=LIMIT or METRIC.STATISTIC=LIMIT, separated by commas; may be repeated
+    #[arg(long, value_name = "BOUNDS", value_delimiter = ',', value_parser = Threshold::above)]
+    fail_above: Vec<Threshold>,
+
+    /// Fail below this, for psnr and ssim; may be repeated
+    #[arg(long, value_name = "BOUNDS", value_delimiter = ',', value_parser = Threshold::below)]
+    fail_below: Vec<Threshold>,
+
+    /// A PNG with both pictures and a map of errors for every metric; - for stdout
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
+    output: Option<PathBuf>,
+
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
@@ -54,92 +78,206 @@ pub struct CompareArgs {
 }
 
 impl CompareArgs {
-    /// Draws and measures.
+    /// Measures.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.look.shading.is_some() {
-            let message = "--shading has no place here: all three shadings are drawn";
-            return Err(Failure::Usage(message.to_owned()));
-        }
         self.machine.apply()?;
-        let target = self.target.resolve(&self.input.input, "_shading.png")?;
-        encode::expect_png(&target, "a comparison")?;
-        let input = self.input.load(Some(&self.camera), &[])?;
-        print::notes(&self.input.input, &input.notes);
-        let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let mut pictures = Vec::with_capacity(SHADINGS.len());
-        let mut progress = Progress::new(SHADINGS.len(), "pictures");
-        for (shading, _, _) in SHADINGS {
-            let mut shot = plan.shot_shaded(&input.scene, shading)?;
-            pictures.push(pipeline::developed(&mut shot, &mut progress)?);
+        let target = self.target()?;
+        let pair = self.pair()?;
+        let measured = self.measure(&pair)?;
+        if let Some(target) = &target {
+            let sheet = heat_map_sheet(&pair, self.titles(), &measured)?;
+            encode::deliver(Picture::Codes8(sheet), target, &Metadata::default())?;
+        }
+        self.tell(target.as_ref(), &pair, &measured)?;
+        let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();
+        match broken.is_empty() {
+            true => Ok(()),
+            false => Err(Failure::new(format_args!("the pictures differ too much: {}", broken.join("; ")))),
+        }
+    }
+
+    fn bounds(&self) -> impl Iterator<Item = &Threshold> {
+        self.fail_above.iter().chain(&self.fail_below)
+    }
+
+    /// Where the sheet goes, checked before any work is done.
+    fn target(&self) -> Result<Option<Target>, Failure> {
+        let Some(path) = &self.output else {
+            return Ok(None);
+        };
+        let target = TargetArgs { output: Some(path.clone()), force: false }.resolve(path, "")?;
+        encode::expect_png(&target, "a map of errors")?;
+        let real = |path: &Path| std::fs::canonicalize(path).ok();
+        for input in [&self.reference, &self.test] {
+            if real(path).is_some_and(|path| real(input) == Some(path)) {
+                let message =
+                    format!("the map of errors would replace '{}', which is compared", input.display());
+                return Err(Failure::Usage(message));
+            }
+        }
+        Ok(Some(target))
+    }
+
+    fn pair(&self) -> Result<Pair, Failure> {
+        let read = |path: &Path| -> Result<PictureFile, Failure> {
+            let picture =
+                read_picture(path).map_err(|error| Failure::new(without_number(&error.to_string())))?;
+            for note in &picture.notes {
+                print::note(format_args!("note: {}: {note}", path.display()));
+            }
+            Ok(picture)
+        };
+        let (reference, test) = (read(&self.reference)?, read(&self.test)?);
+        Pair::new(reference, test, self.as_shown).map_err(Failure::new)
+    }
+
+    /// The metrics that were asked for and those that have a bound, else all that apply, in one order.
+    fn measure(&self, pair: &Pair) -> Result<Vec<Measurement>, Failure> {
+        let mut asked: Vec<Metric> =
+            if self.metric.is_empty() { pair.metrics().collect() } else { self.metric.clone() };
+        asked.extend(self.bounds().map(|bound| bound.metric));
+        let metrics: Vec<_> = Metric::ALL.into_iter().filter(|metric| asked.contains(metric)).collect();
+        let options = MetricOptions { ppd: self.ppd };
+        let mut progress = Progress::new(metrics.len(), "metrics");
+        let mut measured = Vec::with_capacity(metrics.len());
+        for metric in metrics {
+            measured.push(pair.measure(metric, &options).map_err(|error| self.failure(metric, error))?);
             progress.step();
         }
-        drop(progress);
-        let phong = pictures.last().expect("three pictures were drawn");
-        let differences: Vec<_> =
-            pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();
-        let sheet = Picture::Codes8(side_by_side(&pictures, &differences)?);
-        encode::deliver(sheet, &target, &encode::metadata(input.hash))?;
-        if let Target::File(path) = &target {
-            print::note(format_args!("wrote {}", path.display()));
-        }
-        self.tell(&target, &differences)
+        Ok(measured)
     }
 
-    fn tell(&self, target: &Target, differences: &[Difference]) -> Result<(), Failure> {
-        let Target::File(path) = target else {
-            print::note(table(differences).trim_end());
-            return Ok(());
-        };
-        if self.format.format == Format::Text {
-            return print::text(&table(differences));
-        }
-        let named = SHADINGS.iter().zip(differences);
-        let numbers: serde_json::Map<_, _> =
-            named.map(|((_, name, _), difference)| ((*name).to_owned(), difference.json())).collect();
-        print::json(&json!({ "file": path.display().to_string(), "to": "phong", "difference": numbers }))
+    fn failure(&self, metric: Metric, error: CompareError) -> Failure {
+        let report = Report::new(error);
+        report.help(format_args!("leave out {}, or add --as-shown", metric.name())).into()
     }
-}
 
-/// The numbers for people.
-fn table(differences: &[Difference]) -> String {
-    let pixels = differences.first().map_or(0, |difference| difference.pixels);
-    let mut text = format!("difference to Phong shading, over the {pixels} pixels that show a surface\n");
-    text.push_str("          linear RMSE   linear max   codes RMSE   codes max   mean ΔE76\n");
-    for ((_, _, title), difference) in SHADINGS.iter().zip(differences) {
-        let Difference { rmse_linear, max_linear, rmse_codes, max_codes, mean_delta_e, .. } = difference;
-        writeln!(
-            text,
-            "{title:<8} {rmse_linear:>12.5} {max_linear:>12.5} {rmse_codes:>12.3} {max_codes:>11} {mean_delta_e:>11.3}"
-        )
-        .expect("a string takes everything");
-    }
-    text
-}
-
-fn side_by_side(pictures: &[Developed], differences: &[Difference]) -> Result<Canvas, Failure> {
-    let size = |picture: &Developed| (picture.frame.width, picture.frame.height);
-    let mut captions: Vec<_> = differences
-        .iter()
-        .map(|difference| {
-            vec![
-                format!("RMSE {:.4}, max {:.4} linear", difference.rmse_linear, difference.max_linear),
-                format!("RMSE {:.2}, max {} codes", difference.rmse_codes, difference.max_codes),
-            ]
+    /// The names of the pictures on the sheet.
+    fn titles(&self) -> [String; 2] {
+        [&self.reference, &self.test].map(|path| {
+            path.file_name()
+                .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
         })
-        .collect();
-    captions.push(vec!["the others are compared with this".to_owned()]);
-    let sheet = Sheet {
-        columns: SHADINGS.iter().map(|(_, _, title)| (*title).to_owned()).collect(),
-        captions,
-        per_row: pictures.len(),
-        count: pictures.len(),
-        cell: size(&pictures[0]),
-        ..Sheet::default()
-    };
-    let mut canvas = sheet.begin()?;
-    for (index, picture) in pictures.iter().enumerate() {
-        let (width, height) = size(picture);
-        sheet.put(&mut canvas, index, &Canvas { width, height, rgba: picture.codes.clone() });
     }
-    Ok(canvas)
+
+    fn tell(&self, target: Option<&Target>, pair: &Pair, measured: &[Measurement]) -> Result<(), Failure> {
+        match target {
+            Some(Target::Stdout) => {
+                print::note(self.table(pair, measured).trim_end());
+                return Ok(());
+            }
+            Some(Target::File(path)) => print::note(format_args!("wrote {}", path.display())),
+            None => {}
+        }
+        match self.format.format {
+            Format::Text => print::text(&self.table(pair, measured)),
+            Format::Json => print::json(&self.json(target, pair, measured)),
+        }
+    }
+
+    /// The numbers for people.
+    fn table(&self, pair: &Pair, measured: &[Measurement]) -> String {
+        let (width, height) = pair.size();
+        let scale = match pair.scale() {
+            Scale::Codes => "as sRGB codes",
+            Scale::Light => "as linear light",
+        };
+        let (reference, test) = (self.reference.display(), self.test.display());
+        let mut text = format!("{test} against {reference}: {width}×{height} pixels, {scale}\n");
+        text += "             value     median       95 %        max\n";
+        for one in measured {
+            let spread = match is_spread(one.metric) {
+                true => [one.spread.median, one.spread.p95, one.spread.max].map(number),
+                false => Default::default(),
+            };
+            let [median, p95, max] = spread;
+            let (name, value) = (one.metric.name(), number(one.value));
+            let line =
+                format!("{name:<8}{value:>10} {median:>10} {p95:>10} {max:>10}   {}", self.remark(pair, one));
+            writeln!(text, "{}", line.trim_end()).expect("a string takes everything");
+        }
+        text
+    }
+
+    /// What a value is.
+    fn remark(&self, pair: &Pair, one: &Measurement) -> String {
+        let values = match pair.scale() {
+            Scale::Codes => "codes",
+            Scale::Light => "light",
+        };
+        match (one.metric, one.exposures) {
+            (Metric::De2000, _) => "mean".to_owned(),
+            (Metric::Flip, None) => format!("mean, {} pixels per degree", number(self.ppd)),
+            (Metric::Flip, Some(exposures)) => format!(
+                "mean, {} pixels per degree, exposures {} to {} stops, {} in all",
+                number(self.ppd),
+                number(exposures.start),
+                number(exposures.stop),
+                exposures.count
+            ),
+            (Metric::Rmse, _) => format!("of {values}"),
+            (Metric::Psnr, _) => format!("dB, peak 1, of {values}"),
+            (Metric::Ssim, _) => "mean, luma of codes".to_owned(),
+        }
+    }
+
+    /// The numbers for programs.
+    fn json(&self, target: Option<&Target>, pair: &Pair, measured: &[Measurement]) -> Value {
+        let (width, height) = pair.size();
+        let file = match target {
+            Some(Target::File(path)) => json!(path.display().to_string()),
+            _ => Value::Null,
+        };
+        let values = match pair.scale() {
+            Scale::Codes => "srgb-codes",
+            Scale::Light => "linear-light",
+        };
+        let metrics: serde_json::Map<_, _> =
+            measured.iter().map(|one| (one.metric.name().to_owned(), self.numbers(one))).collect();
+        json!({
+            "reference": self.reference.display().to_string(), "picture": self.test.display().to_string(),
+            "width": width, "height": height, "values": values, "metrics": metrics, "file": file,
+            "bounds": self.bounds().map(|bound| bound.json(measured)).collect::<Vec<_>>(),
+        })
+    }
+
+    fn numbers(&self, one: &Measurement) -> Value {
+        let mut numbers = json!({ "value": one.value });
+        if is_spread(one.metric) {
+            for (statistic, name) in Statistic::OVER_PIXELS {
+                numbers[name] = json!(statistic.of(one));
+            }
+        }
+        if one.metric == Metric::Flip {
+            numbers["ppd"] = json!(self.ppd);
+        }
+        if let Some(exposures) = one.exposures {
+            numbers["exposures"] =
+                json!({ "start": exposures.start, "stop": exposures.stop, "count": exposures.count });
+        }
+        numbers
+    }
+}
+
+/// Parses the name of a metric.
+fn metric() -> impl TypedValueParser<Value = Metric> {
+    let help = |metric| match metric {
+        Metric::De2000 => "colour difference CIEDE2000 per pixel, white D65",
+        Metric::Flip => "what an eye sees that looks at both in turn, 0 to 1 (Andersson et al. 2020, 2021)",
+        Metric::Rmse => "root of the mean square over red, green and blue",
+        Metric::Psnr => "the same as signal to noise in dB",
+        Metric::Ssim => "structural similarity (Wang et al. 2004)",
+    };
+    let names = Metric::ALL.map(|metric| PossibleValue::new(metric.name()).help(help(metric)));
+    PossibleValuesParser::new(names).map(|name| {
+        let known = Metric::ALL.into_iter().find(|metric| metric.name() == name);
+        known.expect("the parser lets only known names through")
+    })
+}
+
+/// Parses a number of pixels per degree.
+fn pixels_per_degree(text: &str) -> Result<f64, String> {
+    let (least, most) = PPD_RANGE;
+    let ppd = text.parse::<f64>().ok().filter(|ppd| (least..=most).contains(ppd));
+    ppd.ok_or_else(|| format!("expected {least} to {most} pixels per degree"))
 }

@@ -3,8 +3,8 @@
 use clap::{Args, Command};
 use clap_complete::Shell;
 
-use crate::failure::Failure;
 use crate::print;
+use crate::print::failure::Failure;
 
 /// Options of `glanz completions`.
 #[derive(Args, Debug)]

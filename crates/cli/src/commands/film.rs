@@ -10,12 +10,12 @@ use serde_json::json;
 use super::render::RenderArgs;
 use crate::args::{Target, check_folder};
 use crate::encode;
-use crate::failure::Failure;
 use crate::frames::Template;
 use crate::pipeline::{self, Plan, turn};
 use crate::print;
+use crate::print::failure::Failure;
+use crate::print::timings::Timings;
 use crate::progress::Progress;
-use crate::timings::Timings;
 
 /// Where the frames go.
 enum Output {

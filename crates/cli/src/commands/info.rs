@@ -3,9 +3,8 @@
 use clap::Args;
 
 use crate::args::InputArgs;
-use crate::failure::Failure;
-use crate::print::{self, Format, FormatArgs};
-use crate::summary::Summary;
+use crate::print::failure::Failure;
+use crate::print::{self, Format, FormatArgs, Summary};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -4,7 +4,6 @@ mod bsdf;
 mod check;
 mod color;
 mod compare;
-mod compare_pictures;
 mod completions;
 mod film;
 mod info;
@@ -14,12 +13,13 @@ mod plot;
 mod relight;
 mod render;
 mod schema;
+mod shade_compare;
 mod sheet;
 mod sweep;
 
 use clap::{Command as ClapCommand, Subcommand};
 
-use super::failure::Failure;
+use crate::print::failure::Failure;
 
 /// What to do.
 #[derive(Subcommand, Debug)]
@@ -31,8 +31,8 @@ pub enum Command {
     #[command(after_help = sweep::EXAMPLES)]
     Sweep(Box<sweep::SweepArgs>),
     /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
-    #[command(after_help = compare::EXAMPLES)]
-    ShadeCompare(Box<compare::CompareArgs>),
+    #[command(after_help = shade_compare::EXAMPLES)]
+    ShadeCompare(Box<shade_compare::ShadeCompareArgs>),
     /// Draw in several colour modes side by side, and measure their errors
     #[command(after_help = modes::EXAMPLES)]
     Modes(Box<modes::ModesArgs>),
@@ -40,8 +40,8 @@ pub enum Command {
     #[command(after_help = relight::EXAMPLES)]
     Relight(Box<relight::RelightArgs>),
     /// Measure how far two picture files are apart
-    #[command(after_help = compare_pictures::EXAMPLES)]
-    Compare(Box<compare_pictures::ComparePicturesArgs>),
+    #[command(after_help = compare::EXAMPLES)]
+    Compare(Box<compare::CompareArgs>),
     /// Tell what is in a scene or a model, and what of it is ignored
     #[command(after_help = info::EXAMPLES)]
     Info(info::InfoArgs),

@@ -3,20 +3,19 @@
 use std::fmt::Write;
 
 use clap::Args;
+use glanz_picture::compare::frames::{DeltaE, Developed};
+use glanz_picture::compare::{Spread, heat_colors};
+use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::ColorMode;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::canvas::Canvas;
-use crate::delta::Delta;
-use crate::difference::Developed;
 use crate::encode;
-use crate::failure::Failure;
 use crate::load::Input;
 use crate::pipeline::{self, Picture, Plan};
+use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
 use crate::progress::Progress;
-use crate::sheet::Sheet;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -72,7 +71,7 @@ pub struct ModesArgs {
 struct Column {
     mode: ColorMode,
     picture: Developed,
-    delta: Delta,
+    delta: DeltaE,
 }
 
 impl ModesArgs {
@@ -112,7 +111,7 @@ impl ModesArgs {
             }
             let is_right = mode == self.against;
             let picture = if is_right { right.clone() } else { self.draw(input, mode, &mut progress)? };
-            let delta = Delta::between(&picture.frame, &right.frame, ev);
+            let delta = DeltaE::between(&picture.frame, &right.frame, ev);
             columns.push(Column { mode, picture, delta });
         }
         Ok(columns)
@@ -174,20 +173,20 @@ impl ModesArgs {
             }
         });
         let captions = columns.iter().map(|_| Vec::new()).chain(numbers).collect();
-        let sheet = Sheet {
+        let sheet = ContactSheet {
             columns: columns.iter().map(|column| column.mode.to_string()).collect(),
             rows: vec!["picture".to_owned(), format!("dE00\n0..{}", print::number(rounded(top)))],
             captions,
             per_row: count,
             count: 2 * count,
             cell,
-            ..Sheet::default()
+            ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
         for (index, Column { picture, delta, .. }) in columns.iter().enumerate() {
             let drawn = Canvas { width: cell.0, height: cell.1, rgba: picture.codes.clone() };
             sheet.put(&mut canvas, index, &drawn);
-            sheet.put(&mut canvas, count + index, &delta.heat(cell.0, top));
+            sheet.put(&mut canvas, count + index, &heat_map(delta, cell, top));
         }
         Ok(canvas)
     }
@@ -201,12 +200,23 @@ impl ModesArgs {
             return print::text(&table(columns, self.against));
         }
         let modes: serde_json::Map<_, _> =
-            columns.iter().map(|column| (column.mode.to_string(), column.delta.json())).collect();
+            columns.iter().map(|column| (column.mode.to_string(), json_of(&column.delta))).collect();
         print::json(&json!({
             "file": path.display().to_string(), "against": self.against.to_string(),
             "pixels": columns.first().map_or(0, |column| column.delta.pixels), "delta_e_00": modes,
         }))
     }
+}
+
+/// The map in false colours, `top` the hottest.
+fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas {
+    Canvas { width, height, rgba: heat_colors(&delta.map, top) }
+}
+
+/// The numbers for programs.
+fn json_of(delta: &DeltaE) -> Value {
+    let Spread { mean, median, p95, max } = delta.spread;
+    json!({ "mean": mean, "median": median, "p95": p95, "max": max })
 }
 
 /// Whether a mode belongs to the standard observer.

@@ -2,20 +2,19 @@
 
 use clap::Args;
 use glanz_color::{Observer, xyz_of_light};
+use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
 use serde_json::json;
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::canvas::Canvas;
 use crate::encode;
-use crate::failure::Failure;
+use crate::input::spectra::light_source;
 use crate::load::Input;
 use crate::pipeline::{self, Picture, Plan};
+use crate::print::failure::Failure;
+use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
-use crate::sheet::Sheet;
-use crate::spectra::light_source;
-use crate::timings::Timings;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -151,13 +150,13 @@ impl RelightArgs {
         rows: Vec<String>,
         pictures: Vec<Canvas>,
     ) -> Result<(), Failure> {
-        let sheet = Sheet {
+        let sheet = ContactSheet {
             columns: self.light.clone(),
             rows,
             per_row: self.light.len(),
             count: pictures.len(),
             cell: (pictures[0].width, pictures[0].height),
-            ..Sheet::default()
+            ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
         for (index, picture) in pictures.iter().enumerate() {

@@ -11,14 +11,13 @@ use crate::args::{
     BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
 };
 use crate::encode;
-use crate::failure::Failure;
 use crate::frames;
 use crate::load::Input;
 use crate::pipeline::{self, Kind, Picture, Plan};
-use crate::preview;
-use crate::print::{self, FormatArgs};
+use crate::print::failure::Failure;
+use crate::print::timings::{Stage, Timings};
+use crate::print::{self, FormatArgs, preview};
 use crate::progress::Progress;
-use crate::timings::{Stage, Timings};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\

@@ -1,7 +1,7 @@
 //! `glanz schema`: the shape of scene files, for editors and programs.
 
-use crate::failure::Failure;
 use crate::print;
+use crate::print::failure::Failure;
 
 /// Prints the JSON Schema of scene files.
 pub fn run() -> Result<(), Failure> {

@@ -1,16 +1,16 @@
 //! `glanz sweep`: a sheet of pictures in which values of the scene vary.
 
 use clap::Args;
+use glanz_plot::{Grid, Variation};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
 use crate::encode;
-use crate::failure::Failure;
-use crate::grid::{Grid, tell};
 use crate::pipeline::{self, Picture, Plan};
+use crate::print::failure::Failure;
+use crate::print::files::tell_sheet;
+use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
-use crate::timings::Timings;
-use crate::vary::Vary;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -33,8 +33,8 @@ pub struct SweepArgs {
 
     /// A value of the scene and what it takes in turn: PATH=1,4,16 or PATH=start:stop:count; may be
     /// repeated
-    #[arg(long, value_name = "PATH=VALUES", value_parser = Vary::parse, required = true)]
-    vary: Vec<Vary>,
+    #[arg(long, value_name = "PATH=VALUES", value_parser = crate::input::vary::variation, required = true)]
+    vary: Vec<Variation>,
 
     /// Width and height of each picture, in pixels
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "256x256")]
@@ -86,10 +86,10 @@ impl SweepArgs {
         drop(progress);
         let size = (canvas.width, canvas.height);
         encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(hash))?;
-        tell(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, self.format)
     }
 
     fn grid(&self) -> Grid<'_> {
-        Grid { vary: &self.vary, columns: self.columns as usize, cell: self.cell }
+        Grid { variations: &self.vary, columns: self.columns as usize, cell: self.cell }
     }
 }

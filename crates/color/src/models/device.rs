@@ -1,4 +1,4 @@
-//! The models of document 000 that describe a device: CMY, CMYK, HLS, HSV.
+//! The models that describe a device: CMY, CMYK, HLS, HSV.
 //!
 //! All are other coordinates of sRGB **code values**, as is usual; no ink or screen is measured.
 
@@ -9,6 +9,18 @@ use super::{Srgb, Xyz};
 
 /// palette's sRGB, in f64.
 type Palette = palette::Srgb<f64>;
+
+/// Code values that differ by no more than this, the rounding of the matrices, are those of a grey.
+const ROUNDING: f64 = 1e-12;
+
+/// The nearest colour of the sRGB gamut. Greys have three equal components: beside white and black, rounding would
+/// be taken for a saturated hue.
+fn settled(xyz: Xyz) -> Palette {
+    let rgb = Srgb::from_xyz(xyz).clipped().0;
+    let most = rgb.into_iter().fold(0.0, f64::max);
+    let [r, g, b] = if rgb.iter().all(|c| most - c <= ROUNDING) { [most; 3] } else { rgb };
+    Palette::new(r, g, b)
+}
 
 /// Cyan, magenta, yellow: 1 − R, 1 − G, 1 − B of sRGB code values.
 ///
@@ -97,8 +109,7 @@ impl ColorModel for Hls {
     }
 
     fn from_xyz(xyz: Xyz) -> Self {
-        let [r, g, b] = Srgb::from_xyz(xyz).clipped().0;
-        let hsl = palette::Hsl::from_color_unclamped(Palette::new(r, g, b));
+        let hsl = palette::Hsl::from_color_unclamped(settled(xyz));
         Self([hsl.hue.into_positive_degrees(), hsl.lightness, hsl.saturation])
     }
 }
@@ -125,8 +136,7 @@ impl ColorModel for Hsv {
     }
 
     fn from_xyz(xyz: Xyz) -> Self {
-        let [r, g, b] = Srgb::from_xyz(xyz).clipped().0;
-        let hsv = palette::Hsv::from_color_unclamped(Palette::new(r, g, b));
+        let hsv = palette::Hsv::from_color_unclamped(settled(xyz));
         Self([hsv.hue.into_positive_degrees(), hsv.saturation, hsv.value])
     }
 }

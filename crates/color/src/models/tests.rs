@@ -57,7 +57,8 @@ fn models_of_the_eye_are_their_matrices() {
     assert_near(BLUE_XYZ.to::<Lms>().0, [0.180_957_160_6, 0.222_503_720_0, 0.551_330_046_6], 1e-9);
     assert_near(BLUE_XYZ.to::<Ac1c2>().0, [0.210_090_147_3, 0.099_798_389_7, 0.313_822_981_5], 1e-9);
     let [a, red_green, yellow_blue] = BLUE_XYZ.to::<Opponent>().0;
-    let Lms([l, m, s]) = BLUE_XYZ.to();
+    let (Lms(cones), Lms(white)) = (BLUE_XYZ.to(), Xyz::WHITE.to());
+    let [l, m, s] = core::array::from_fn(|i| cones[i] / white[i]);
     assert_near([a, red_green, yellow_blue], [BLUE_XYZ.0[1], l - m, (l + m) / 2.0 - s], 1e-12);
 }
 
@@ -69,7 +70,19 @@ fn white_has_no_colour_in_any_model() {
     assert_near(Xyz::WHITE.to::<AcesCg>().0, [1.0; 3], 1e-12);
     // The matrix of the cones has five digits.
     assert_near(Xyz::WHITE.to::<Lms>().0, [1.0; 3], 1e-5);
-    assert_near(Xyz::WHITE.to::<Opponent>().0, [1.0, 0.0, 0.0], 1e-5);
+    assert_near(Xyz::WHITE.to::<Opponent>().0, [1.0, 0.0, 0.0], 1e-15);
+}
+
+#[test]
+fn greys_have_neither_hue_nor_saturation() {
+    // 1 − max is rounding at white, and saturation is a quotient of two such numbers there.
+    for code in [0.0, 1e-3, 0.5, 0.9999, 1.0] {
+        let (Hls([h, l, s]), grey) = (Srgb([code; 3]).to(), Srgb([code; 3]));
+        assert_eq!((h, s), (0.0, 0.0), "{code}");
+        assert!((l - code).abs() < 1e-12);
+        let Hsv([h, s, _]) = grey.to();
+        assert_eq!((h, s), (0.0, 0.0), "{code}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::Xyz;
 use super::info::{Channel, ColorModel, ModelInfo};
+use super::space::D65_XYZ;
 use crate::Matrix3;
 use crate::adaptation::HUNT_POINTER_ESTEVEZ_D65;
 
@@ -37,17 +38,23 @@ impl ColorModel for Lms {
     }
 }
 
+/// XYZ to cones whose signals for D65 are 1 to the last digit, which those of [`Lms`] are to 1e-5 only.
+const XYZ_TO_BALANCED_CONES: Matrix3 = {
+    let [l, m, s] = HUNT_POINTER_ESTEVEZ_D65.apply(D65_XYZ);
+    Matrix3::diagonal([1.0 / l, 1.0 / m, 1.0 / s]).times(&HUNT_POINTER_ESTEVEZ_D65)
+};
 /// Cones to luminance, red − green, yellow − blue.
-const CONES_TO_OPPONENT: Matrix3 = Matrix3([CONES_TO_XYZ.0[1], [1.0, -1.0, 0.0], [0.5, 0.5, -1.0]]);
-const XYZ_TO_OPPONENT: Matrix3 = CONES_TO_OPPONENT.times(&HUNT_POINTER_ESTEVEZ_D65);
+const CONES_TO_OPPONENT: Matrix3 =
+    Matrix3([XYZ_TO_BALANCED_CONES.inverse().0[1], [1.0, -1.0, 0.0], [0.5, 0.5, -1.0]]);
+const XYZ_TO_OPPONENT: Matrix3 = CONES_TO_OPPONENT.times(&XYZ_TO_BALANCED_CONES);
 const OPPONENT_TO_XYZ: Matrix3 = XYZ_TO_OPPONENT.inverse();
 
-/// The three channels that the lateral geniculate body makes of the cones' (document 000): luminance, the
-/// difference of red and green, the difference of yellow and blue.
+/// The three opponent channels of the lateral geniculate nucleus: luminance, the difference of red and green, the
+/// difference of yellow and blue.
 ///
-/// With [`Lms`], whose white is 1, 1, 1: luminance = Y (0.361 L + 0.639 M), red − green = L − M, and
-/// yellow − blue = (L + M)/2 − S. The document gives no weights; these are the plain ones. Greys under D65
-/// have 0 in both differences, to the 1e-5 of [`Lms`].
+/// With the signals of [`Lms`], each divided by its value for D65: luminance = Y (0.361 L + 0.639 M), red − green =
+/// L − M, and yellow − blue = (L + M)/2 − S. The course gives no weights; these are the plain ones. Greys under D65
+/// have 0 in both differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opponent(pub [f64; 3]);
 

@@ -2,7 +2,7 @@
 //!
 //! [`read_picture`] reads a PNG or an OpenEXR file into a [`Picture`] of linear light, a [`Pair`] holds two
 //! of one size, [`Pair::measure`] gives a [`Measurement`]: numbers and a map with an error per pixel, which
-//! [`heat_colors`] turns into colours.
+//! [`heat_colors`] turns into colours. [`frames`] compares drawn frames instead of files.
 //!
 //! **Scales.** A picture from a PNG holds what a screen shows, one from an OpenEXR light without bounds. Two
 //! of light are compared as light. A pair with a PNG in it is compared as a screen shows it: light is
@@ -17,6 +17,7 @@ mod de2000;
 mod error;
 mod filter;
 mod flip;
+pub mod frames;
 mod heat;
 mod measure;
 mod pair;

@@ -44,7 +44,7 @@ impl Model for Phong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 53,
+        operations: 52,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),

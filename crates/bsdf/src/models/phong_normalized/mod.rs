@@ -32,7 +32,7 @@ impl Model for PhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 54,
+        operations: 53,
         exempt: &[],
     };
 

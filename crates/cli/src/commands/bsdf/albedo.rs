@@ -4,10 +4,10 @@ use clap::Args;
 use glanz_bsdf::{LightTerm, albedo_with};
 use serde_json::{Value, json};
 
-use super::{ModelArgs, line, params};
-use crate::failure::Failure;
-use crate::lobes::FactorArgs;
-use crate::print::{self, FormatArgs, number};
+use super::{ModelArgs, params};
+use crate::input::lobes::FactorArgs;
+use crate::print::failure::Failure;
+use crate::print::{self, FormatArgs, line, number};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -25,7 +25,7 @@ pub struct AlbedoArgs {
     #[arg(long, value_name = "THETA,…", value_delimiter = ',', default_value = "0,15,30,45,60,75")]
     theta: Vec<f64>,
 
-    /// Azimuths of the viewer, for models with a grain, in degrees [default: 0]
+    /// Azimuths of the viewer, for anisotropic models, in degrees [default: 0]
     #[arg(long, value_name = "PHI,…", value_delimiter = ',', allow_hyphen_values = true)]
     phi: Vec<f64>,
 

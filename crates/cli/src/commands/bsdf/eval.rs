@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape, Side};
 use glanz_math::Vec3;
+use glanz_plot::Factor;
 use serde_json::{Value, json};
 
 use super::{ModelArgs, params, table};
 use crate::args;
-use crate::failure::Failure;
-use crate::lobes::{Factor, FactorArgs};
+use crate::input::lobes::FactorArgs;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
 /// Shown after the help.

@@ -5,10 +5,9 @@ use glanz_bsdf::models::info_named;
 use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, Side};
 use serde_json::{Value, json};
 
-use super::line;
-use crate::failure::Failure;
-use crate::lobes::model_names;
-use crate::print::{self, Format, FormatArgs, number};
+use crate::input::lobes::model_names;
+use crate::print::failure::Failure;
+use crate::print::{self, Format, FormatArgs, line, number};
 
 /// Options of `glanz bsdf show`.
 #[derive(Args, Debug)]
@@ -93,7 +92,7 @@ pub fn run(format: FormatArgs) -> Result<(), Failure> {
 fn kinds(info: &ModelInfo) -> [(bool, &'static str); 3] {
     [
         (info.side == Side::Transmission, "light passes through: it comes from below the surface"),
-        (info.anisotropic, "it has a grain: values depend on the azimuth"),
+        (info.anisotropic, "anisotropic: values depend on the azimuth"),
         (info.delta, "light goes into a single direction: f_cos is 0"),
     ]
 }

@@ -12,9 +12,9 @@ use glanz_math::names::did_you_mean;
 use serde_json::Value;
 
 use crate::args;
-use crate::failure::Failure;
-use crate::lobes::model_names;
+use crate::input::lobes::model_names;
 use crate::print::FormatArgs;
+use crate::print::failure::Failure;
 
 /// What to do with the models.
 #[derive(Subcommand, Debug)]
@@ -24,7 +24,7 @@ pub enum BsdfCommand {
     List(FormatArgs),
     /// All that is known of one model: formula, parameters, laws, source
     #[command(after_help = "Example:\n  glanz bsdf show blinn-phong")]
-    DebugView(list::ShowArgs),
+    Show(list::ShowArgs),
     /// The value for one pair of directions, or for each of a table
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::EvalArgs),
@@ -50,7 +50,7 @@ impl BsdfCommand {
     pub fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
-            Self::DebugView(_) => "show",
+            Self::Show(_) => "show",
             Self::Eval(_) => "eval",
             Self::Albedo(_) => "albedo",
         }
@@ -60,7 +60,7 @@ impl BsdfCommand {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(format) => list::run(*format),
-            Self::DebugView(args) => args.run(),
+            Self::Show(args) => args.run(),
             Self::Eval(args) => args.run(),
             Self::Albedo(args) => args.run(),
         }
@@ -92,10 +92,4 @@ impl ModelArgs {
 fn params(shape: &Shape) -> serde_json::Map<String, Value> {
     let names = shape.info().params.iter().map(|param| param.name.to_owned());
     names.zip(shape.params().into_iter().map(Value::from)).collect()
-}
-
-/// Adds a line.
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    use std::fmt::Write;
-    writeln!(text, "{line}").expect("a string takes everything");
 }

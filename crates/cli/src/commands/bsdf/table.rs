@@ -9,8 +9,8 @@ use glanz_picture::output::{OutputError, write_atomically};
 
 use super::directions::{Columns, TableError};
 use crate::args::check_folder;
-use crate::failure::{Failure, without_number};
 use crate::print;
+use crate::print::failure::{Failure, without_number};
 
 /// The longest line, in bytes.
 const MAX_LINE: u64 = 1 << 20;

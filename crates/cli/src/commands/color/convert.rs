@@ -8,7 +8,7 @@ use glanz_color::models::{Channel, Limit, Model, convert};
 use serde_json::json;
 
 use crate::args;
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
 /// Shown below the help.

@@ -4,14 +4,16 @@ use std::fmt::Write;
 use std::path::Path;
 
 use clap::Args;
+use glanz_color::efficiency::{Errors, Representation};
 use glanz_color::{Spectrum, colorchecker, reflectance, reflectances};
+use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
+use glanz_plot::{EfficiencyChart, PlotFile};
 use serde_json::json;
 
-use crate::efficiency::{Errors, Way};
-use crate::failure::Failure;
-use crate::plot::{self, Line, Picture, PlotFile, plot_file};
+use crate::input::spectra::{light_source, surfaces, words};
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
-use crate::spectra::{light_source, surfaces, words};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -39,7 +41,7 @@ pub struct EfficiencyArgs {
     what: WhatArgs,
 
     /// Draw the errors over the number of samples; .svg or .png
-    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     plot: Option<PlotFile>,
 
     #[command(flatten)]
@@ -63,18 +65,17 @@ pub struct Found {
     set: String,
     count: usize,
     lights: Vec<String>,
-    /// A way, and its errors under each light.
-    ways: Vec<(Way, Vec<Errors>)>,
+    /// A representation, and its errors under each light.
+    errors: Vec<(Representation, Vec<Errors>)>,
 }
 
 impl EfficiencyArgs {
     /// Computes the errors, and draws them.
     pub fn run(&self) -> Result<(), Failure> {
-        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        check_plot(self.plot.as_ref())?;
         let found = self.what.find()?;
         if let Some(file) = &self.plot {
-            file.save(&found.picture())?;
-            print::note(format_args!("wrote {}", file.path().display()));
+            save_plot(file, &found.chart())?;
         }
         match self.format.is_json() {
             true => print::json(&found.json()),
@@ -84,24 +85,26 @@ impl EfficiencyArgs {
 }
 
 impl WhatArgs {
-    /// Computes the errors of all ways under all lights.
+    /// Computes the errors of all representations under all lights.
     pub fn find(&self) -> Result<Found, Failure> {
         let under = if self.under.eq_ignore_ascii_case("all") { ALL } else { &self.under };
         let under = words(under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
         let lights = under.iter().map(|word| light_source(word)).collect::<Result<Vec<_>, _>>()?;
         for light in &lights {
-            // All ways divide by what each makes of the white.
+            // Errors are relative to the white of each representation.
             if glanz_color::chromaticity::Chromaticity::of_light(&light.spectrum).is_none() {
-                return Err(Failure::Usage(format!("no eye sees the light '{}'", light.name)));
+                return Err(Failure::Usage(format!("no observer sees the light '{}'", light.name)));
             }
         }
         let surfaces = self.surfaces()?;
-        let errors = |way: Way| lights.iter().map(|light| way.errors(&surfaces, &light.spectrum)).collect();
+        let errors = |representation: Representation| {
+            lights.iter().map(|light| representation.errors(&surfaces, &light.spectrum)).collect()
+        };
         Ok(Found {
             set: self.set.clone(),
             count: surfaces.len(),
             lights: lights.iter().map(|light| light.name.clone()).collect(),
-            ways: Way::all().into_iter().map(|way| (way, errors(way))).collect(),
+            errors: Representation::all().into_iter().map(|one| (one, errors(one))).collect(),
         })
     }
 
@@ -127,16 +130,22 @@ impl WhatArgs {
 
 impl Found {
     /// The plot: a panel for each light.
-    pub fn picture(&self) -> Picture {
-        let kinds = [Way::Whole(0), Way::Seen(0), Way::Rgb, Way::Meyer, Way::MeyerAdapted];
-        let panel = |(index, light): (usize, &String)| plot::Efficiency {
+    pub fn chart(&self) -> EfficiencyChart {
+        let kinds = [
+            Representation::Uniform(0),
+            Representation::UniformVisible(0),
+            Representation::Rgb,
+            Representation::Meyer,
+            Representation::MeyerAdapted,
+        ];
+        let panel = |(index, light): (usize, &String)| EfficiencyPanel {
             light: light.clone(),
             lines: kinds
                 .iter()
                 .map(|kind| {
-                    let of_kind = self.ways.iter().filter(|(way, _)| way.name() == kind.name());
-                    let points = of_kind.map(|(way, errors)| (way.samples(), errors[index].mean));
-                    Line { name: kind.name().to_owned(), points: points.collect() }
+                    let of_kind = self.errors.iter().filter(|(one, _)| one.name() == kind.name());
+                    let points = of_kind.map(|(one, errors)| (one.samples(), errors[index].mean));
+                    EfficiencyLine { name: kind.name().to_owned(), points: points.collect() }
                 })
                 .collect(),
         };
@@ -144,16 +153,16 @@ impl Found {
             "Mean ΔE₀₀ over the {} surfaces of '{}', against the whole spectrum",
             self.count, self.set
         );
-        plot::efficiency(&subtitle, &self.lights.iter().enumerate().map(panel).collect::<Vec<_>>())
+        EfficiencyChart { subtitle, lights: self.lights.iter().enumerate().map(panel).collect() }
     }
 
     fn json(&self) -> serde_json::Value {
-        let ways = self.ways.iter().map(|(way, errors)| {
+        let ways = self.errors.iter().map(|(one, errors)| {
             let under = self.lights.iter().zip(errors).map(|(light, errors)| {
                 let Errors { mean, median, p95, max } = errors;
                 json!({ "light": light, "mean": mean, "median": median, "p95": p95, "max": max })
             });
-            json!({ "way": way.name(), "samples": way.samples(), "under": under.collect::<Vec<_>>() })
+            json!({ "way": one.name(), "samples": one.samples(), "under": under.collect::<Vec<_>>() })
         });
         json!({ "set": self.set, "surfaces": self.count, "unit": "ΔE00", "ways": ways.collect::<Vec<_>>() })
     }
@@ -164,16 +173,16 @@ impl Found {
             |line: String| writeln!(text, "{}", line.trim_end()).expect("a string takes everything");
         let heads: Vec<_> = self.lights.iter().map(|light| format!("{light:>14}")).collect();
         line(format!("{:<20} {:>7} {}", "samples", "number", heads.join(" ")));
-        for (way, errors) in &self.ways {
-            let uniform = matches!(way, Way::Whole(_) | Way::Seen(_));
-            if uniform && !SHOWN.contains(&way.samples()) {
+        for (one, errors) in &self.errors {
+            let uniform = matches!(one, Representation::Uniform(_) | Representation::UniformVisible(_));
+            if uniform && !SHOWN.contains(&one.samples()) {
                 continue;
             }
             let cells: Vec<_> = errors
                 .iter()
                 .map(|errors| format!("{:>14}", format!("{:.2} ({:.2})", errors.mean, errors.max)))
                 .collect();
-            line(format!("{:<20} {:>7} {}", way.name(), way.samples(), cells.join(" ")));
+            line(format!("{:<20} {:>7} {}", one.name(), one.samples(), cells.join(" ")));
         }
         text
     }

@@ -1,21 +1,23 @@
-//! `glanz color fluorescence`: what a fluorescent material makes of light.
+//! `glanz color fluorescence`: what a fluorescent material does to light.
 
 use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::colorimetry::{lab, relative_xyz};
 use glanz_color::difference::ciede2000;
 use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
+use glanz_plot::{NamedSpectrum, PlotFile, ReradiationMap};
 use serde_json::json;
 
 use crate::args::check_folder;
-use crate::csv::save_csv;
-use crate::failure::Failure;
-use crate::judge::{decimals, finite, lab, relative_xyz};
-use crate::plot::{NamedCurve, PlotFile, plot_file, reradiation};
-use crate::print::{self, FormatArgs, number};
-use crate::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source, words};
+use crate::input::spectra::{
+    FluorescentSource, Source, fluorescent_source, light_source, observer_source, words,
+};
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_csv, save_plot};
+use crate::print::{self, FormatArgs, decimals, finite, number};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -47,12 +49,12 @@ pub struct FluorescenceArgs {
     #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,UV365")]
     under: String,
 
-    /// Who looks: an observer that has X, Y and Z
+    /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
     /// Draw the matrix and the total radiance factors; .svg or .png
-    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     plot: Option<PlotFile>,
 
     /// Write the total radiance factor under each light, from 300 to 780 nm by 5 nm
@@ -66,24 +68,24 @@ pub struct FluorescenceArgs {
 /// The material under one light.
 struct Row {
     light: String,
-    total: Seen,
-    reflected: Seen,
+    total: Stimulus,
+    reflected: Stimulus,
     de2000: f64,
     factor: Spectrum,
     /// Whether the light has power enough everywhere for the factor to be drawn.
     is_broad: bool,
 }
 
-/// What is seen of light.
-struct Seen {
+/// Light that reaches the observer.
+struct Stimulus {
     xyz: [f64; 3],
     xy: Option<Chromaticity>,
 }
 
 impl FluorescenceArgs {
-    /// Tells what the material makes of each light.
+    /// Tells the colour of the material under each light.
     pub fn run(&self) -> Result<(), Failure> {
-        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
         let material = fluorescent_source(&self.material)?;
@@ -118,10 +120,9 @@ impl FluorescenceArgs {
             ));
         }
         let factors: Vec<_> =
-            broad.iter().map(|row| NamedCurve { name: row.light.clone(), spectrum: row.factor }).collect();
-        file.save(&reradiation(&material.name, &material.matrix, &factors))?;
-        print::note(format_args!("wrote {}", file.path().display()));
-        Ok(())
+            broad.iter().map(|row| NamedSpectrum { name: row.light.clone(), spectrum: row.factor }).collect();
+        let (name, matrix) = (material.name.clone(), material.matrix.clone());
+        save_plot(file, &ReradiationMap { name, matrix, factors: Some(factors) })
     }
 }
 
@@ -133,7 +134,7 @@ fn row(matrix: &Reradiation, light: &Source, observer: &Observer) -> Result<Row,
     let reflected = matrix.without_reradiation().apply(light_spectrum);
     let seen = |spectrum: &Spectrum| {
         let xyz = relative_xyz(spectrum, light_spectrum, observer).ok_or_else(unseen)?;
-        Ok::<_, Failure>(Seen { xyz, xy: Chromaticity::of_xyz(xyz) })
+        Ok::<_, Failure>(Stimulus { xyz, xy: Chromaticity::of_xyz(xyz) })
     };
     let (total, reflected) = (seen(&leaving)?, seen(&reflected)?);
     let seen_values = light_spectrum.points().filter(|(nm, _)| *nm >= 400.0 && *nm <= 700.0);
@@ -154,7 +155,7 @@ fn json(
     rows: &[Row],
     energy: &EnergyReport,
 ) -> serde_json::Value {
-    let seen = |seen: &Seen| {
+    let seen = |seen: &Stimulus| {
         json!({
             "xyz": seen.xyz.map(|v| finite(WHITE_Y * v)),
             "xy": seen.xy.map(|xy| [xy.x, xy.y]),

@@ -7,7 +7,7 @@ use glanz_color::models::{Limit, Model};
 use glanz_color::{IorKind, fluorescents, iors, lights, observers, reflectances};
 use serde_json::{Value, json};
 
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
 /// Shown below the help.

@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use clap::Args;
-use glanz_color::difference::{cie76, ciede2000};
-use glanz_color::{Observer, ObserverKind};
+use glanz_color::colorimetry::{DisplayColor, PairDifference, metamerism_index, relative_xyz};
+use glanz_color::{Observer, ObserverKind, SpectrumKind};
+use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use serde_json::json;
 
-use crate::failure::Failure;
-use crate::judge::{Screen, lab, relative_xyz};
-use crate::plot::{NamedCurve, PlotFile, plot_file, spectra};
+use crate::input::spectra::{Source, light_source, observer_source, source, words};
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
-use crate::spectra::{Kind, Source, light_source, observer_source, source, words};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -39,12 +39,12 @@ pub struct MetamersArgs {
     #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,FL11")]
     under: String,
 
-    /// Who looks: an observer that has X, Y and Z
+    /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
     /// Draw both spectra; .svg or .png
-    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     plot: Option<PlotFile>,
 
     #[command(flatten)]
@@ -56,16 +56,14 @@ struct Row {
     light: String,
     xyz: [[f64; 3]; 2],
     codes: [String; 2],
-    de2000: f64,
-    de76: f64,
-    index: Option<f64>,
-    index_de2000: Option<f64>,
+    difference: PairDifference,
+    index: Option<PairDifference>,
 }
 
 impl MetamersArgs {
     /// Compares the pair under each light.
     pub fn run(&self) -> Result<(), Failure> {
-        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        check_plot(self.plot.as_ref())?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
         let mut pair = [surface(&self.first)?, surface(&self.second)?];
         if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
@@ -84,10 +82,10 @@ impl MetamersArgs {
             rows.push(row(&pair, &light, &observer, reference)?);
         }
         if let Some(file) = &self.plot {
-            let curves = pair.each_ref().map(|s| NamedCurve { name: s.name.clone(), spectrum: s.spectrum });
+            let curves =
+                pair.each_ref().map(|s| NamedSpectrum { name: s.name.clone(), spectrum: s.spectrum });
             let subtitle = format!("{} and {}", pair[0].name, pair[1].name);
-            file.save(&spectra("Two surfaces", &subtitle, "reflectance", &curves))?;
-            print::note(format_args!("wrote {}", file.path().display()));
+            save_plot(file, &spectra("Two surfaces", &subtitle, "reflectance", &curves))?;
         }
         match self.format.is_json() {
             true => print::json(&self.json(&pair, &observer, &rows)),
@@ -99,8 +97,9 @@ impl MetamersArgs {
         let lights = rows.iter().map(|row| {
             json!({
                 "light": row.light, "xyz": row.xyz.map(|xyz| xyz.map(|v| 100.0 * v)), "srgb": row.codes,
-                "de2000": row.de2000, "de76": row.de76,
-                "metamerism_index": row.index, "metamerism_index_de2000": row.index_de2000,
+                "de2000": row.difference.de2000, "de76": row.difference.de76,
+                "metamerism_index": row.index.map(|index| index.de76),
+                "metamerism_index_de2000": row.index.map(|index| index.de2000),
             })
         });
         json!({
@@ -122,8 +121,10 @@ fn is_generic(name: &str) -> bool {
 fn surface(word: &str) -> Result<Source, Failure> {
     let source = source(word, None)?;
     match source.kind {
-        Kind::Surface => Ok(source),
-        Kind::Light => Err(Failure::Usage(format!("'{word}' is a light; a pair of surfaces is compared"))),
+        SpectrumKind::Surface => Ok(source),
+        SpectrumKind::Light => {
+            Err(Failure::Usage(format!("'{word}' is a light; a pair of surfaces is compared")))
+        }
     }
 }
 
@@ -138,19 +139,13 @@ fn row(
     let white = relative_xyz(&light.spectrum, &light.spectrum, observer).ok_or_else(unseen)?;
     let first = relative(&pair[0]).ok_or_else(unseen)?;
     let second = relative(&pair[1]).ok_or_else(unseen)?;
-    let code = |xyz| Screen::adapted(xyz, white).map_or(String::new(), Screen::hex);
-    let (lab1, lab2) = (lab(first, white), lab(second, white));
-    // A surface that is black under the reference cannot be brought to match there.
-    let corrected = reference.map(|[one, two]| core::array::from_fn(|i| second[i] * one[i] / two[i]));
-    let corrected = corrected.filter(|xyz: &[f64; 3]| xyz.iter().all(|v| v.is_finite()));
+    let code = |xyz| DisplayColor::adapted(xyz, white).map_or(String::new(), DisplayColor::hex);
     Ok(Row {
         light: light.name.clone(),
         xyz: [first, second],
         codes: [code(first), code(second)],
-        de2000: ciede2000(lab1, lab2),
-        de76: cie76(lab1, lab2),
-        index: corrected.map(|xyz| cie76(lab1, lab(xyz, white))),
-        index_de2000: corrected.map(|xyz| ciede2000(lab1, lab(xyz, white))),
+        difference: PairDifference::between([first, second], white),
+        index: reference.and_then(|reference| metamerism_index([first, second], white, reference)),
     })
 }
 
@@ -169,10 +164,10 @@ fn table(pair: &[Source; 2], rows: &[Row]) -> String {
             row.light,
             row.codes[0],
             row.codes[1],
-            row.de2000,
-            row.de76,
-            index(row.index),
-            index(row.index_de2000)
+            row.difference.de2000,
+            row.difference.de76,
+            index(row.index.map(|index| index.de76)),
+            index(row.index.map(|index| index.de2000))
         ));
     }
     text

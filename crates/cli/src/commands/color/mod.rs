@@ -10,7 +10,7 @@ mod spectrum;
 
 use clap::Subcommand;
 
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 
 /// What to do with colours.
 #[derive(Subcommand, Debug)]

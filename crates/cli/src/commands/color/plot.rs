@@ -1,13 +1,20 @@
-//! `glanz color plot`: pictures of what colour is made of.
+//! `glanz color plot`: plots of spectra, observers and colour spaces.
 
 use clap::{Args, Subcommand};
+use glanz_color::SpectrumKind;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_plot::figure::Mark;
+use glanz_plot::{
+    ChromaticityDiagram, Figure, NamedSpectrum, PlotFile, ReradiationMap, WavelengthChart, cones, meyer,
+    spectra,
+};
 
 use super::efficiency::WhatArgs;
-use crate::failure::Failure;
-use crate::plot::{self, Mark, NamedCurve, Picture, PlotFile, plot_file};
-use crate::print;
-use crate::spectra::{Kind, Source, fluorescent_source, light_source, source, words};
+use crate::input::spectra::{
+    FluorescentSource, Kind, Source, fluorescent_source, light_source, source, words,
+};
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_plot};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -44,7 +51,7 @@ pub enum PlotCommand {
 #[derive(Args, Debug)]
 pub struct OutputArgs {
     /// The plot's file; .svg or .png
-    #[arg(short, long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     output: PlotFile,
 }
 
@@ -115,21 +122,19 @@ impl PlotCommand {
     /// Draws it.
     pub fn run(&self) -> Result<(), Failure> {
         let file = &self.output().output;
-        file.check()?;
-        let picture = match self {
-            Self::Spectra(args) => args.picture()?,
-            Self::Chromaticity(args) => args.picture()?,
-            Self::Cones(_) => plot::cones().map_err(Failure::new)?,
-            Self::Meyer(_) => plot::meyer(),
+        check_plot(Some(file))?;
+        let figure: Box<dyn Figure> = match self {
+            Self::Spectra(args) => Box::new(args.chart()?),
+            Self::Chromaticity(args) => Box::new(args.diagram()?),
+            Self::Cones(_) => Box::new(cones().map_err(Failure::new)?),
+            Self::Meyer(_) => Box::new(meyer()),
             Self::Matrix(args) => {
-                let material = fluorescent_source(&args.material)?;
-                plot::matrix(&material.name, &material.matrix)
+                let FluorescentSource { name, matrix, .. } = fluorescent_source(&args.material)?;
+                Box::new(ReradiationMap { name, matrix, factors: None })
             }
-            Self::Efficiency(args) => args.what.find()?.picture(),
+            Self::Efficiency(args) => Box::new(args.what.find()?.chart()),
         };
-        file.save(&picture)?;
-        print::note(format_args!("wrote {}", file.path().display()));
-        Ok(())
+        save_plot(file, figure.as_ref())
     }
 
     fn output(&self) -> &OutputArgs {
@@ -144,12 +149,12 @@ impl PlotCommand {
 }
 
 impl SpectraArgs {
-    fn picture(&self) -> Result<Picture, Failure> {
-        let sources =
-            self.spectra.iter().map(|word| source(word, self.kind)).collect::<Result<Vec<_>, _>>()?;
+    fn chart(&self) -> Result<WavelengthChart, Failure> {
+        let kind = self.kind.map(SpectrumKind::from);
+        let sources = self.spectra.iter().map(|word| source(word, kind)).collect::<Result<Vec<_>, _>>()?;
         let curves: Vec<_> = sources.iter().map(|source| self.curve(source)).collect();
-        let surfaces = sources.iter().all(|source| source.kind == Kind::Surface);
-        let lights = sources.iter().all(|source| source.kind == Kind::Light);
+        let surfaces = sources.iter().all(|source| source.kind == SpectrumKind::Surface);
+        let lights = sources.iter().all(|source| source.kind == SpectrumKind::Light);
         let label = match (surfaces, lights) {
             _ if self.normalize => "relative to the greatest value",
             (true, _) => "reflectance",
@@ -162,27 +167,27 @@ impl SpectraArgs {
             _ if lights => ("Lights".to_owned(), "300 to 780 nm".to_owned()),
             _ => ("Spectra".to_owned(), "300 to 780 nm".to_owned()),
         };
-        Ok(plot::spectra(&title, &subtitle, label, &curves))
+        Ok(spectra(&title, &subtitle, label, &curves))
     }
 
-    fn curve(&self, source: &Source) -> NamedCurve {
+    fn curve(&self, source: &Source) -> NamedSpectrum {
         let most = source.spectrum.max();
         let divided = self.normalize && most > 0.0;
         let spectrum = if divided { source.spectrum * (1.0 / most) } else { source.spectrum };
-        NamedCurve { name: source.name.clone(), spectrum }
+        NamedSpectrum { name: source.name.clone(), spectrum }
     }
 }
 
 impl ChromaticityArgs {
-    fn picture(&self) -> Result<Picture, Failure> {
+    fn diagram(&self) -> Result<ChromaticityDiagram, Failure> {
         let lights = words(&self.mark).map_err(|error| Failure::Usage(format!("--mark: {error}")))?;
         let mut marks = Vec::new();
         for word in &lights {
             let light = light_source(word)?;
             let xy = Chromaticity::of_light(&light.spectrum)
-                .ok_or_else(|| Failure::Usage(format!("no eye sees the light '{word}'")))?;
+                .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{word}'")))?;
             marks.push(Mark { name: light.name, xy });
         }
-        Ok(plot::chromaticity(&marks))
+        Ok(ChromaticityDiagram { marks })
     }
 }

@@ -4,20 +4,20 @@ use std::fmt::Write;
 
 use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::colorimetry::{DisplayColor, dominant_wavelength, lab, relative_xyz};
 use glanz_color::cri::color_rendering;
 use glanz_color::models::Lab;
 use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
 use glanz_color::temperature::{MOST_DUV, color_temperature};
-use glanz_color::{Observer, ObserverKind, Spectrum};
+use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
+use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
-use crate::csv::save_csv;
-use crate::failure::Failure;
-use crate::judge::{Screen, decimals, finite, fixed, hue, lab, relative_xyz, wavelength};
-use crate::plot::{NamedCurve, PlotFile, plot_file, spectra};
-use crate::print::{self, FormatArgs, number};
-use crate::spectra::{Kind, Source, light_source, observer_source, source};
+use crate::input::spectra::{Kind, Source, light_source, observer_source, source};
+use crate::print::failure::Failure;
+use crate::print::files::{check_plot, save_csv, save_plot};
+use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -47,7 +47,7 @@ pub struct SpectrumArgs {
     #[arg(long, value_name = "LIGHT", default_value = "D65")]
     under: String,
 
-    /// Who looks: a name, or a file with a column for each channel of a sensor
+    /// The observer: a name, or a file with a column for each channel of a sensor
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
@@ -56,7 +56,7 @@ pub struct SpectrumArgs {
     kind: Option<Kind>,
 
     /// Draw the spectrum; .svg or .png
-    #[arg(long, value_name = "FILE", value_parser = plot_file, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     plot: Option<PlotFile>,
 
     /// Write the spectrum from 300 to 780 nm by 5 nm, as it is used
@@ -87,10 +87,11 @@ impl Facts {
 impl SpectrumArgs {
     /// Tells the numbers, and draws and writes what is asked for.
     pub fn run(&self) -> Result<(), Failure> {
-        self.plot.as_ref().map_or(Ok(()), PlotFile::check)?;
+        check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let source = source(&self.spectrum, self.kind)?;
-        if self.kind.is_some_and(|kind| kind != source.kind) {
+        let kind = self.kind.map(SpectrumKind::from);
+        let source = source(&self.spectrum, kind)?;
+        if kind.is_some_and(|kind| kind != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";
             return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
         }
@@ -101,8 +102,10 @@ impl SpectrumArgs {
         facts.value("observer", observer.name.as_str());
         facts.line("observer", format!("{}, {}", observer.name, observer.title));
         match source.kind {
-            Kind::Light => light_facts(&mut facts, &source, &observer),
-            Kind::Surface => surface_facts(&mut facts, &source, &light_source(&self.under)?, &observer),
+            SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
+            SpectrumKind::Surface => {
+                surface_facts(&mut facts, &source, &light_source(&self.under)?, &observer)
+            }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
         facts.value("values", source.spectrum.0.map(finite).to_vec());
@@ -123,14 +126,12 @@ impl SpectrumArgs {
         }
         let Some(file) = &self.plot else { return Ok(()) };
         let label = match source.kind {
-            Kind::Light if source.unit.is_empty() => "relative power per nm".to_owned(),
-            Kind::Light => source.unit.clone(),
-            Kind::Surface => "reflectance".to_owned(),
+            SpectrumKind::Light if source.unit.is_empty() => "relative power per nm".to_owned(),
+            SpectrumKind::Light => source.unit.clone(),
+            SpectrumKind::Surface => "reflectance".to_owned(),
         };
-        let curve = NamedCurve { name: source.name.clone(), spectrum: source.spectrum };
-        file.save(&spectra(&source.name, &source.title, &label, &[curve]))?;
-        print::note(format_args!("wrote {}", file.path().display()));
-        Ok(())
+        let curve = NamedSpectrum { name: source.name.clone(), spectrum: source.spectrum };
+        save_plot(file, &spectra(&source.name, &source.title, &label, &[curve]))
     }
 }
 
@@ -150,7 +151,7 @@ fn color_facts(facts: &mut Facts, xyz: [f64; 3], white: [f64; 3]) {
     facts.line("L*a*b*", decimals(&lab, 2));
 }
 
-fn screen_facts(facts: &mut Facts, screen: Screen, how: &str) {
+fn screen_facts(facts: &mut Facts, screen: DisplayColor, how: &str) {
     let (srgb, inside) = (screen.srgb, screen.is_in_gamut());
     let clipped = if inside { "" } else { ", outside of its gamut, code clipped" };
     facts.value("srgb", json!({ "values": srgb, "code": screen.hex(), "in_gamut": inside }));
@@ -158,7 +159,7 @@ fn screen_facts(facts: &mut Facts, screen: Screen, how: &str) {
 }
 
 fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &str) {
-    let Some((dominant, complement)) = hue(color, white) else {
+    let Some((dominant, complement)) = dominant_wavelength(color, white) else {
         facts.value("dominant_nm", Value::Null);
         facts.line("dominant", format!("none, it has the chromaticity of {name}"));
         return;
@@ -180,14 +181,14 @@ fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>,
     let responses = observer.response(light);
     let whites = white.map(|white| observer.response(white));
     for (index, (channel, response)) in observer.channels.iter().zip(&responses).enumerate() {
-        let share = whites.as_ref().map_or(*response, |whites| response / whites[index]);
-        facts.value(&format!("response_{}", channel.name), finite(share));
+        let relative = whites.as_ref().map_or(*response, |whites| response / whites[index]);
+        facts.value(&format!("response_{}", channel.name), finite(relative));
     }
-    let shares = responses.iter().enumerate().map(|(index, response)| {
+    let values = responses.iter().enumerate().map(|(index, response)| {
         number(whites.as_ref().map_or(*response, |whites| response / whites[index]))
     });
     let named =
-        observer.channels.iter().zip(shares).map(|(channel, share)| format!("{} {share}", channel.name));
+        observer.channels.iter().zip(values).map(|(channel, value)| format!("{} {value}", channel.name));
     let named = named.collect::<Vec<_>>().join(", ");
     let relative = if white.is_some() { " (of the perfect diffuser's)" } else { "" };
     facts.line("responses", format!("{named}{relative}"));
@@ -204,7 +205,7 @@ fn light_facts(facts: &mut Facts, source: &Source, observer: &Observer) {
         (relative_xyz(light, light, observer), relative_xyz(&d65, &d65, observer))
     {
         color_facts(facts, xyz, white);
-        screen_facts(facts, Screen::of_light(xyz), "as bright as it can be");
+        screen_facts(facts, DisplayColor::of_light(xyz), "as bright as it can be");
     } else if observer.kind == ObserverKind::Xyz {
         facts.line("XYZ", "none: the observer does not see this light");
     }
@@ -274,7 +275,7 @@ fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &
     let white = relative_xyz(&light.spectrum, &light.spectrum, observer);
     if let (Some(xyz), Some(white)) = (relative_xyz(&seen, &light.spectrum, observer), white) {
         color_facts(facts, xyz, white);
-        if let Some(screen) = Screen::adapted(xyz, white) {
+        if let Some(screen) = DisplayColor::adapted(xyz, white) {
             screen_facts(facts, screen, &format!("adapted from {}", light.name));
         }
     } else if observer.kind == ObserverKind::Xyz {

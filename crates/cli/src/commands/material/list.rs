@@ -7,7 +7,7 @@ use glanz_scene::library::{Category, MaterialInfo, materials};
 use serde_json::{Value, json};
 
 use super::categories;
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.

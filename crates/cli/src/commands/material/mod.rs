@@ -10,7 +10,7 @@ use clap::Subcommand;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glanz_scene::library::Category;
 
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 
 /// What to do with the library.
 #[derive(Subcommand, Debug)]
@@ -20,7 +20,7 @@ pub enum MaterialCommand {
     List(list::ListArgs),
     /// One material, as it is written in a scene file
     #[command(after_help = show::EXAMPLES)]
-    DebugView(show::ShowArgs),
+    Show(show::ShowArgs),
     /// Draw a sheet of balls of materials
     #[command(after_help = sheet::EXAMPLES)]
     Sheet(Box<sheet::SheetArgs>),
@@ -31,7 +31,7 @@ impl MaterialCommand {
     pub fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
-            Self::DebugView(_) => "show",
+            Self::Show(_) => "show",
             Self::Sheet(_) => "sheet",
         }
     }
@@ -40,7 +40,7 @@ impl MaterialCommand {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(args) => args.run(),
-            Self::DebugView(args) => args.run(),
+            Self::Show(args) => args.run(),
             Self::Sheet(args) => args.run(),
         }
     }

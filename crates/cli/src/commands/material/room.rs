@@ -14,8 +14,8 @@ use glanz_scene::{
 };
 
 use super::sky;
-use crate::failure::Failure;
 use crate::load::Input;
+use crate::print::failure::Failure;
 
 /// Behind the ball, linear.
 const BACKGROUND: Rgb = Rgb([0.055, 0.055, 0.06]);
@@ -26,11 +26,11 @@ const FILLED: f64 = 0.92;
 /// Directions in which lamps shine and how strong they are: a key from the upper left, and one from behind, which
 /// passes leaves and paper and shows grazing reflection.
 const LAMPS: [([f64; 3], f64); 2] = [([1.0, -1.1, -1.2], 0.35), ([-0.9, -0.5, 1.0], 0.35)];
-/// Light for ambient terms, which do not see the room.
+/// Light for ambient terms, which the environment map does not light.
 const AMBIENT: f64 = 0.35;
 /// Exposure in stops: polished metal and white paper shall both keep their colours.
 const EV: f32 = -0.5;
-/// Squares along the side of the board behind clear things.
+/// Squares along the side of the checkerboard behind transparent materials.
 const SQUARES: u32 = 10;
 /// The side of that board over the radius of the ball.
 const BOARD: f64 = 6.0;
@@ -80,7 +80,7 @@ impl Room {
     }
 
     fn lights(&self) -> Vec<Light> {
-        let surroundings =
+        let environment =
             LightKind::Environment { map: Some(Arc::clone(&self.map)), rotation: DMat3::IDENTITY };
         let lamp = |(direction, strength): ([f64; 3], f64)| Light {
             space: Space::Camera,
@@ -90,7 +90,7 @@ impl Room {
             )
         };
         let mut lights: Vec<_> = LAMPS.into_iter().map(lamp).collect();
-        lights.push(Light::new(surroundings, LightColors::direct(self.lamp.clone())));
+        lights.push(Light::new(environment, LightColors::direct(self.lamp.clone())));
         lights.push(Light::new(LightKind::Ambient, LightColors::ambient(self.lamp.scaled(AMBIENT))));
         lights
     }

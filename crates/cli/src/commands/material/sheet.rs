@@ -4,6 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use glanz_color::Rgb;
+use glanz_plot::ContactSheet;
 use glanz_scene::LightColor;
 use glanz_scene::library::{self, Category, MaterialInfo, materials};
 
@@ -11,14 +12,13 @@ use super::categories;
 use super::room::Room;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
 use crate::encode;
-use crate::failure::Failure;
-use crate::grid::tell;
+use crate::input::spectra;
 use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
+use crate::print::failure::Failure;
+use crate::print::files::tell_sheet;
+use crate::print::timings::Timings;
 use crate::progress::Progress;
-use crate::sheet::Sheet;
-use crate::spectra;
-use crate::timings::Timings;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -27,8 +27,8 @@ Examples:
   glanz material sheet --category metal --columns 6 -o metals.png
   glanz material sheet gold copper-satin velvet-red --size 256 -o three.png
 
-The balls lie in a room with a window behind the viewer on the left and a lit screen on the right; what is seen through
-stands before a board. Without names or categories all materials are drawn.";
+The environment of the balls is a studio with a window behind the viewer on the left and a lit screen on the right;
+transparent materials stand before a checkerboard. Without names or categories all materials are drawn.";
 
 /// The most columns, if nothing is said.
 const DEFAULT_COLUMNS: u32 = 9;
@@ -53,7 +53,7 @@ pub struct SheetArgs {
           value_parser = clap::value_parser!(u32).range(1..=1000))]
     columns: u32,
 
-    /// The spectrum of the lamps and the room, from `glanz color list lights` or a file [default: D65]
+    /// The spectrum of the lamps and the environment, from `glanz color list lights` or a file [default: D65]
     #[arg(long, value_name = "SPECTRUM")]
     light: Option<String>,
 
@@ -82,12 +82,12 @@ impl SheetArgs {
         let chosen = self.chosen()?;
         let room = Room::new(self.lamp()?)?;
         let cell = self.size as usize;
-        let sheet = Sheet {
+        let sheet = ContactSheet {
             captions: chosen.iter().map(|info| vec![info.name.clone()]).collect(),
             per_row: chosen.len().min(self.columns as usize),
             count: chosen.len(),
             cell: (cell, cell),
-            ..Sheet::default()
+            ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
         let size = (self.size, self.size);
@@ -107,7 +107,7 @@ impl SheetArgs {
         encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
         let cells: Vec<_> =
             chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();
-        tell(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, self.format)
     }
 
     /// The materials that are named, then those of the categories; all if nothing is said.

@@ -4,7 +4,7 @@ use clap::Args;
 use glanz_scene::library::{self, MaterialInfo};
 
 use super::list::describe;
-use crate::failure::Failure;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.

@@ -1,4 +1,4 @@
-//! The surroundings of the balls: a room with a window and a lit screen, so that mirrors have something to show.
+//! The environment map of the balls: a room with a window and a lit screen, so that mirrors have something to show.
 
 use glam::DVec3;
 use glanz_scene::EnvironmentMap;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 use glanz_bsdf::{LightTerm, Shape, Side};
-use glanz_color::{Ior, Rgb, ior};
+use glanz_color::{Ior, Rgb, SpectrumKind, ior};
+use glanz_plot::Medium;
 use glanz_render::{DebugView, ToneMap};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::{
@@ -12,10 +13,9 @@ use glanz_scene::{
     Projection, RenderSettings, Scene, Space, Tint,
 };
 
-use crate::failure::Failure;
+use crate::input::spectra;
 use crate::load::Input;
-use crate::lobes::medium;
-use crate::spectra;
+use crate::print::failure::Failure;
 
 /// Behind the ball, linear.
 const BACKGROUND: Rgb = Rgb([0.045, 0.045, 0.05]);
@@ -57,7 +57,7 @@ impl Ball {
         for (key, text) in values {
             match key.as_str() {
                 "ior" => tint = ior_tint(text)?,
-                "tint" => tint = share_tint(text)?,
+                "tint" => tint = reflectance_tint(text)?,
                 name => match text.parse::<f64>() {
                     Ok(value) => set.push((name, value)),
                     Err(_) => {
@@ -70,7 +70,7 @@ impl Ball {
         let shape = Shape::named(model, &set).map_err(|error| Failure::Usage(error.to_string()))?;
         if shape.info().delta {
             return Err(Failure::Usage(format!(
-                "'{model}' sends light into a single direction: lamps leave it black, it shows surroundings only"
+                "'{model}' sends light into a single direction: lamps leave it black, it shows environments only"
             )));
         }
         let mesh = Builtin::named(mesh).expect("the parser lets only known names through");
@@ -157,20 +157,20 @@ fn finer(mesh: Builtin) -> Builtin {
 /// Fresnel's law of a metal, a glass or a number.
 fn ior_tint(text: &str) -> Result<Tint, Failure> {
     // The words that are no media have their errors there.
-    let known = medium(text, TRIED_NM)?;
+    let known = Medium::named(text, TRIED_NM)?;
     Ok(Tint::Ior(Arc::new(match ior(text) {
         Ok(found) => found,
         Err(_) => Ior::constant(known.eta),
     })))
 }
 
-/// A share of all light, or of each wavelength.
-fn share_tint(text: &str) -> Result<Tint, Failure> {
+/// A reflectance for all wavelengths, or a spectrum of it.
+fn reflectance_tint(text: &str) -> Result<Tint, Failure> {
     match text.parse::<f32>() {
-        Ok(share) if (0.0..=1.0).contains(&share) => Ok(Tint::Rgb(Rgb::gray(share))),
-        Ok(share) => Err(Failure::Usage(format!("tint is {share}, but must be between 0 and 1"))),
+        Ok(value) if (0.0..=1.0).contains(&value) => Ok(Tint::Rgb(Rgb::gray(value))),
+        Ok(value) => Err(Failure::Usage(format!("tint is {value}, but must be between 0 and 1"))),
         Err(_) => {
-            let source = spectra::source(text, Some(spectra::Kind::Surface))?;
+            let source = spectra::source(text, Some(SpectrumKind::Surface))?;
             Ok(Tint::Spectrum(Arc::new(source.spectrum)))
         }
     }

@@ -8,19 +8,19 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glanz_bsdf::models::info_named;
 use glanz_math::names::did_you_mean;
+use glanz_plot::{Grid, Variation};
 use glanz_scene::builtin::Builtin;
 
 use self::ball::Ball;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices, size};
 use crate::encode;
-use crate::failure::Failure;
-use crate::grid::{Grid, tell};
-use crate::lobes::model_names;
+use crate::input::lobes::model_names;
 use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
+use crate::print::failure::Failure;
+use crate::print::files::tell_sheet;
+use crate::print::timings::Timings;
 use crate::progress::Progress;
-use crate::timings::Timings;
-use crate::vary::Vary;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -31,7 +31,7 @@ Examples:
 
 The last --vary runs along the columns, all others along the rows, the first one slowest.
 Beside the parameters of the model, ior (a metal, a glass or a refractive index: Fresnel's law)
-and tint (a spectrum or a share) are keys. Without --mode, sheets are drawn in spectral mode.";
+and tint (a spectrum or a reflectance) are keys. Without --mode, sheets are drawn in spectral mode.";
 
 /// The most columns where one value alone varies.
 const DEFAULT_COLUMNS: u32 = 8;
@@ -45,8 +45,8 @@ pub struct SheetArgs {
 
     /// A parameter, ior or tint, and the values it takes in turn: NAME=a,b,c or NAME=start:stop:count; may be
     /// repeated
-    #[arg(long, value_name = "NAME=VALUES", value_parser = Vary::parse, required = true)]
-    vary: Vec<Vary>,
+    #[arg(long, value_name = "NAME=VALUES", value_parser = crate::input::vary::variation, required = true)]
+    vary: Vec<Variation>,
 
     /// A parameter, ior or tint for all balls, such as shininess=32; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = crate::args::assignment)]
@@ -93,7 +93,7 @@ impl SheetArgs {
         let target = self.target.resolve(Path::new(&self.model), "_sheet.png")?;
         encode::expect_png(&target, "a sheet")?;
         self.check_keys()?;
-        let grid = Grid { vary: &self.vary, columns: self.columns as usize, cell: self.size };
+        let grid = Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size };
         let cells = grid.cells()?;
         let balls = cells.iter().map(|cell| self.ball(cell)).collect::<Result<Vec<_>, _>>()?;
         let sheet = grid.sheet(cells.len());
@@ -112,7 +112,7 @@ impl SheetArgs {
         drop(progress);
         let size = (canvas.width, canvas.height);
         encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
-        tell(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, self.format)
     }
 
     /// The ball of one cell: what is varied comes before what is set.

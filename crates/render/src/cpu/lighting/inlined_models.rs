@@ -3,7 +3,7 @@
 use glanz_bsdf::{DirectionPair, LightTerm, Model, ModelInfo, ShapeVisitor, Side};
 use glanz_math::Real;
 
-/// The most operations of a model inside the loop. The classic highlights with their power take up to 59.
+/// The most operations of a model inside the loop. The classic highlights with their power take up to 58.
 const MOST_OPERATIONS: u32 = 60;
 
 /// Whether the loop holds a model: one of the classic block of coefficients, which has no parameter or an exponent

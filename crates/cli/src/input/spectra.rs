@@ -1,0 +1,383 @@
+//! Spectra, lights, observers and re-radiation: by name, or from a file.
+//!
+//! A name comes first; a file of the same name is found as `./name`. `FILE:COLUMN` is one spectrum of a file
+//! that holds several, by its name or its number from 1.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use clap::ValueEnum;
+use glanz_color::read::{NamedSpectrum, PowerUnit, Quantity, is_bfc, read_reradiation, read_spectra};
+use glanz_color::{
+    CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
+    catalog_spectrum, fluorescent, fluorescents, light, observer,
+};
+use glanz_math::names::{plain, suggestion};
+use glanz_scene::read::read_sensor;
+
+use crate::print;
+use crate::print::failure::{Failure, Report, without_number};
+
+/// The most that is read of a file: what the readers take, and one byte by which they see more.
+const MAX_BYTES: u64 = (16 << 20) + 1;
+
+/// Endings by which a word is known to be a file's name, whether or not the file exists.
+const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
+
+/// Values of a surface exceed 1 only where it glows, and then hardly by more.
+const GREATEST_RATIO: f64 = 1.5;
+
+/// A surface may exceed 1 by the rounding of numbers in a file without a remark.
+const RATIO_TOLERANCE: f64 = 1e-6;
+
+/// What the option --as takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Power by wavelength
+    Light,
+    /// Reflectance or transmittance by wavelength
+    Surface,
+}
+
+impl From<Kind> for SpectrumKind {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Light => Self::Light,
+            Kind::Surface => Self::Surface,
+        }
+    }
+}
+
+/// A spectrum that the command line named.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Its name.
+    pub name: String,
+    /// What it is, in a few words, and where it comes from.
+    pub title: String,
+    /// What it is of.
+    pub kind: SpectrumKind,
+    /// The values on the grid.
+    pub spectrum: Spectrum,
+    /// The unit of the values as the file gives it; empty if there is none.
+    pub unit: String,
+    /// The same, where it is one of spectral power that is understood.
+    pub power_unit: Option<PowerUnit>,
+}
+
+/// A re-radiation matrix that the command line named.
+#[derive(Clone, Debug)]
+pub struct FluorescentSource {
+    /// Its name.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// The matrix on the grid.
+    pub matrix: Reradiation,
+}
+
+impl Source {
+    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum }: CatalogSpectrum) -> Self {
+        Self { name: word.to_owned(), title, kind, spectrum, unit: String::new(), power_unit: None }
+    }
+}
+
+/// The spectrum of that name, or of that file. `kind` is what the user says it is of.
+///
+/// What is assumed of a file is told on stderr.
+pub fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+    let unknown_name = match catalog_spectrum(word) {
+        Ok(found) => return Ok(Source::of_catalog(word, found)),
+        // Numbers that are not possible have their own message.
+        Err(error @ UnknownName::Parameter { .. }) => return Err(Failure::Usage(error.to_string())),
+        Err(error) => error,
+    };
+    match open(word)? {
+        Some(opened) => from_file(&opened, kind),
+        None if fluorescent(word).is_ok() => Err(Failure::Usage(format!(
+            "'{word}' is fluorescent: no reflectance tells its colour; see 'glanz color fluorescence'"
+        ))),
+        None => Err(unknown("spectrum", word, &unknown_name)),
+    }
+}
+
+/// The light of that name, or of that file.
+pub fn light_source(word: &str) -> Result<Source, Failure> {
+    match light(word) {
+        Ok(_) => source(word, Some(SpectrumKind::Light)),
+        // Numbers that are not possible have their own message.
+        Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
+        Err(error) => match open(word)? {
+            Some(opened) => light_from_file(&opened),
+            None => Err(unknown("light", word, &error)),
+        },
+    }
+}
+
+/// The observer of that name, or the sensor whose channels are the columns of that file.
+pub fn observer_source(word: &str) -> Result<Observer, Failure> {
+    let error = match observer(word) {
+        Ok(observer) => return Ok(observer),
+        Err(error) => error,
+    };
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
+        return Err(unknown("observer", word, &error));
+    };
+    read_sensor(&bytes, &file).map_err(Failure::new)
+}
+
+/// The re-radiation matrix of that name, or of that file.
+pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
+    let error = match fluorescent(word) {
+        Ok(matrix) => {
+            let info = fluorescents().iter().find(|info| same(info.name, word));
+            let title = info.map_or(String::new(), |info| info.title.to_owned());
+            return Ok(FluorescentSource { name: word.to_owned(), title, matrix });
+        }
+        Err(error) => error,
+    };
+    let Some(Opened { bytes, file, .. }) = open(word)? else {
+        return Err(unknown("fluorescent material", word, &error));
+    };
+    let read = read_reradiation(&bytes, &file).map_err(Failure::new)?;
+    if !read.notes.is_empty() {
+        print::note(format_args!("note: {file}: {}", read.notes.join("; ")));
+    }
+    let matrix = read.to_reradiation().map_err(|error| Failure::new(format_args!("{file}: {error}")))?;
+    Ok(FluorescentSource { name: read.name, title: file, matrix })
+}
+
+/// All surfaces of a file.
+pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
+    let spectra = read_spectra(&read(Path::new(file))?, file).map_err(Failure::new)?;
+    let surface = |named: &NamedSpectrum| {
+        if matches!(named.quantity, Quantity::Light | Quantity::Relative | Quantity::Absorptance) {
+            return Err(not_a(named, file, "a surface"));
+        }
+        let spectrum = on_grid(named, Some(Outside::Hold))?;
+        note_beyond_1(&spectrum, &named.name);
+        Ok(spectrum)
+    };
+    spectra.iter().map(surface).collect()
+}
+
+/// A light from a file that does not say that it is something else.
+fn light_from_file(opened: &Opened) -> Result<Source, Failure> {
+    let spectra = read_spectra(&opened.bytes, &opened.file).map_err(Failure::new)?;
+    let named = pick(&spectra, &opened.file, opened.column.as_deref())?;
+    match named.quantity.is_ratio() {
+        true => Err(not_a(named, &opened.file, "a light")),
+        false => from_file(opened, Some(SpectrumKind::Light)),
+    }
+}
+
+/// The failure for a spectrum that the file calls something else than what is wanted.
+fn not_a(named: &NamedSpectrum, file: &str, wanted: &str) -> Failure {
+    let what = match named.quantity {
+        Quantity::Reflectance => "a reflectance",
+        Quantity::Transmittance => "a transmittance",
+        Quantity::Absorptance => "an absorptance",
+        Quantity::Light | Quantity::Relative => "light",
+        Quantity::Unknown => "unknown",
+    };
+    Failure::new(format_args!("{file}: expected {wanted}, found that '{}' is {what}", named.name))
+}
+
+/// Says where a surface gives back more light than it gets.
+fn note_beyond_1(surface: &Spectrum, name: &str) {
+    let most = surface.points().max_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((nm, value)) = most.filter(|(_, value)| *value > 1.0 + RATIO_TOLERANCE) {
+        print::note(format_args!(
+            "note: '{name}' gives back up to {} of the light ({nm} nm): only what glows exceeds 1",
+            print::number(value)
+        ));
+    }
+}
+
+/// Words between commas; commas in brackets, as in `gaussian(530, 30)`, do not count.
+pub fn words(text: &str) -> Result<Vec<String>, String> {
+    let mut words = vec![String::new()];
+    let mut depth = 0_usize;
+    for c in text.chars() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if c == ',' && depth == 0 {
+            words.push(String::new());
+        } else if let Some(word) = words.last_mut() {
+            word.push(c);
+        }
+    }
+    words.iter_mut().for_each(|word| *word = word.trim().to_owned());
+    match words.iter().any(String::is_empty) {
+        true => Err("expected names between commas, such as D65,A,FL11".to_owned()),
+        false => Ok(words),
+    }
+}
+
+fn same(a: &str, b: &str) -> bool {
+    plain(a) == plain(b)
+}
+
+/// The failure for a word that is neither a name nor a file.
+fn unknown(what: &str, word: &str, error: &UnknownName) -> Failure {
+    let suggestion = match error {
+        UnknownName::NotFound { near, .. } => suggestion(near),
+        UnknownName::Parameter { .. } => String::new(),
+    };
+    Failure::Usage(format!("there is no {what} '{word}', and no file of that name{suggestion}"))
+}
+
+/// A file that was named.
+struct Opened {
+    bytes: Vec<u8>,
+    /// Its name.
+    file: String,
+    /// The column of it that is meant.
+    column: Option<String>,
+}
+
+/// Reads the file that is meant; none where the word is no file.
+fn open(word: &str) -> Result<Option<Opened>, Failure> {
+    let whole = Path::new(word);
+    let split = word.rsplit_once(':').filter(|(file, column)| !file.is_empty() && !column.is_empty());
+    let (file, column) = match split {
+        _ if whole.exists() => (word, None),
+        Some((file, column)) if Path::new(file).exists() || has_ending(file) => (file, Some(column)),
+        _ if has_ending(word) || word.contains(['/', '\\']) => (word, None),
+        _ => return Ok(None),
+    };
+    let bytes = read(Path::new(file))?;
+    Ok(Some(Opened { bytes, file: file.to_owned(), column: column.map(str::to_owned) }))
+}
+
+fn has_ending(word: &str) -> bool {
+    let ending = Path::new(word).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending))
+}
+
+/// Reads a file, but not more than the readers take.
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let failed = |error: std::io::Error| {
+        let error = without_number(&error.to_string());
+        Failure::new(format_args!("cannot read '{}': {error}", path.display()))
+    };
+    if path.is_dir() {
+        return Err(Failure::new(format_args!("cannot read '{}': it is a folder", path.display())));
+    }
+    let mut bytes = Vec::new();
+    File::open(path).map_err(failed)?.take(MAX_BYTES).read_to_end(&mut bytes).map_err(failed)?;
+    Ok(bytes)
+}
+
+fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+    let file = opened.file.as_str();
+    if is_bfc(&opened.bytes) {
+        let report = Report::new(format_args!("{file} is a re-radiation matrix: it has no single spectrum"));
+        return Err(report.help(format_args!("'glanz color fluorescence {file}' tells its colours")).into());
+    }
+    let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
+    let named = pick(&spectra, file, opened.column.as_deref())?;
+    let kind = kind.map_or_else(|| kind_of(named, file), Ok)?;
+    let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
+    let spectrum = on_grid(named, Some(outside))?;
+    if kind == SpectrumKind::Surface {
+        note_beyond_1(&spectrum, &named.name);
+    }
+    Ok(Source {
+        name: named.name.clone(),
+        title: format!("from {file}"),
+        kind,
+        spectrum,
+        unit: named.unit.clone(),
+        power_unit: named.power_unit(),
+    })
+}
+
+/// What a spectrum of a file is of, by what the file says of it; if it says nothing, by its values.
+fn kind_of(named: &NamedSpectrum, file: &str) -> Result<SpectrumKind, Failure> {
+    match named.quantity {
+        Quantity::Reflectance | Quantity::Transmittance => Ok(SpectrumKind::Surface),
+        Quantity::Light | Quantity::Relative => Ok(SpectrumKind::Light),
+        Quantity::Absorptance => {
+            let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
+            Err(Report::new(message).help("say what it stands for with --as").into())
+        }
+        Quantity::Unknown => {
+            let ratios = named.values.iter().all(|value| (-0.1..=GREATEST_RATIO).contains(value));
+            let (kind, taken) = match ratios {
+                true => (SpectrumKind::Surface, "the reflectance of a surface"),
+                false => (SpectrumKind::Light, "light"),
+            };
+            print::note(format_args!(
+                "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
+                named.name
+            ));
+            Ok(kind)
+        }
+    }
+}
+
+fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, Failure> {
+    told(named, named.to_spectrum(outside))
+}
+
+/// The spectrum that came of a file's; what had to be assumed is told on stderr.
+fn told(
+    named: &NamedSpectrum,
+    found: Result<(Spectrum, Vec<String>), TableError>,
+) -> Result<Spectrum, Failure> {
+    let (spectrum, notes) = found.map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
+    named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
+    Ok(spectrum)
+}
+
+/// The spectrum that is meant: the only one, or that of the column.
+fn pick<'a>(
+    spectra: &'a [NamedSpectrum],
+    file: &str,
+    column: Option<&str>,
+) -> Result<&'a NamedSpectrum, Failure> {
+    let list = || spectra.iter().map(|one| one.name.as_str()).take(12).collect::<Vec<_>>().join(", ");
+    let found = match column {
+        None => match spectra {
+            [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
+            [only] => Some(only),
+            [first, ..] => {
+                let count = spectra.len();
+                let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
+                let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
+                return Err(report.help(help).into());
+            }
+        },
+        Some(column) => {
+            let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+            let by_name = spectra.iter().find(|one| same(&one.name, column));
+            by_name.or_else(|| number.and_then(|index| spectra.get(index)))
+        }
+    };
+    found.ok_or_else(|| {
+        let column = column.unwrap_or_default();
+        Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list()))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_in_brackets_do_not_part_words() {
+        assert_eq!(words("D65, gaussian(530, 30) ,A").unwrap(), ["D65", "gaussian(530, 30)", "A"]);
+        assert!(words("D65,,A").is_err() && words("").is_err());
+    }
+
+    #[test]
+    fn endings_tell_files_from_names() {
+        assert!(has_ending("a/b.CSV") && has_ending("b.bfc"));
+        assert!(!has_ending("FL3.1") && !has_ending("neutral-6.5"));
+    }
+}

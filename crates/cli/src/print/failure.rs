@@ -1,0 +1,180 @@
+//! The one way in which a command fails, and how that is told.
+
+use std::fmt;
+use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{Command, CommandFactory};
+use glanz_picture::output::OutputError;
+use glanz_render::ShotError;
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
+};
+
+/// Exit code of a command that was used rightly but could not do its work.
+const FAILED: u8 = 1;
+/// Exit code of a command that was used wrongly.
+const USAGE: u8 = 2;
+
+/// Why a command ends early.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command line makes no sense; exit code 2.
+    Usage(String),
+    /// The work could not be done; exit code 1.
+    Failed(Box<Report>),
+    /// Whoever read our output has had enough. Not an error.
+    Closed,
+}
+
+impl Failure {
+    /// A failure that is told by its message alone.
+    pub fn new(message: impl fmt::Display) -> Self {
+        Report::new(message).into()
+    }
+
+    /// Tells the failure on stderr, and the exit code.
+    pub fn report<C: CommandFactory>(self, command: &[&str]) -> ExitCode {
+        match self {
+            Self::Usage(message) => {
+                let mut root = C::command();
+                root.build();
+                let error = subcommand(&mut root, command).error(ErrorKind::ValueValidation, message);
+                // Nothing is left to be done if stderr is closed.
+                let _ = error.print();
+                ExitCode::from(USAGE)
+            }
+            Self::Failed(report) => {
+                let _ = report.print();
+                ExitCode::from(FAILED)
+            }
+            Self::Closed => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl From<Report> for Failure {
+    fn from(report: Report) -> Self {
+        Self::Failed(Box::new(report))
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        Self::new(without_number(&error.to_string()))
+    }
+}
+
+impl From<glanz_plot::Error> for Failure {
+    fn from(error: glanz_plot::Error) -> Self {
+        use glanz_plot::Error;
+        match error {
+            Error::Output(error) => error.into(),
+            Error::ViewAngle { .. } | Error::Azimuth { .. } => Self::Usage(format!("--{error}")),
+            Error::EmptyLobe { .. } => Self::new(error),
+            Error::NoFacets { .. } => Report::new(error).help("--kind polar shows its lobe").into(),
+            Error::SheetSize { .. } => Report::new(error).help("draw smaller pictures, or fewer").into(),
+            _ => Self::Usage(error.to_string()),
+        }
+    }
+}
+
+impl From<ShotError> for Failure {
+    fn from(error: ShotError) -> Self {
+        Self::new(error)
+    }
+}
+
+/// A message without the operating system's number of the error, which helps nobody.
+pub fn without_number(message: &str) -> String {
+    match message.split_once(" (os error ") {
+        Some((before, after)) => format!("{before}{}", after.split_once(')').map_or("", |(_, rest)| rest)),
+        None => message.to_owned(),
+    }
+}
+
+/// The subcommand of `root` that `path` leads to.
+fn subcommand<'a>(root: &'a mut Command, path: &[&str]) -> &'a mut Command {
+    path.iter().fold(root, |command, name| {
+        command.find_subcommand_mut(name).expect("a running command is a subcommand of the root")
+    })
+}
+
+/// A failure with all that helps to mend it.
+#[derive(Debug, Default)]
+pub struct Report {
+    message: String,
+    help: Option<String>,
+    source: Option<NamedSource<String>>,
+    label: Option<LabeledSpan>,
+}
+
+impl Report {
+    /// A report of this message.
+    pub fn new(message: impl fmt::Display) -> Self {
+        Self { message: message.to_string(), ..Self::default() }
+    }
+
+    /// Adds what could be done about it.
+    pub fn help(mut self, help: impl fmt::Display) -> Self {
+        self.help = Some(help.to_string());
+        self
+    }
+
+    /// Adds the text of a file and the bytes of it that are at fault.
+    pub fn source(mut self, file: &str, text: String, span: std::ops::Range<usize>) -> Self {
+        let start = span.start.min(text.len());
+        let length = span.end.clamp(start, text.len()) - start;
+        self.label =
+            Some(LabeledSpan::new_with_span(Some("here".to_owned()), SourceSpan::from((start, length))));
+        self.source = Some(NamedSource::new(file, text));
+        self
+    }
+
+    /// Writes the report to stderr: with colours and frames on a terminal, plain elsewhere.
+    fn print(&self) -> io::Result<()> {
+        let mut stderr = io::stderr().lock();
+        if !stderr.is_terminal() {
+            return writeln!(stderr, "{}", self.plain().map_err(io::Error::other)?);
+        }
+        let colored = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        let theme = if colored { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+        let mut text = String::new();
+        GraphicalReportHandler::new_themed(theme).render_report(&mut text, self).map_err(io::Error::other)?;
+        write!(stderr, "{text}")
+    }
+
+    /// The report in ASCII, with the message in one line after `error:`, wherever it may be searched
+    /// or compared.
+    fn plain(&self) -> Result<String, fmt::Error> {
+        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(10_000);
+        let mut text = String::new();
+        handler.render_report(&mut text, self)?;
+        let text = text.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        // The frame begins with a cross, which the word replaces.
+        Ok(format!("error: {}", text.trim_start().trim_start_matches('x').trim()))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Report {}
+
+impl Diagnostic for Report {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|source| source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        self.label.clone().map(|label| Box::new(std::iter::once(label)) as Box<dyn Iterator<Item = _>>)
+    }
+}

@@ -1,0 +1,70 @@
+//! Data on stdout, as text or JSON, and notes on stderr.
+
+use std::io::{self, Write};
+
+use clap::{Args, ValueEnum};
+use serde_json::Value;
+
+use super::failure::{Failure, without_number};
+
+/// How data is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people
+    #[default]
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The choice between text and JSON.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct FormatArgs {
+    /// How data is printed on stdout
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT", help_heading = "Output")]
+    pub format: Format,
+}
+
+impl FormatArgs {
+    /// Whether data is printed for programs.
+    pub fn is_json(self) -> bool {
+        self.format == Format::Json
+    }
+}
+
+/// Writes all of `bytes` to stdout. That nobody reads any more is [`Failure::Closed`].
+pub fn bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::Closed,
+        _ => Failure::new(format_args!("cannot write to stdout: {}", without_number(&error.to_string()))),
+    })
+}
+
+/// Writes text to stdout.
+pub fn text(text: &str) -> Result<(), Failure> {
+    bytes(text.as_bytes())
+}
+
+/// Writes JSON to stdout, indented.
+pub fn json(value: &Value) -> Result<(), Failure> {
+    text(&format!("{value:#}\n"))
+}
+
+/// Tells something on stderr that is no data. That nobody listens is no failure.
+pub fn note(message: impl std::fmt::Display) {
+    let _ = writeln!(io::stderr().lock(), "{message}");
+}
+
+/// Tells on stderr that not all of `input` is drawn as it says, and where to read more.
+pub fn notes(input: &std::path::Path, notes: &[String]) {
+    match notes {
+        [] => {}
+        [only] => note(format_args!("note: {only}")),
+        _ => note(format_args!(
+            "note: {} things are ignored or changed; 'glanz info {}' lists them",
+            notes.len(),
+            input.display()
+        )),
+    }
+}

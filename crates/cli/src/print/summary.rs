@@ -1,0 +1,384 @@
+//! What is in a scene, in words and as JSON.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use glam::DVec3;
+use glanz_plot::number;
+use glanz_scene::{
+    AlphaMode, AreaShape, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Luminaire,
+    Material, Mesh, Projection, Space,
+};
+use serde_json::{Value, json};
+
+use super::colors;
+use crate::load::Input;
+
+/// The most things of a kind that are listed for people; JSON has all.
+const MOST_LISTED: usize = 40;
+
+/// What is in a scene.
+pub struct Summary<'a> {
+    /// The scene.
+    pub input: &'a Input,
+    /// Its file.
+    pub path: &'a Path,
+}
+
+impl Summary<'_> {
+    /// For people.
+    pub fn text(&self) -> String {
+        let scene = &self.input.scene;
+        let mut text = format!("{}\n", self.path.display());
+        let total: usize = self.triangles();
+        let instances = plural(scene.objects.len(), "object");
+        line(&mut text, "shows", &format!("{instances} with {}", plural(total, "triangle")));
+        line(&mut text, "bounds", &bounds_text(&scene.bounds()));
+        let image = scene.image;
+        line(
+            &mut text,
+            "picture",
+            &format!("{}x{}, {}", image.width, image.height, plural(image.samples as usize, "sample")),
+        );
+        section(&mut text, "meshes", scene.meshes.iter().map(mesh_text));
+        section(&mut text, "materials", scene.materials.iter().map(material_text));
+        section(
+            &mut text,
+            "textures",
+            scene
+                .textures
+                .iter()
+                .map(|texture| format!("{} {}x{}", name(&texture.name), texture.width, texture.height)),
+        );
+        let lights =
+            if self.input.default_lights { "lights (the file has none; these are added)" } else { "lights" };
+        section(&mut text, lights, scene.lights.iter().map(light_text));
+        match (&scene.camera, self.input.cameras.is_empty()) {
+            (Some(camera), true) => section(&mut text, "cameras", [camera_text("", camera)]),
+            (None, true) => line(&mut text, "cameras", "none; the scene is framed automatically"),
+            _ => {
+                let cameras = self.input.cameras.iter();
+                section(&mut text, "cameras", cameras.map(|(name, camera)| camera_text(name, camera)));
+            }
+        }
+        section(&mut text, "ignored or changed", self.input.notes.iter().cloned());
+        text
+    }
+
+    /// For programs.
+    pub fn json(&self) -> Value {
+        let scene = &self.input.scene;
+        let cameras: Vec<_> = match (&scene.camera, self.input.cameras.as_slice()) {
+            (Some(camera), []) => vec![camera_json("", camera)],
+            (_, named) => named.iter().map(|(name, camera)| camera_json(name, camera)).collect(),
+        };
+        let textures = scene
+            .textures
+            .iter()
+            .map(|texture| json!({ "name": texture.name, "width": texture.width, "height": texture.height }));
+        let objects = scene
+            .objects
+            .iter()
+            .map(|object| json!({ "name": object.name, "mesh": object.mesh, "material": object.material }));
+        let image = scene.image;
+        json!({
+            "file": self.path.display().to_string(),
+            "triangles": self.triangles(),
+            "bounds": bounds_json(&scene.bounds()),
+            "image": {
+                "width": image.width, "height": image.height, "samples": image.samples,
+                "background": match image.background {
+                    Background::Color(color) => json!(color),
+                    Background::Transparent => json!("transparent"),
+                    Background::Environment => json!("environment"),
+                },
+            },
+            "objects": objects.collect::<Vec<_>>(),
+            "meshes": scene.meshes.iter().map(mesh_json).collect::<Vec<_>>(),
+            "materials": scene.materials.iter().map(material_json).collect::<Vec<_>>(),
+            "textures": textures.collect::<Vec<_>>(),
+            "lights": scene.lights.iter().map(light_json).collect::<Vec<_>>(),
+            "default_lights": self.input.default_lights,
+            "cameras": cameras,
+            "notes": self.input.notes,
+        })
+    }
+
+    /// How many triangles are drawn: those of a mesh count once per object.
+    fn triangles(&self) -> usize {
+        let scene = &self.input.scene;
+        scene.objects.iter().map(|object| scene.meshes[object.mesh].triangle_count()).sum()
+    }
+}
+
+fn line(text: &mut String, title: &str, content: &str) {
+    writeln!(text, "  {title:<10} {content}").expect("a string takes everything");
+}
+
+/// A title with a number, and the things below it; nothing where there is nothing.
+fn section(text: &mut String, title: &str, items: impl IntoIterator<Item = String>) {
+    let items: Vec<_> = items.into_iter().collect();
+    if items.is_empty() {
+        return;
+    }
+    writeln!(text, "  {title}: {}", items.len()).expect("a string takes everything");
+    for item in items.iter().take(MOST_LISTED) {
+        writeln!(text, "    {item}").expect("a string takes everything");
+    }
+    if let Some(more) = items.len().checked_sub(MOST_LISTED).filter(|more| *more > 0) {
+        writeln!(text, "    and {more} more; --format json lists all").expect("a string takes everything");
+    }
+}
+
+fn plural(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+}
+
+fn name(name: &str) -> &str {
+    if name.is_empty() { "(unnamed)" } else { name }
+}
+
+fn vector(v: DVec3) -> String {
+    v.to_array().map(number).join(", ")
+}
+
+fn bounds_text(bounds: &Bounds) -> String {
+    match bounds.is_empty() {
+        true => "empty".to_owned(),
+        false => format!("({}) to ({})", vector(bounds.min), vector(bounds.max)),
+    }
+}
+
+fn bounds_json(bounds: &Bounds) -> Value {
+    match bounds.is_empty() {
+        true => Value::Null,
+        false => json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() }),
+    }
+}
+
+fn attributes(mesh: &Mesh) -> Vec<&'static str> {
+    let has = [
+        (!mesh.normals.is_empty(), "normals"),
+        (!mesh.uvs.is_empty(), "uvs"),
+        (!mesh.tangents.is_empty(), "tangents"),
+        (!mesh.colors.is_empty(), "colors"),
+    ];
+    has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
+}
+
+fn mesh_text(mesh: &Mesh) -> String {
+    let mut text = format!(
+        "{}: {}, {}",
+        name(&mesh.name),
+        plural(mesh.triangle_count(), "triangle"),
+        plural(mesh.positions.len(), "vertex").replace("vertexs", "vertices"),
+    );
+    let attributes = attributes(mesh);
+    if !attributes.is_empty() {
+        write!(text, ", with {}", attributes.join(", ")).expect("a string takes everything");
+    }
+    text
+}
+
+fn mesh_json(mesh: &Mesh) -> Value {
+    json!({
+        "name": mesh.name, "vertices": mesh.positions.len(), "faces": mesh.face_count(),
+        "triangles": mesh.triangle_count(), "attributes": attributes(mesh), "bounds": bounds_json(&mesh.bounds()),
+    })
+}
+
+fn lobe_text(lobe: &Lobe) -> String {
+    let info = lobe.shape.info();
+    let params = info.params.iter().zip(lobe.shape.params());
+    let params: String = params.map(|(param, value)| format!(" {} {}", param.name, number(value))).collect();
+    format!("{}{params} × {}", info.name, colors::tint_text(&lobe.tint))
+}
+
+fn maps(material: &Material) -> Vec<&'static str> {
+    let has = [
+        (material.base_color.is_some(), "base color"),
+        (material.normal_map.is_some(), "normal"),
+        (material.emission_map.is_some(), "emission"),
+    ];
+    has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
+}
+
+fn material_text(material: &Material) -> String {
+    let lobes = material.lobes.iter().map(lobe_text).collect::<Vec<_>>().join(" + ");
+    let mut text = format!("{}: {}", name(&material.name), if lobes.is_empty() { "black" } else { &lobes });
+    let maps = maps(material);
+    if !maps.is_empty() {
+        write!(text, ", textures: {}", maps.join(", ")).expect("a string takes everything");
+    }
+    match material.alpha_mode {
+        AlphaMode::Opaque => {}
+        AlphaMode::Mask { cutoff } => {
+            write!(text, ", cut out below alpha {cutoff}").expect("a string takes everything");
+        }
+        AlphaMode::Blend => write!(text, ", alpha {}", material.alpha).expect("a string takes everything"),
+    }
+    text
+}
+
+fn material_json(material: &Material) -> Value {
+    let lobes = material.lobes.iter().map(|lobe| {
+        let info = lobe.shape.info();
+        let params = info.params.iter().zip(lobe.shape.params());
+        let params: serde_json::Map<_, Value> =
+            params.map(|(param, value)| (param.name.to_owned(), value.into())).collect();
+        json!({ "shape": info.name, "params": params, "tint": colors::tint_json(&lobe.tint) })
+    });
+    let alpha_mode = match material.alpha_mode {
+        AlphaMode::Opaque => "opaque",
+        AlphaMode::Mask { .. } => "mask",
+        AlphaMode::Blend => "blend",
+    };
+    json!({
+        "name": material.name, "lobes": lobes.collect::<Vec<_>>(), "two_sided": material.two_sided,
+        "textures": maps(material), "alpha": material.alpha, "alpha_mode": alpha_mode,
+    })
+}
+
+fn attenuation_text(attenuation: &Attenuation) -> String {
+    match *attenuation {
+        Attenuation::NONE => String::new(),
+        Attenuation { constant, linear, quadratic } => {
+            format!(", attenuation {}, {}, {}", number(constant), number(linear), number(quadratic))
+        }
+    }
+}
+
+fn light_text(light: &Light) -> String {
+    let kind = match &light.kind {
+        LightKind::Ambient => "ambient".to_owned(),
+        LightKind::Directional { direction } => format!("directional along ({})", vector(*direction)),
+        LightKind::Point { position, attenuation } => {
+            format!("point at ({}){}", vector(*position), attenuation_text(attenuation))
+        }
+        LightKind::Spot { position, direction, cutoff, attenuation, .. } => format!(
+            "spot at ({}) along ({}), cutoff {}°{}",
+            vector(*position),
+            vector(*direction),
+            number(cutoff.to_degrees()),
+            attenuation_text(attenuation)
+        ),
+        LightKind::Area { shape, position, direction, two_sided, .. } => {
+            area_text(*shape, *position, *direction, *two_sided)
+        }
+        LightKind::Environment { map: Some(map), .. } => {
+            format!("environment of {}x{} pixels", map.width, map.height)
+        }
+        LightKind::Environment { map: None, .. } => "environment, uniform".to_owned(),
+    };
+    let sent = match light.kind {
+        LightKind::Ambient => &light.colors.ambient,
+        _ => &light.colors.diffuse,
+    };
+    let camera = if light.space == Space::Camera { ", moves with the camera" } else { "" };
+    let prefix = if light.name.is_empty() { String::new() } else { format!("{}: ", light.name) };
+    let luminaire = light.luminaire.as_ref().map(luminaire_text).unwrap_or_default();
+    format!("{prefix}{kind}{luminaire}, color {}{camera}", colors::light_text(sent))
+}
+
+fn area_text(shape: AreaShape, position: DVec3, direction: DVec3, two_sided: bool) -> String {
+    let position = vector(position);
+    let (form, size) = match shape {
+        AreaShape::Rectangle { width, height } => {
+            ("rectangle", format!("{} x {} m", number(width), number(height)))
+        }
+        AreaShape::Disk { radius } => ("disk", format!("of radius {} m", number(radius))),
+        AreaShape::Sphere { radius } => {
+            return format!("sphere of radius {} m at ({position})", number(radius));
+        }
+    };
+    let sides = if two_sided { ", two-sided" } else { "" };
+    format!("{form} {size} at ({position}) facing ({}){sides}", vector(direction))
+}
+
+fn luminaire_text(luminaire: &Luminaire) -> String {
+    let (profile, axis) = (&luminaire.profile, vector(luminaire.axis));
+    let size = format!("{}x{} directions", profile.c_deg.len(), profile.gamma_deg.len());
+    let (max, flux) = (number(profile.max()), number(profile.flux_lm()));
+    format!(", profile of {size} along ({axis}), up to {max} cd, {flux} lm")
+}
+
+fn light_json(light: &Light) -> Value {
+    let attenuation = |a: &Attenuation| json!([a.constant, a.linear, a.quadratic]);
+    let mut value = match &light.kind {
+        LightKind::Ambient => json!({ "kind": "ambient" }),
+        LightKind::Directional { direction } => {
+            json!({ "kind": "directional", "direction": direction.to_array() })
+        }
+        LightKind::Point { position, attenuation: a } => {
+            json!({ "kind": "point", "position": position.to_array(), "attenuation": attenuation(a) })
+        }
+        LightKind::Spot { position, direction, cutoff, exponent, attenuation: a, .. } => json!({
+            "kind": "spot", "position": position.to_array(), "direction": direction.to_array(),
+            "cutoff_deg": cutoff.to_degrees(), "exponent": exponent, "attenuation": attenuation(a),
+        }),
+        LightKind::Area { shape, position, direction, up, two_sided } => {
+            area_json(*shape, *position, *direction, *up, *two_sided)
+        }
+        LightKind::Environment { map, rotation } => json!({
+            "kind": "environment", "map": map.as_ref().map(|map| json!([map.width, map.height])),
+            "rotation": rotation.to_cols_array_2d(),
+        }),
+    };
+    if let Some(luminaire) = &light.luminaire {
+        let profile = &luminaire.profile;
+        value["profile"] = json!({
+            "planes": profile.c_deg.len(), "angles": profile.gamma_deg.len(), "max_cd": profile.max(),
+            "flux_lm": profile.flux_lm(), "axis": luminaire.axis.to_array(), "c0": luminaire.c0.to_array(),
+        });
+    }
+    value["name"] = json!(light.name);
+    value["ambient"] = colors::light_json(&light.colors.ambient);
+    value["diffuse"] = colors::light_json(&light.colors.diffuse);
+    value["specular"] = colors::light_json(&light.colors.specular);
+    value["attached_to"] = json!(if light.space == Space::Camera { "camera" } else { "world" });
+    value
+}
+
+fn area_json(shape: AreaShape, position: DVec3, direction: DVec3, up: DVec3, two_sided: bool) -> Value {
+    let position = position.to_array();
+    let facing = |kind: &str| {
+        json!({
+            "kind": kind, "position": position, "direction": direction.to_array(), "two_sided": two_sided,
+        })
+    };
+    match shape {
+        AreaShape::Sphere { radius } => json!({ "kind": "sphere", "position": position, "radius": radius }),
+        AreaShape::Disk { radius } => {
+            let mut value = facing("disk");
+            value["radius"] = json!(radius);
+            value
+        }
+        AreaShape::Rectangle { width, height } => {
+            let mut value = facing("rectangle");
+            value["size"] = json!([width, height]);
+            value["up"] = json!(up.to_array());
+            value
+        }
+    }
+}
+
+fn camera_text(label: &str, camera: &Camera) -> String {
+    let projection = match camera.projection {
+        Projection::Perspective { fov_y } => format!("{}° vertical", number(fov_y.to_degrees())),
+        Projection::Orthographic { height } => format!("orthographic, {} high", number(height)),
+    };
+    let prefix = if label.is_empty() { String::new() } else { format!("{label}: ") };
+    format!("{prefix}from ({}) to ({}), {projection}", vector(camera.eye), vector(camera.target))
+}
+
+fn camera_json(label: &str, camera: &Camera) -> Value {
+    let mut value = json!({
+        "name": label, "eye": camera.eye.to_array(), "target": camera.target.to_array(),
+        "up": camera.up.to_array(),
+    });
+    match camera.projection {
+        Projection::Perspective { fov_y } => value["fov_deg"] = json!(fov_y.to_degrees()),
+        Projection::Orthographic { height } => value["height"] = json!(height),
+    }
+    value
+}

@@ -1,0 +1,53 @@
+//! Numbers as text, and as JSON.
+
+use std::fmt::{Arguments, Write};
+
+use glanz_color::dominant::Dominant;
+use serde_json::{Value, json};
+
+/// A number for programs, or null where there is none.
+pub fn finite(value: f64) -> Value {
+    if value.is_finite() { json!(value) } else { Value::Null }
+}
+
+/// Numbers with so many decimals each, between blanks.
+pub fn decimals(values: &[f64], decimals: usize) -> String {
+    let texts: Vec<_> = values.iter().map(|value| fixed(*value, decimals)).collect();
+    texts.join(" ")
+}
+
+/// A number with so many decimals; one that would need very many digits in powers of ten. No minus before 0.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    if value.abs() >= 1e7 {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+/// A dominant wavelength: `580.2 nm`, or `purple, complement of 520.1 nm`.
+pub fn wavelength(dominant: &Dominant) -> String {
+    match dominant.is_purple() {
+        true => format!("purple, complement of {:.1} nm", -dominant.nm),
+        false => format!("{:.1} nm", dominant.nm),
+    }
+}
+
+/// Adds a line.
+pub fn line(text: &mut String, line: Arguments<'_>) {
+    writeln!(text, "{line}").expect("a string takes everything");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_no_minus_before_nothing() {
+        assert_eq!(decimals(&[-0.000_01, 1.25, -3.0], 2), "0.00 1.25 -3.00");
+        assert_eq!(fixed(2.5e9, 4), "2.500e9");
+    }
+}

@@ -1,0 +1,149 @@
+//! Lobes about a point of a surface, in the plane of incidence.
+
+use crate::chart::{Axis, Curve, csv, heading, legend};
+use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::page::{Anchor, Figure, Page};
+
+/// The radius of the outermost circle in points.
+const RADIUS: f64 = 330.0;
+/// From the circle to the edges of the page, where numbers of angles stand.
+const RIM: f64 = 76.0;
+/// The space above, for the title.
+const TOP: f64 = 92.0;
+/// The space below the surface where nothing passes through.
+const BOTTOM: f64 = 66.0;
+
+/// A direction that is marked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ray {
+    /// The angle from the normal in degrees, positive to the right.
+    pub degrees: f64,
+    /// What stands at its end; may be empty.
+    pub label: String,
+    /// Its colour.
+    pub color: Rgb8,
+    /// Whether it is dashed.
+    pub dashed: bool,
+}
+
+/// Curves of values by angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolarChart {
+    /// What is seen.
+    pub title: String,
+    /// More about it, in one line.
+    pub subtitle: String,
+    /// The values from the middle outwards.
+    pub radius: Axis,
+    /// Angles from the normal in degrees (−180 … 180, positive to the right) and values.
+    pub curves: Vec<Curve>,
+    /// Directions that are marked.
+    pub rays: Vec<Ray>,
+    /// Whether what is below the surface is shown too.
+    pub whole: bool,
+}
+
+impl Figure for PolarChart {
+    fn page(&self) -> Page {
+        let names = legend::width(&self.curves);
+        let width = 2.0 * (RADIUS + RIM) + if names > 0.0 { names + 30.0 } else { 0.0 };
+        let below = if self.whole { RADIUS + RIM } else { BOTTOM };
+        let height = TOP + 30.0 + RADIUS + below.max(legend::height(&self.curves) - RADIUS);
+        let mut page = Page::new(width.ceil() as u32, height.ceil() as u32);
+        let center = (RIM + RADIUS, TOP + 30.0 + RADIUS);
+        heading(&mut page, 40.0, &self.title, &self.subtitle);
+        self.grid(&mut page, center);
+        for ray in &self.rays {
+            self.ray(&mut page, center, ray);
+        }
+        for curve in &self.curves {
+            let points: Vec<_> = curve
+                .points
+                .iter()
+                .filter(|(_, value)| value.is_finite())
+                .map(|(degrees, value)| place(center, *degrees, RADIUS * self.part(*value)))
+                .collect();
+            curve.stroke(&mut page, &points, 2.4);
+        }
+        legend::draw(&mut page, (center.0 + RADIUS + RIM + 10.0, TOP + 40.0), &self.curves);
+        page
+    }
+}
+
+impl PolarChart {
+    /// The curves as a table, one row per point.
+    pub fn csv(&self) -> String {
+        csv("angle from the normal in °", &self.radius.label, &self.curves)
+    }
+    /// How far out a value is; none is in the middle.
+    fn part(&self, value: f64) -> f64 {
+        if value <= 0.0 { 0.0 } else { self.radius.part(value) }
+    }
+
+    fn grid(&self, page: &mut Page, center: (f64, f64)) {
+        let reach: i32 = if self.whole { 180 } else { 90 };
+        for tick in self.radius.ticks.iter().filter(|tick| self.radius.part(**tick) > 0.0) {
+            let radius = RADIUS * self.radius.part(*tick);
+            page.line((-reach..=reach).map(|d| place(center, f64::from(d), radius)), GRID, 1.2);
+            let at = (center.0 + radius, center.1 + 1.4 * NUMBER);
+            page.text(self.radius.number(*tick), at, Anchor::Middle, NUMBER - 1.0, GRAY);
+        }
+        page.line((-reach..=reach).map(|d| place(center, f64::from(d), RADIUS)), GRAY, 1.2);
+        for degrees in (-reach..=reach).step_by(15) {
+            let angle = f64::from(degrees);
+            page.line([center, place(center, angle, RADIUS)], GRID, 1.0);
+            if degrees % 30 == 0 && degrees != -180 && degrees.abs() != 90 {
+                let (x, y) = place(center, angle, RADIUS + 16.0);
+                let text = format!("{degrees}°").replace('-', "–");
+                page.text(text, (x, y + 0.36 * NUMBER), Anchor::Middle, NUMBER, GRAY);
+            }
+        }
+        let (left, right) = (center.0 - RADIUS - 14.0, center.0 + RADIUS + 14.0);
+        page.line([(left, center.1), (right, center.1)], INK, 3.0);
+        page.text("surface", (left, center.1 + 1.4 * NUMBER), Anchor::Start, NUMBER, INK);
+        let at = (center.0, center.1 + if self.whole { 1.4 * NUMBER } else { 3.2 * NUMBER });
+        if !self.whole {
+            page.text(&self.radius.label, at, Anchor::Middle, NUMBER, INK);
+        }
+    }
+
+    fn ray(&self, page: &mut Page, center: (f64, f64), ray: &Ray) {
+        let end = place(center, ray.degrees, RADIUS);
+        match ray.dashed {
+            true => page.dashes(&[center, end], ray.color, 1.6, (3.0, 5.0)),
+            false => page.line([center, end], ray.color, 1.8),
+        }
+        if !ray.dashed {
+            page.disc(end, 5.0, ray.color);
+        }
+        let (x, y) = place(center, ray.degrees, RADIUS + 30.0);
+        let anchor = match ray.degrees {
+            d if d.abs() < 12.0 => Anchor::Middle,
+            d if d < 0.0 => Anchor::End,
+            _ => Anchor::Start,
+        };
+        // Above the numbers of the rim, and within the page at its sides.
+        let x = x.clamp(RIM, center.0 + RADIUS + RIM);
+        let lift = if anchor == Anchor::Middle { -2.0 } else { -6.0 };
+        page.text(&ray.label, (x, y + lift), anchor, NUMBER, ray.color);
+    }
+}
+
+/// The point at an angle from the normal.
+fn place((x, y): (f64, f64), degrees: f64, radius: f64) -> (f64, f64) {
+    let (sine, cosine) = libm::sincos(degrees.to_radians());
+    (x + radius * sine, y - radius * cosine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn the_normal_points_up_and_positive_angles_to_the_right() {
+        let near = |(x, y): (f64, f64), (a, b): (f64, f64)| (x - a).abs() < 1e-12 && (y - b).abs() < 1e-12;
+        assert!(near(place((10.0, 10.0), 0.0, 5.0), (10.0, 5.0)));
+        assert!(near(place((10.0, 10.0), 90.0, 5.0), (15.0, 10.0)));
+        assert!(near(place((10.0, 10.0), -180.0, 5.0), (10.0, 15.0)));
+    }
+}

@@ -1,0 +1,39 @@
+//! Plots for Glanz: lobes, albedos, Fresnel reflectance, spectra, colour diagrams and contact sheets, as SVG, PNG
+//! and CSV.
+//!
+//! ```
+//! use glanz_bsdf::Shape;
+//! use glanz_plot::Figure;
+//!
+//! let shapes = [Shape::named("phong", &[("shininess", 32.0)])?, Shape::named("ggx", &[("alpha", 0.2)])?];
+//! let mut plot = glanz_plot::lobe(&shapes);
+//! plot.theta_deg = vec![20.0, 60.0];
+//! let chart = plot.polar()?;
+//! assert!(chart.svg()?.starts_with("<svg"));
+//! assert!(chart.csv().starts_with("curve,angle from the normal in °"));
+//! # Ok::<_, glanz_plot::Error>(())
+//! ```
+//!
+//! A figure is plain data ([`figure`], [`chart`]) that implements [`Figure`]: it draws itself on a [`Page`], a list
+//! of shapes in points, which [`Figure::svg`], [`Figure::png`] and [`Figure::save`] write. [`reflection`] makes
+//! figures of BSDF models and media. [`contact_sheet`] puts drawn pictures beside each other.
+//!
+//! Pages, and so files, are the same bytes on every machine.
+
+pub mod chart;
+pub mod contact_sheet;
+mod error;
+pub mod figure;
+mod number;
+pub mod page;
+pub mod reflection;
+
+pub use chart::{Axis, Curve, LineChart, WavelengthChart};
+pub use contact_sheet::{Canvas, ContactSheet, Grid, Variation, heat_map_sheet};
+pub use error::Error;
+pub use figure::{
+    ChromaticityDiagram, EfficiencyChart, NamedSpectrum, PolarChart, ReradiationMap, cones, meyer, spectra,
+};
+pub use number::number;
+pub use page::{Figure, Page, PlotFile};
+pub use reflection::{Factor, FresnelPlot, Lobe, LobePlot, Medium, Quantity, lobe};

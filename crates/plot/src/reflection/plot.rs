@@ -1,0 +1,220 @@
+//! What plots of lobes have in common: which lobes, seen from where, and what is plotted.
+
+use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
+use glanz_math::Vec3;
+
+use super::factor::Factor;
+use super::lobe::Lobe;
+use crate::page::Figure;
+use crate::{Error, number};
+
+/// The most curves of a plot.
+pub const MOST_CURVES: usize = 64;
+/// The most bodies or maps of a plot.
+pub const MOST_PANELS: usize = 12;
+/// The wavelength where none is given, in nm: near the greatest sensitivity of the eye.
+pub const DEFAULT_NM: f64 = 550.0;
+
+/// What is plotted of a lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantity {
+    /// The BSDF in 1/sr.
+    F,
+    /// The BSDF times the incident cosine, in 1/sr.
+    #[default]
+    FCos,
+}
+
+/// Lobes to plot. Each kind of plot is a method that gives a figure: [`polar`](Self::polar),
+/// [`cartesian`](Self::cartesian), [`lobe3d`](Self::lobe3d), [`albedo`](Self::albedo), [`slice`](Self::slice),
+/// [`terms`](Self::terms).
+///
+/// The light is in the plane of the viewer and the normal, at positive angles on the other side of the normal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LobePlot {
+    /// The lobes.
+    pub lobes: Vec<Lobe>,
+    /// Angles of the viewer from the normal, in degrees.
+    pub theta_deg: Vec<f64>,
+    /// Azimuth of the viewer from the tangent in degrees, which anisotropic models depend on.
+    pub phi_deg: f64,
+    /// What is plotted.
+    pub quantity: Quantity,
+    /// Whether the axis of the values is logarithmic.
+    pub log: bool,
+    /// What lobes are multiplied with.
+    pub factor: Factor,
+    /// The wavelength of the factor in nm.
+    pub lambda_nm: f64,
+}
+
+/// Plots lobes with the viewer at 30° from the normal.
+///
+/// ```
+/// use glanz_bsdf::Shape;
+///
+/// let svg = glanz_plot::lobe(&[Shape::named("phong", &[("shininess", 32.0)])?]).svg()?;
+/// assert!(svg.starts_with("<svg"));
+/// # Ok::<_, glanz_plot::Error>(())
+/// ```
+pub fn lobe(shapes: &[Shape]) -> LobePlot {
+    LobePlot::new(shapes.iter().cloned().map(Lobe::from).collect())
+}
+
+impl LobePlot {
+    /// A plot of `f_cos` on linear axes, with the viewer at 30° from the normal.
+    pub fn new(lobes: Vec<Lobe>) -> Self {
+        Self {
+            lobes,
+            theta_deg: vec![30.0],
+            phi_deg: 0.0,
+            quantity: Quantity::FCos,
+            log: false,
+            factor: Factor::One,
+            lambda_nm: DEFAULT_NM,
+        }
+    }
+
+    /// The [`polar`](Self::polar) plot as SVG.
+    ///
+    /// # Errors
+    /// Those of [`polar`](Self::polar).
+    pub fn svg(&self) -> Result<String, Error> {
+        self.polar()?.svg()
+    }
+
+    /// That every lobe answers to light from a direction with values, and a plot of all in `views` directions can
+    /// be read.
+    pub(super) fn check_lobes(&self, views: usize, most: usize) -> Result<(), Error> {
+        for lobe in &self.lobes {
+            let info = lobe.shape.info();
+            if matches!(info.term, LightTerm::Ambient | LightTerm::Emission) {
+                return Err(Error::NoDirection { model: info.name });
+            }
+            if info.delta {
+                return Err(Error::SingleDirection { model: info.name });
+            }
+        }
+        self.check_count(views, most)
+    }
+
+    /// The same for plots in which each view has a place of its own.
+    pub(super) fn check_views(&self, most: usize) -> Result<(), Error> {
+        if let Some(wrong) = self.theta_deg.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
+            return Err(Error::ViewAngle { theta_deg: *wrong });
+        }
+        self.check_lobes(self.theta_deg.len(), most)
+    }
+
+    pub(super) fn check_count(&self, views: usize, most: usize) -> Result<(), Error> {
+        if !self.phi_deg.is_finite() {
+            return Err(Error::Azimuth { phi_deg: self.phi_deg });
+        }
+        let found = self.lobes.len() * views;
+        if found > most { Err(Error::TooManyLobes { found, most }) } else { Ok(()) }
+    }
+
+    /// The value for two directions.
+    pub(super) fn value(&self, lobe: &Lobe, wo: Vec3<f64>, wi: Vec3<f64>) -> f64 {
+        let f_cos = self.factor.f_cos(&lobe.shape, &DirectionPair::new(wo, wi));
+        match self.quantity {
+            Quantity::FCos => f_cos,
+            Quantity::F if f_cos == 0.0 => 0.0,
+            Quantity::F => f_cos / wi.z.abs().max(1e-12),
+        }
+    }
+
+    /// The direction to the viewer.
+    pub(super) fn wo(&self, theta: f64) -> Vec3<f64> {
+        Vec3::from_angles(theta.to_radians(), self.phi_deg.to_radians())
+    }
+
+    /// The light in the plane of incidence, at positive angles on the other side of the normal.
+    pub(super) fn in_plane(&self, degrees: f64) -> Vec3<f64> {
+        Vec3::from_angles(degrees.to_radians(), (self.phi_deg + 180.0).to_radians())
+    }
+
+    /// The name of what is plotted.
+    pub(super) fn quantity_name(&self) -> &'static str {
+        match self.quantity {
+            Quantity::F => "f in 1/sr",
+            Quantity::FCos => "f · cosθi in 1/sr",
+        }
+    }
+
+    /// Models, azimuth and factor in one line, for below the title.
+    pub(super) fn subtitle(&self, more: &str) -> String {
+        let mut parts = vec![more.to_owned()];
+        if self.lobes.iter().any(|lobe| lobe.shape.info().anisotropic) {
+            parts.push(format!("viewer at φ = {}°", number(self.phi_deg)));
+        }
+        match &self.factor {
+            Factor::One => {}
+            Factor::Reflectance(name, _) => {
+                parts.push(format!("times {name} at {} nm", number(self.lambda_nm)));
+            }
+            Factor::Fresnel(medium) => {
+                let nm = number(self.lambda_nm);
+                parts.push(format!("times the reflectance of {} at {nm} nm", medium.name));
+            }
+        }
+        parts.retain(|part| !part.is_empty());
+        parts.join("; ")
+    }
+
+    /// The title: the model's, if there is one only.
+    pub(super) fn title(&self, several: &str) -> String {
+        let first = self.lobes.first().map_or("", |lobe| lobe.shape.info().title);
+        match self.lobes.iter().all(|lobe| lobe.shape.info().title == first) {
+            true => first.to_owned(),
+            false => several.to_owned(),
+        }
+    }
+
+    /// Whether any of the lobes has a mirror direction.
+    pub(super) fn reflects(&self) -> bool {
+        self.lobes.iter().any(|lobe| lobe.shape.info().side == Side::Reflection)
+    }
+
+    pub(super) fn transmits(&self) -> bool {
+        self.lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plot(model: &str) -> LobePlot {
+        LobePlot::new(vec![Lobe::named(model, &[]).unwrap()])
+    }
+
+    #[test]
+    fn what_has_no_lobe_is_refused() {
+        assert!(matches!(plot("ambient").polar(), Err(Error::NoDirection { .. })));
+        assert!(matches!(plot("mirror").albedo(), Err(Error::SingleDirection { .. })));
+        let beside = LobePlot { theta_deg: vec![90.0], ..plot("phong") };
+        assert!(matches!(beside.cartesian(), Err(Error::ViewAngle { theta_deg: 90.0 })));
+        // The albedo has no viewer of its own.
+        assert!(beside.albedo().is_ok());
+        let many = LobePlot { theta_deg: vec![30.0; 13], ..plot("phong") };
+        assert!(matches!(many.lobe3d(), Err(Error::TooManyLobes { found: 13, most: 12 })));
+        let nowhere = LobePlot { phi_deg: f64::NAN, ..plot("ward") };
+        assert!(matches!(nowhere.slice(), Err(Error::Azimuth { .. })));
+    }
+
+    #[test]
+    fn f_is_f_cos_over_the_cosine() {
+        let chart = plot("lambert").cartesian().unwrap();
+        let over = LobePlot { quantity: Quantity::F, ..plot("lambert") }.cartesian().unwrap();
+        let (a, b) = (&chart.curves[0].points, &over.curves[0].points);
+        let at_0 = |points: &[(f64, f64)]| points.iter().find(|(x, _)| *x == 0.0).map(|(_, y)| *y);
+        assert!((at_0(a).unwrap() - std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+        assert!((at_0(b).unwrap() - std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+        assert!(
+            b.iter()
+                .filter(|(x, _)| x.abs() < 80.0)
+                .all(|(_, y)| (y * std::f64::consts::PI - 1.0).abs() < 1e-9)
+        );
+    }
+}
