@@ -17,6 +17,7 @@ mod direction_pair;
 mod info;
 mod layers;
 pub mod models;
+mod serial;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};

@@ -9,9 +9,9 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::error::Problem;
-use super::types::names;
 use super::values::Amount;
 use crate::Attenuation;
+use crate::names::names;
 
 /// How light fades with the distance d: 1 / (constant + linear d + quadratic d²).
 #[derive(Debug, JsonSchema)]
@@ -27,11 +27,10 @@ names! {
     /// The laws that have a name.
     pub(crate) AttenuationName {
         /// No fading.
-        #[default]
         None = "none",
         /// The inverse square law: 0, 0, 1.
         Physical = "physical",
-    }
+    } default None
 }
 
 /// The factors of 1 / (constant + linear d + quadratic d²). Those that are missing are 0, but not

@@ -8,16 +8,26 @@ use std::sync::Arc;
 use super::error::Problem;
 use super::hash::Hash;
 use super::instances::{FileModel, Part};
-use super::materials::{FilterName, MaterialTable, TextureValue, WrapName};
+use super::materials::{MaterialTable, TextureValue};
 use super::near::{did_you_mean, list};
 use super::spectra::for_luminance;
 use super::types::{AmbientTable, CameraRef, CameraTable, ProjectionName, SceneTable};
-use super::values::At;
+use super::values::{At, FieldOfView};
+use crate::builtin::Builtin;
 use crate::read::{FolderFiles, ReadOptions, ResolveError, Resolver, read_texture, resolve};
 use crate::{
     Camera, EnvironmentMap, Image, Light, LightColor, LightColors, LightKind, Material, Profile, Projection,
     RenderSettings, Scene, Texture, TextureFilter, TextureUse, Wrap,
 };
+
+/// The picture of a texture and how it is taken. Its `Debug` text names it.
+#[derive(Debug)]
+struct TextureSource<'a> {
+    file: &'a str,
+    wrap: [Wrap; 2],
+    filter: TextureFilter,
+    srgb: bool,
+}
 
 /// The way from tables to a scene.
 pub(super) struct Builder {
@@ -46,6 +56,9 @@ pub(super) struct Builder {
     pub(super) environments: HashMap<String, Arc<EnvironmentMap>>,
     pub(super) profiles: HashMap<String, Arc<Profile>>,
     textures: HashMap<String, usize>,
+    texture_names: BTreeMap<String, usize>,
+    /// The meshes that objects call by their names.
+    pub(super) mesh_names: BTreeMap<String, usize>,
     hashed: HashSet<PathBuf>,
 }
 
@@ -73,6 +86,8 @@ impl Builder {
             environments: HashMap::new(),
             profiles: HashMap::new(),
             textures: HashMap::new(),
+            texture_names: BTreeMap::new(),
+            mesh_names: BTreeMap::new(),
             hashed: HashSet::new(),
         }
     }
@@ -91,7 +106,9 @@ impl Builder {
             self.scene.lights.push(light);
         }
         self.check_background(table.image.background.as_ref())?;
-        for (name, material) in &table.materials {
+        self.named_textures(table)?;
+        self.named_meshes(table)?;
+        for (name, material) in in_order(&table.materials) {
             let built = self.material(name, material)?;
             self.material_names.insert(name.clone(), self.scene.materials.len());
             self.scene.materials.push(built);
@@ -99,10 +116,35 @@ impl Builder {
         for object in &table.objects {
             self.object(object)?;
         }
-        self.scene.photometric = self.one_kind_of_unit()?;
+        self.scene.photometric = self.one_kind_of_unit(table.render.photometric.as_ref())?;
         self.drop_unused_meshes();
         // Last, since it may be a camera of an object's file.
         self.scene.camera = table.camera.as_ref().map(|camera| self.camera(camera)).transpose()?;
+        Ok(())
+    }
+
+    fn named_textures(&mut self, table: &SceneTable) -> Result<(), Problem> {
+        for (name, texture) in in_order(&table.textures) {
+            let (wrap, filter, srgb) = (texture.wrap.0, texture.filter, texture.srgb);
+            let source = TextureSource { file: &texture.file, wrap, filter, srgb };
+            let read = self.texture(&source, &texture.file.span)?;
+            let people_call_it = texture.name.clone().unwrap_or_else(|| name.clone());
+            self.texture_names.insert(name.clone(), self.scene.textures.len());
+            self.scene.textures.push(Texture { name: people_call_it, ..read });
+        }
+        Ok(())
+    }
+
+    fn named_meshes(&mut self, table: &SceneTable) -> Result<(), Problem> {
+        for (name, mesh) in in_order(&table.meshes) {
+            if Builtin::named(name).is_some() {
+                let message = format!("'{name}' is the name of a built-in mesh: call this one otherwise");
+                return Err(Problem::at(&mesh.span, message));
+            }
+            let built = mesh.build(name, &mesh.span, self)?;
+            self.mesh_names.insert(name.clone(), self.scene.meshes.len());
+            self.scene.meshes.push(built);
+        }
         Ok(())
     }
 
@@ -115,8 +157,11 @@ impl Builder {
             background: table.image.background.as_ref().map_or(Image::default().background, |b| b.0),
         };
         self.scene.render = RenderSettings {
-            shading: table.render.shading.shading(),
-            interpolation: table.render.interpolation.interpolation(),
+            shading: table.render.shading,
+            interpolation: table.render.interpolation,
+            show: table.render.show,
+            tone_map: table.render.tone_map,
+            ev: table.render.ev.map_or(0.0, |ev| ev.0),
             mode: table.render.mode.0,
             white: table.render.white.0,
             shadows: table.render.shadows,
@@ -146,7 +191,17 @@ impl Builder {
     }
 
     /// Whether all light is in physical units; an error where some is and some is not.
-    fn one_kind_of_unit(&self) -> Result<bool, Problem> {
+    fn one_kind_of_unit(&self, explicit: Option<&At<bool>>) -> Result<bool, Problem> {
+        match (explicit, self.photometric.first()) {
+            (Some(At { value: true, .. }), _) => return Ok(true),
+            (Some(At { value: false, span }), Some(_)) => {
+                return Err(Problem::at(
+                    span,
+                    "'photometric' is false, but there is light in lx, cd, W/sr or cd/m²",
+                ));
+            }
+            _ => {}
+        }
         let (Some(_), Some(classic)) = (self.photometric.first(), self.classic.first()) else {
             return Ok(!self.photometric.is_empty());
         };
@@ -182,6 +237,7 @@ impl Builder {
         }
         material.base_color = self.texture_use(table.base_color_texture.as_ref(), true)?;
         material.normal_map = self.texture_use(table.normal_texture.as_ref(), false)?;
+        material.metal_rough_map = self.texture_use(table.metal_rough_texture.as_ref(), false)?;
         material.emission_map = self.texture_use(table.emission_texture.as_ref(), true)?;
         Ok(material)
     }
@@ -193,51 +249,75 @@ impl Builder {
     ) -> Result<Option<TextureUse>, Problem> {
         let Some(value) = value else { return Ok(None) };
         let table = &value.0;
-        let key = format!("{}\n{}\n{}\n{srgb}", table.file, table.wrap.name(), table.filter.name());
-        let texture = match self.textures.get(&key) {
-            Some(texture) => *texture,
-            None => {
-                let texture = self.texture(value, srgb)?;
-                self.scene.textures.push(texture);
-                self.textures.insert(key, self.scene.textures.len() - 1);
-                self.scene.textures.len() - 1
+        let texture = match (&table.texture, &table.file) {
+            (Some(name), None) => self.named_texture(name, value)?,
+            (None, Some(file)) => {
+                let source = TextureSource {
+                    file,
+                    wrap: table.wrap.as_ref().map_or([Wrap::default(); 2], |wrap| wrap.value.0),
+                    filter: table.filter.as_ref().map_or(TextureFilter::default(), |filter| filter.value),
+                    srgb,
+                };
+                self.texture_of_file(&source, &value.span)?
             }
+            _ => return Err(Problem::at(&value.span, "a texture needs 'file', or 'texture' in its place")),
         };
         let mut texture_use = TextureUse::plain(texture);
-        if let Some([u, v]) = table.repeat {
+        if let Some([u, v]) = table.repeat.as_ref().map(|repeat| repeat.value) {
             texture_use.transform = [[u.0 as f32, 0.0, 0.0], [0.0, v.0 as f32, 0.0]];
+        }
+        if let Some(transform) = &table.transform {
+            if table.repeat.is_some() {
+                return Err(Problem::at(&transform.span, "'transform' beside 'repeat'"));
+            }
+            texture_use.transform = transform.value.map(|row| row.map(|number| number.0 as f32));
         }
         texture_use.scale = table.scale.map_or(1.0, |scale| scale.0 as f32);
         Ok(Some(texture_use))
     }
 
-    fn texture(&mut self, value: &At<TextureValue>, srgb: bool) -> Result<Texture, Problem> {
-        let table = &value.0;
+    /// The number of one of the scene's own textures.
+    fn named_texture(&self, name: &str, value: &At<TextureValue>) -> Result<usize, Problem> {
+        if let Some(wrap) = &value.0.wrap {
+            return Err(Problem::at(&wrap.span, "'wrap' beside 'texture': it belongs into [textures]"));
+        }
+        if let Some(filter) = &value.0.filter {
+            return Err(Problem::at(&filter.span, "'filter' beside 'texture': it belongs into [textures]"));
+        }
+        self.texture_names.get(name).copied().ok_or_else(|| {
+            let known = || self.texture_names.keys().map(String::as_str);
+            let message = format!("unknown texture '{name}'{}", did_you_mean(name, known()));
+            Problem::at(&value.span, message).help(format!("the textures are: {}", list(known())))
+        })
+    }
+
+    /// The number of the texture of a file, read once.
+    fn texture_of_file(&mut self, source: &TextureSource, span: &Range<usize>) -> Result<usize, Problem> {
+        let key = format!("{source:?}");
+        if let Some(texture) = self.textures.get(&key) {
+            return Ok(*texture);
+        }
+        let texture = self.texture(source, span)?;
+        self.scene.textures.push(texture);
+        self.textures.insert(key, self.scene.textures.len() - 1);
+        Ok(self.scene.textures.len() - 1)
+    }
+
+    fn texture(&mut self, source: &TextureSource, span: &Range<usize>) -> Result<Texture, Problem> {
+        let TextureSource { file, wrap, filter, srgb } = *source;
         let bytes = FolderFiles::new(&self.base, &self.options)
-            .read(&table.file)
-            .map_err(|error| unresolved(&table.file, &error, &value.span))?;
+            .read(file)
+            .map_err(|error| unresolved(file, &error, span))?;
         self.hash.bytes(&bytes);
-        let texture = read_texture(&bytes, &table.file, &self.options)
-            .map_err(|error| Problem::at(&value.span, error.to_string()))?;
+        let texture = read_texture(&bytes, file, &self.options)
+            .map_err(|error| Problem::at(span, error.to_string()))?;
         // What all textures of a scene may take together; each alone is limited by its reader.
         let taken: u64 = self.scene.textures.iter().map(|texture| texture.rgba.len() as u64).sum();
         if taken + texture.rgba.len() as u64 > self.options.max_texture_bytes {
             let limit = self.options.max_texture_bytes;
-            return Err(Problem::at(
-                &value.span,
-                format!("the textures take more than {limit} bytes of memory"),
-            ));
+            return Err(Problem::at(span, format!("the textures take more than {limit} bytes of memory")));
         }
-        let wrap = match table.wrap {
-            WrapName::Repeat => Wrap::Repeat,
-            WrapName::Mirror => Wrap::Mirror,
-            WrapName::Clamp => Wrap::Clamp,
-        };
-        let filter = match table.filter {
-            FilterName::Trilinear => TextureFilter::Trilinear,
-            FilterName::Nearest => TextureFilter::Nearest,
-        };
-        Ok(Texture { wrap: [wrap; 2], filter, srgb, ..texture })
+        Ok(Texture { wrap, filter, srgb, ..texture })
     }
 
     /// The folder that references are relative to.
@@ -268,6 +348,13 @@ impl Builder {
     }
 }
 
+/// Tables by name, in the order in which they stand in the file.
+fn in_order<T>(tables: &BTreeMap<String, At<T>>) -> Vec<(&String, &At<T>)> {
+    let mut list: Vec<_> = tables.iter().collect();
+    list.sort_by_key(|(_, table)| table.span.start);
+    list
+}
+
 pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usize>) -> Problem {
     match error {
         ResolveError::Outside(_) => {
@@ -284,6 +371,20 @@ pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usi
 }
 
 impl CameraTable {
+    fn perspective(&self, degrees: Option<&At<FieldOfView>>) -> Result<Projection, Problem> {
+        let fov_y = match (degrees, &self.fov_rad) {
+            (Some(_), Some(radians)) => {
+                return Err(Problem::at(&radians.span, "'fov_rad' beside 'fov_deg'"));
+            }
+            (None, Some(radians)) if radians.0 < std::f64::consts::PI => radians.0,
+            (None, Some(radians)) => {
+                return Err(Problem::at(&radians.span, "expected less than π"));
+            }
+            (degrees, None) => degrees.map_or(40.0, |fov| fov.0).to_radians(),
+        };
+        Ok(Projection::Perspective { fov_y })
+    }
+
     fn build(&self, span: &Range<usize>) -> Result<Camera, Problem> {
         let eye = self.eye.0;
         let target = self.target.as_ref().map_or(glam::DVec3::ZERO, |target| target.0);
@@ -306,9 +407,7 @@ impl CameraTable {
             (ProjectionName::Orthographic, None, Some(height)) => {
                 Projection::Orthographic { height: height.0 }
             }
-            (ProjectionName::Perspective, fov, None) => {
-                Projection::Perspective { fov_y: fov.as_ref().map_or(40.0, |fov| fov.0).to_radians() }
-            }
+            (ProjectionName::Perspective, fov, None) => self.perspective(fov.as_ref())?,
         };
         let up = self.up.map_or(glam::DVec3::Y, |up| up.0);
         Ok(Camera { eye, target, up, projection })

@@ -8,11 +8,12 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use super::types::names;
+use super::sampled::{IorTable, PaneTintTable, Sampled};
 use super::values::{Amount, At, Color, Number};
+use crate::Polarization;
 
 /// A function of wavelength: exactly one of `spectrum`, `blackbody`, `gaussian`, `line`, `file`,
-/// `nm` with `value`, `reradiation`, and `ior` or `film_nm`.
+/// `nm` with `value`, `samples`, `reradiation`, `matrix`, `pane`, `schlick`, and `ior` or `film_nm`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct SpectralTable {
@@ -40,43 +41,44 @@ pub(crate) struct SpectralTable {
     pub ior: Option<At<IorValue>>,
     /// Beside `ior`: Fresnel reflection as seen through a filter that lets light pass that is polarised across ("s")
     /// or in ("p") the plane of incidence.
-    pub polarization: Option<At<PolarizationName>>,
+    pub polarization: Option<At<Polarization>>,
     /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
     /// air if that is missing. Surfaces only.
     pub film_nm: Option<At<Amount>>,
     /// What the film is made of: a glass, or an index of refraction; 1.33 by default.
     pub film_ior: Option<At<IorValue>>,
+    /// The function as the scene holds it: a number, or the 97 values at 300, 305 … 780 nm. Of light they are in the
+    /// scene's unit, and their level counts.
+    pub samples: Option<At<Sampled>>,
+    /// A re-radiation matrix: 97 rows, one for each wavelength of emission, of the shares of light at each of the 97
+    /// wavelengths of incidence; surfaces only.
+    pub matrix: Option<At<Vec<Sampled>>>,
+    /// What both sides of a pane reflect, or, in `transmittance`, what passes it; surfaces only.
+    pub pane: Option<At<PaneTintTable>>,
+    /// What rises to 1 at grazing angles in Schlick's form; surfaces only.
+    pub schlick: Option<Box<At<ColorValue>>>,
     /// Multiplies the function; 1 by default.
     pub scale: Option<At<Amount>>,
     /// For light that a surface sends itself: its luminance in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
 }
 
-names! {
-    /// Which way light swings, against the plane of incidence.
-    pub(crate) PolarizationName {
-        /// Across it.
-        #[default]
-        S = "s",
-        /// In it.
-        P = "p",
-    }
-}
-
 /// A metal or glass by name, or an index of refraction.
-#[derive(Debug, JsonSchema)]
+#[derive(Clone, Debug, JsonSchema)]
 #[schemars(untagged)]
 pub(crate) enum IorValue {
     /// The name of a medium.
     Name(String),
     /// The index of refraction of a medium that does not absorb.
     Index(f64),
+    /// Its samples.
+    Table(Box<IorTable>),
 }
 
 impl<'de> Deserialize<'de> for IorValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Ior;
-        impl Visitor<'_> for Ior {
+        impl<'de> Visitor<'de> for Ior {
             type Value = IorValue;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(
@@ -97,6 +99,10 @@ impl<'de> Deserialize<'de> for IorValue {
             }
             fn visit_i64<E: Error>(self, index: i64) -> Result<IorValue, E> {
                 self.visit_f64(index as f64)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<IorValue, A::Error> {
+                let table = IorTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(IorValue::Table(Box::new(table)))
             }
         }
         deserializer.deserialize_any(Ior)

@@ -62,7 +62,18 @@ impl LightTable {
     /// The surroundings.
     pub(super) fn environment(&self, builder: &mut Builder) -> Result<LightKind, Problem> {
         let map = self.file.as_ref().map(|file| builder.environment_map(file)).transpose()?;
-        let rotation = self.rotate_deg.as_ref().map_or(DMat3::IDENTITY, |turn| turn.0);
+        let rotation = match (&self.rotate_deg, &self.rotation) {
+            (Some(_), Some(rows)) => return Err(Problem::at(&rows.span, "'rotation' beside 'rotate_deg'")),
+            (None, Some(rows)) => {
+                let rows_are = rows.value.map(|row| row.map(|number| number.0));
+                let matrix = DMat3::from_cols_array_2d(&rows_are).transpose();
+                if !(matrix.transpose() * matrix).abs_diff_eq(DMat3::IDENTITY, 1e-6) {
+                    return Err(Problem::at(&rows.span, "the rows are not those of a rotation"));
+                }
+                matrix
+            }
+            (turn, None) => turn.as_ref().map_or(DMat3::IDENTITY, |turn| turn.0),
+        };
         Ok(LightKind::Environment { map, rotation })
     }
 }

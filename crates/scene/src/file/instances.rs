@@ -9,6 +9,7 @@ use glam::{DMat4, Vec4};
 
 use super::build::Builder;
 use super::error::Problem;
+use super::near::{did_you_mean, list};
 use super::objects::{ColorsName, ColorsValue, MeshValue, ObjectTable};
 use super::values::At;
 use crate::builtin::{Builtin, MAX_TRIANGLES};
@@ -27,6 +28,8 @@ struct Recipe {
 #[derive(Debug)]
 enum Source {
     Builtin(Builtin),
+    /// One of the scene's own meshes.
+    Own(usize),
     File(PathBuf),
 }
 
@@ -74,6 +77,7 @@ impl Builder {
             None => {
                 let parts = match &recipe.source {
                     Source::Builtin(builtin) => self.builtin(object, builtin, &recipe)?,
+                    Source::Own(mesh) => self.own(object, *mesh, &recipe)?,
                     Source::File(path) => self.file(object, path, &recipe)?,
                 };
                 self.parts.insert(key, parts.clone());
@@ -96,8 +100,8 @@ impl Builder {
                 mesh: part.mesh,
                 material,
                 transform: transform * part.transform,
-                shading: object.shading.map(|shading| shading.shading()),
-                interpolation: object.interpolation.map(|interpolation| interpolation.interpolation()),
+                shading: object.shading,
+                interpolation: object.interpolation,
             });
         }
         Ok(())
@@ -111,6 +115,7 @@ impl Builder {
                 }
                 Source::Builtin(*builtin)
             }
+            MeshValue::Named(name) => Source::Own(self.own_mesh(name, &object.mesh.span)?),
             MeshValue::File(file) => Source::File(self.resolve(file, &file.span)?),
         };
         let builtin = matches!(source, Source::Builtin(_));
@@ -160,6 +165,41 @@ impl Builder {
         let (name, triangles) = (mesh.name.clone(), mesh.triangle_count() as u64);
         let part =
             Part { name, mesh: self.add_mesh(mesh), material: None, transform: DMat4::IDENTITY, triangles };
+        Ok(vec![part])
+    }
+
+    /// The number of one of the scene's own meshes.
+    fn own_mesh(&self, name: &str, span: &Range<usize>) -> Result<usize, Problem> {
+        self.mesh_names.get(name).copied().ok_or_else(|| {
+            let own = self.mesh_names.keys().map(String::as_str);
+            let known: Vec<&str> = own.chain(Builtin::NAMES).collect();
+            let shown = name.chars().take(40).collect::<String>();
+            let near = did_you_mean(name, known.iter().copied());
+            // A file's name in place of a table is the likeliest of all mistakes here.
+            let advice = match name.contains('.') {
+                true => "; for a file, write { file = \"..\" }".to_owned(),
+                false => format!("; the meshes are: {}", list(known)),
+            };
+            let more = if near.is_empty() { advice } else { near };
+            Problem::at(span, format!("unknown mesh '{shown}'{more}"))
+        })
+    }
+
+    /// One of the scene's own meshes, whose objects have no name but their own.
+    fn own(&mut self, object: &ObjectTable, mesh: usize, recipe: &Recipe) -> Result<Vec<Part>, Problem> {
+        let mut part = Part {
+            name: String::new(),
+            mesh,
+            material: None,
+            transform: DMat4::IDENTITY,
+            triangles: self.scene.meshes[mesh].triangle_count() as u64,
+        };
+        if !recipe.is_plain() {
+            self.check_budget(subdivided_count(part.triangles, recipe.levels), &object.mesh.span)?;
+            let finished = finish(self.scene.meshes[mesh].clone(), object, recipe)?;
+            part.triangles = finished.triangle_count() as u64;
+            part.mesh = self.add_mesh(finished);
+        }
         Ok(vec![part])
     }
 
@@ -248,7 +288,7 @@ impl Builder {
     }
 
     /// Refuses more triangles than can be drawn, before they are made.
-    fn check_budget(&self, more: u64, span: &Range<usize>) -> Result<(), Problem> {
+    pub(super) fn check_budget(&self, more: u64, span: &Range<usize>) -> Result<(), Problem> {
         match self.triangles.saturating_add(more) {
             0..=MAX_TRIANGLES => Ok(()),
             found => {
@@ -263,6 +303,7 @@ impl Builder {
     /// Takes out the meshes of files of which only others were made.
     pub(super) fn drop_unused_meshes(&mut self) {
         let mut index = vec![None; self.scene.meshes.len()];
+        index[..self.mesh_names.len()].fill(Some(0));
         self.scene.objects.iter().for_each(|object| index[object.mesh] = Some(0));
         let mut used = index.iter().map(Option::is_some).collect::<Vec<_>>().into_iter();
         self.scene.meshes.retain(|_| used.next().unwrap_or(false));

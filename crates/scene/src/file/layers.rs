@@ -106,6 +106,7 @@ pub(super) fn transmittance(value: &At<ColorValue>, builder: &mut Builder) -> Re
         Tint::Film(film) if film.base.k.max() > 0.0 => return Err(opaque(&film.base.name)),
         Tint::Ior(ior) => Transmittance::Boundary(ior),
         Tint::Film(film) => Transmittance::Film(film),
+        Tint::Pane(pane) => Transmittance::Pane(pane),
         Tint::Polarized(..) => {
             return Err(Problem::at(&value.span, "'polarization' is for what a surface reflects"));
         }

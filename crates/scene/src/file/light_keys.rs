@@ -19,7 +19,7 @@ fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
 impl LightTable {
     /// Keys that lights of this kind do not have.
     pub(super) fn refuse_foreign_keys(&self) -> Result<(), Problem> {
-        let given: [(&str, _, &[KindName]); 25] = [
+        let given: [(&str, _, &[KindName]); 28] = [
             ("position", place(&self.position), &[Point, Spot, Rectangle, Disk, Sphere]),
             ("direction", place(&self.direction), &[Directional, Point, Spot, Rectangle, Disk]),
             ("target", place(&self.target), &[Point, Spot, Rectangle, Disk]),
@@ -27,6 +27,8 @@ impl LightTable {
             ("specular", place(&self.specular), NOT_AMBIENT),
             ("attenuation", place(&self.attenuation), &[Point, Spot]),
             ("cutoff_deg", place(&self.cutoff_deg), &[Spot]),
+            ("cutoff_rad", place(&self.cutoff_rad), &[Spot]),
+            ("smooth_edge", place(&self.smooth_edge), &[Spot]),
             ("exponent", place(&self.exponent), &[Spot]),
             ("attached_to", place(&self.attached_to), &[Directional, Point, Spot, Rectangle, Disk, Sphere]),
             ("illuminance_lx", place(&self.illuminance_lx), &[Directional]),
@@ -49,6 +51,7 @@ impl LightTable {
             ("two_sided", place(&self.two_sided), &[Rectangle, Disk]),
             ("file", place(&self.file), &[Environment]),
             ("rotate_deg", place(&self.rotate_deg), &[Environment]),
+            ("rotation", place(&self.rotation), &[Environment]),
         ];
         for (key, span, kinds) in given {
             if let Some(span) = span.filter(|_| !kinds.contains(&self.kind)) {

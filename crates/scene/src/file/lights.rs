@@ -10,9 +10,10 @@ use super::build::Builder;
 use super::colors::{ColorValue, SpectrumValue};
 use super::environment::Turn;
 use super::error::Problem;
+use super::luminaires::ProfileValue;
 use super::strength::Unit;
-use super::types::names;
-use super::values::{Amount, At, Direction, Exponent, HalfTurn, Positive, Vector};
+use super::values::{Amount, At, Direction, Exponent, HalfTurn, Number, Positive, Vector};
+use crate::names::names;
 use crate::{Attenuation, Light, LightColor, LightColors, LightKind, Space};
 
 /// A light.
@@ -63,12 +64,16 @@ pub(crate) struct LightTable {
     pub attenuation: Option<At<AttenuationValue>>,
     /// Half the opening angle of a spot's cone in degrees, 180 for all directions; 45 by default.
     pub cutoff_deg: Option<At<HalfTurn>>,
+    /// The same in radians, where degrees cannot say it exactly.
+    pub cutoff_rad: Option<At<Amount>>,
+    /// Cosines of the angles between which a spot fades from full to nothing, in place of `exponent`, as in glTF.
+    pub smooth_edge: Option<At<[Number; 2]>>,
     /// Power of the cosine from a spot's axis by which its light falls off; 0 by default.
     pub exponent: Option<At<Exponent>>,
     /// A luminaire's profile for a point or spot light: an LM-63 (`.ies`) or EULUMDAT (`.ldt`) file,
     /// relative to the scene file. With `intensity` or `luminous_intensity_cd` it is relative to its
     /// maximum; without, the light has the file's candela.
-    pub profile: Option<At<String>>,
+    pub profile: Option<At<ProfileValue>>,
     /// Where the half plane C 0° of the profile points; +X by default, +Y of a light along X.
     pub profile_c0: Option<At<Direction>>,
     /// The share of the profile's candela that the light has; 1 by default.
@@ -90,6 +95,8 @@ pub(crate) struct LightTable {
     pub file: Option<At<String>>,
     /// How an environment is turned: degrees about +Y, or rotations as those of objects.
     pub rotate_deg: Option<At<Turn>>,
+    /// The same as the three rows of a matrix.
+    pub rotation: Option<At<[[Number; 3]; 3]>>,
     /// What position and direction are relative to.
     pub attached_to: Option<At<AttachedTo>>,
 }
@@ -98,7 +105,6 @@ names! {
     /// The kinds of light.
     pub(crate) KindName {
         /// From everywhere, on everything.
-        #[default]
         Ambient = "ambient",
         /// Parallel light.
         Directional = "directional",
@@ -114,7 +120,7 @@ names! {
         Sphere = "sphere",
         /// From surroundings at infinite distance.
         Environment = "environment",
-    }
+    } default Ambient
 }
 
 impl KindName {
@@ -128,11 +134,10 @@ names! {
     /// What a light moves with.
     pub(crate) AttachedTo {
         /// Nothing: it stands still.
-        #[default]
         World = "world",
         /// The camera: x to the right, y up, -z along the view.
         Camera = "camera",
-    }
+    } default World
 }
 
 impl LightTable {
@@ -175,15 +180,25 @@ impl LightTable {
             KindName::Spot => LightKind::Spot {
                 position: self.place(span)?,
                 direction: self.directed(span)?,
-                cutoff: self.cutoff_deg.as_ref().map_or(45.0, |c| c.0).to_radians(),
+                cutoff: self.cutoff()?,
                 exponent: self.exponent.as_ref().map_or(0.0, |e| e.0),
-                smooth_edge: None,
+                smooth_edge: self.smooth_edge.as_ref().map(|edge| (edge.value[0].0, edge.value[1].0)),
                 attenuation,
             },
             KindName::Environment => self.environment(builder)?,
             // The others have a surface.
             _ => LightKind::Ambient,
         })
+    }
+
+    /// Half the opening angle of a spot's cone, in radians.
+    fn cutoff(&self) -> Result<f64, Problem> {
+        match (&self.cutoff_deg, &self.cutoff_rad) {
+            (Some(_), Some(radians)) => Err(Problem::at(&radians.span, "'cutoff_rad' beside 'cutoff_deg'")),
+            (None, Some(radians)) if radians.0 <= std::f64::consts::PI => Ok(radians.0),
+            (None, Some(radians)) => Err(Problem::at(&radians.span, "expected at most π")),
+            (degrees, None) => Ok(degrees.as_ref().map_or(45.0, |degrees| degrees.0).to_radians()),
+        }
     }
 
     fn colors(&self, unit: Unit, span: &Range<usize>, builder: &mut Builder) -> Result<LightColors, Problem> {

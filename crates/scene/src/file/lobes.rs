@@ -14,21 +14,26 @@ use serde_json::{Map, Value};
 use super::build::Builder;
 use super::colors::ColorValue;
 use super::error::Problem;
+use super::layer_weights::{LayerTable, MetalnessTable};
 use super::near::{did_you_mean, list};
-use super::types::names;
+use super::sampled::AbsorptionTable;
 use super::values::{At, Fraction, Number};
-use crate::{Lobe, Tint};
+use crate::names::names;
+use crate::{Absorption, Lobe, Metalness, Tint};
 
 names! {
     /// How a tint depends on the angle.
     pub(crate) FresnelName {
         /// By Fresnel's law where an index of refraction is given, else not.
-        #[default]
         Exact = "exact",
         /// In Schlick's form: the tint is the reflectance at normal incidence.
         Schlick = "schlick",
-    }
+    } default Exact
 }
+
+/// The keys of all lobes.
+const KEYS: [&str; 8] =
+    ["shape", "tint", "textured", "weight", "fresnel", "layers", "absorption", "metalness"];
 
 /// One term of a general material: `shape`, `tint`, `textured`, `weight`, `fresnel`, and the parameters of the
 /// shape.
@@ -39,6 +44,9 @@ pub(crate) struct LobeTable {
     textured: Option<bool>,
     weight: Option<At<Fraction>>,
     fresnel: Option<At<FresnelName>>,
+    layers: Option<At<Vec<LayerTable>>>,
+    absorption: Option<AbsorptionTable>,
+    metalness: Option<MetalnessTable>,
     params: Vec<(At<String>, At<Number>)>,
 }
 
@@ -53,6 +61,7 @@ impl<'de> Deserialize<'de> for LobeTable {
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<LobeTable, A::Error> {
                 let (mut shape, mut tint, mut textured) = (None, None, None);
                 let (mut weight, mut fresnel, mut params) = (None, None, Vec::new());
+                let (mut layers, mut absorption, mut metalness) = (None, None, None);
                 while let Some(key) = map.next_key::<At<String>>()? {
                     match key.as_str() {
                         "shape" => shape = Some(map.next_value()?),
@@ -60,11 +69,24 @@ impl<'de> Deserialize<'de> for LobeTable {
                         "textured" => textured = Some(map.next_value()?),
                         "weight" => weight = Some(map.next_value()?),
                         "fresnel" => fresnel = Some(map.next_value()?),
+                        "layers" => layers = Some(map.next_value()?),
+                        "absorption" => absorption = Some(map.next_value()?),
+                        "metalness" => metalness = Some(map.next_value()?),
                         _ => params.push((key, map.next_value()?)),
                     }
                 }
                 let shape = shape.ok_or_else(|| A::Error::missing_field("shape"))?;
-                Ok(LobeTable { shape, tint, textured, weight, fresnel, params })
+                Ok(LobeTable {
+                    shape,
+                    tint,
+                    textured,
+                    weight,
+                    fresnel,
+                    layers,
+                    absorption,
+                    metalness,
+                    params,
+                })
             }
         }
         deserializer.deserialize_any(LobeVisitor)
@@ -77,6 +99,9 @@ impl JsonSchema for LobeTable {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let color = generator.subschema_for::<ColorValue>();
+        let layers = generator.subschema_for::<Vec<LayerTable>>();
+        let absorption = generator.subschema_for::<AbsorptionTable>();
+        let metalness = generator.subschema_for::<MetalnessTable>();
         let variant = |info: &glanz_bsdf::ModelInfo| {
             let mut properties = Map::new();
             properties.insert("shape".into(), serde_json::json!({ "const": info.name }));
@@ -94,6 +119,9 @@ impl JsonSchema for LobeTable {
                 serde_json::json!({ "enum": ["exact", "schlick"], "default": "exact",
                     "description": "How the tint depends on the angle: exact for indices of refraction, or Schlick's form, in which any tint is the reflectance at normal incidence." }),
             );
+            properties.insert("layers".into(), layers.clone().to_value());
+            properties.insert("absorption".into(), absorption.clone().to_value());
+            properties.insert("metalness".into(), metalness.clone().to_value());
             for param in info.params {
                 let schema = serde_json::json!({
                     "type": "number", "description": param.doc, "default": param.default,
@@ -139,11 +167,20 @@ impl LobeTable {
             return Err(Problem::at(&weight.span, "'weight' is for terms that lights shine on")
                 .help("make the tint of this term darker instead"));
         }
-        let lobe = Lobe { textured, ..Lobe::new(shape, tint) };
-        Ok(match &self.weight {
-            Some(weight) if weight.0 < 1.0 => lobe.under(LayerWeight::Constant(weight.0)),
-            _ => lobe,
-        })
+        if let (Some(weight), Some(_)) = (&self.weight, &self.layers) {
+            return Err(Problem::at(
+                &weight.span,
+                "'weight' beside 'layers': give it as a layer, { constant = 0.5 }",
+            ));
+        }
+        let weight = self.weight.as_ref().map(|weight| weight.0).filter(|weight| *weight < 1.0);
+        let mut layers: Vec<_> = weight.map(LayerWeight::Constant).into_iter().collect();
+        layers.extend(self.layers.iter().flat_map(|layers| layers.iter().map(LayerTable::weight)));
+        let absorption =
+            self.absorption.as_ref().map(|table| Absorption { depth: table.depth.0, eta: table.eta.0 });
+        let metalness = self.metalness.as_ref().map_or(Metalness::Any, MetalnessTable::metalness);
+        let absorption = absorption.map(Arc::new);
+        Ok(Lobe { shape, tint, textured, layers, absorption, metalness })
     }
 
     /// The tint with the angle dependence that is asked for.
@@ -168,14 +205,9 @@ impl LobeTable {
             }
             ParamError::UnknownParam { model, name, known } => {
                 let span = self.params.iter().find(|(key, _)| key.value == *name).map(|(key, _)| &key.span);
-                let near = did_you_mean(
-                    name,
-                    known.split(", ").chain(["shape", "tint", "textured", "weight", "fresnel"]),
-                );
+                let near = did_you_mean(name, known.split(", ").chain(KEYS));
                 let message = format!("unknown key '{name}' in a lobe of shape '{model}'{near}");
-                let help = format!(
-                    "known keys: shape, tint, textured, weight, fresnel; parameters of '{model}': {known}"
-                );
+                let help = format!("known keys: {}; parameters of '{model}': {known}", KEYS.join(", "));
                 Problem::at(span.unwrap_or(&self.shape.span), message).help(help)
             }
             ParamError::OutOfRange { name, .. } => {

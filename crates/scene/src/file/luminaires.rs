@@ -1,20 +1,105 @@
 //! The profiles of lights of a scene file.
 
+use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use super::build::Builder;
 use super::error::Problem;
 use super::lights::LightTable;
 use super::surfaces::are_parallel;
-use super::values::At;
+use super::values::{Amount, At, Number};
 use crate::read::{FolderFiles, MAX_PROFILE_BYTES, ReadOptions, Resolver, read_profile};
 use crate::{Luminaire, Profile};
+
+/// The profile of a luminaire: the name of its file, or its numbers.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(crate) enum ProfileValue {
+    /// An LM-63 (`.ies`) or EULUMDAT (`.ldt`) file.
+    File(String),
+    /// The numbers themselves.
+    Table(ProfileTable),
+}
+
+/// Luminous intensity over the directions of a luminaire.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ProfileTable {
+    /// The half planes C in degrees, increasing, from 0 to 360; a single 0 for the same all around.
+    pub c_deg: Vec<Number>,
+    /// The angles γ in degrees, increasing, within 0 to 180.
+    pub gamma_deg: Vec<Number>,
+    /// Intensity in cd: for each half plane a list over the angles γ.
+    pub candela: Vec<Vec<Amount>>,
+}
+
+impl<'de> Deserialize<'de> for ProfileValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Form;
+        impl<'de> Visitor<'de> for Form {
+            type Value = ProfileValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "the name of an LM-63 or EULUMDAT file, or a table of c_deg, gamma_deg and candela",
+                )
+            }
+            fn visit_str<E>(self, name: &str) -> Result<ProfileValue, E> {
+                Ok(ProfileValue::File(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ProfileValue, A::Error> {
+                ProfileTable::deserialize(MapAccessDeserializer::new(map)).map(ProfileValue::Table)
+            }
+        }
+        deserializer.deserialize_any(Form)
+    }
+}
+
+impl ProfileTable {
+    fn profile(&self, span: &Range<usize>) -> Result<Profile, Problem> {
+        let plain = |list: &[Number]| list.iter().map(|number| number.0).collect::<Vec<f64>>();
+        let (c_deg, gamma_deg) = (plain(&self.c_deg), plain(&self.gamma_deg));
+        let rising = |list: &[f64], most: f64| {
+            list.windows(2).all(|pair| pair[0] < pair[1])
+                && list.first().is_some_and(|first| *first >= 0.0)
+                && list.last().is_some_and(|last| *last <= most)
+        };
+        let whole = c_deg == [0.0] || c_deg.first() == Some(&0.0) && c_deg.last() == Some(&360.0);
+        if !whole || !rising(&c_deg, 360.0) || !rising(&gamma_deg, 180.0) {
+            let message =
+                "expected increasing angles: c_deg a single 0 or from 0 to 360, gamma_deg within 0 to 180";
+            return Err(Problem::at(span, message));
+        }
+        if self.candela.len() != c_deg.len() || self.candela.iter().any(|list| list.len() != gamma_deg.len())
+        {
+            let (planes, angles) = (c_deg.len(), gamma_deg.len());
+            let message = format!("expected {planes} lists of {angles} values in 'candela'");
+            return Err(Problem::at(span, message));
+        }
+        let candela: Vec<f64> = self.candela.iter().flatten().map(|value| value.0).collect();
+        let profile = Profile { c_deg, gamma_deg, candela };
+        match profile.max() > 0.0 {
+            true => Ok(profile),
+            false => Err(Problem::at(span, "there is no light in this profile")),
+        }
+    }
+}
 
 impl LightTable {
     /// How the light sends more into some directions than into others, if it has a profile.
     pub(super) fn luminaire(&self, builder: &mut Builder) -> Result<Option<Luminaire>, Problem> {
         let Some(file) = &self.profile else { return Ok(None) };
-        let profile = builder.profile(file)?;
+        let profile = match &file.value {
+            ProfileValue::File(name) => {
+                builder.profile(&At { value: name.clone(), span: file.span.clone() })?
+            }
+            ProfileValue::Table(table) => Arc::new(table.profile(&file.span)?),
+        };
         let axis = self.given_direction()?.unwrap_or(Luminaire::AXIS);
         let c0 = match &self.profile_c0 {
             Some(c0) if are_parallel(c0.0, axis) => {

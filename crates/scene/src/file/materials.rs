@@ -17,15 +17,17 @@ use super::layers::{CoatTable, PaneTable, transmittance};
 use super::lobes::LobeTable;
 use super::near::{did_you_mean, list};
 use super::table;
-use super::types::names;
 use super::values::{Amount, At, Exponent, Fraction, Number};
-use crate::{AlphaMode, ClassicMaterial, Material, Tint};
+use crate::names::names;
+use crate::{AlphaMode, ClassicMaterial, Material, TextureFilter, Tint, Wrap};
 
 /// A material: the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`, `emission`; colours
 /// that are missing are black), a list of `lobes`, or one of the `library`.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MaterialTable {
+    /// A name for people; that of the table by default.
+    pub name: Option<String>,
     /// The name of a material of the library, as `glanz material list` tells them. Its terms are taken as they are; a
     /// `coat` lies over them, and textures multiply those that textures multiply.
     pub library: Option<At<String>>,
@@ -49,11 +51,16 @@ pub(crate) struct MaterialTable {
     pub coat: Option<At<CoatTable>>,
     /// Makes the surface a sheet of glass: it mirrors, and what is behind it is seen through it.
     pub pane: Option<At<PaneTable>>,
-    /// What is seen through the surface: the share of the light from behind, or a table with `ior` (what a boundary
-    /// does not reflect) or `film_nm` (what a film in air does not reflect).
+    /// How much of the light from behind reaches the viewer: a colour, or a table with `ior` (what a boundary does not
+    /// reflect), `film_nm` (what a film in air does not reflect) or `pane`.
+    pub transmittance: Option<At<ColorValue>>,
+    /// The old name of `transmittance`.
+    #[schemars(skip)]
     pub see_through: Option<At<ColorValue>>,
     /// The angle in degrees from the mesh's tangent to the x axis of terms that know one; 0 by default.
     pub aniso_deg: Option<Number>,
+    /// The same in radians, where degrees cannot say it exactly.
+    pub aniso_rad: Option<At<Number>>,
     /// Whether the normal is turned to the viewer. If not, back faces get ambient light only.
     #[serde(default = "yes")]
     pub two_sided: bool,
@@ -72,6 +79,8 @@ pub(crate) struct MaterialTable {
     pub normal_texture: Option<At<TextureValue>>,
     /// Picture that multiplies the emission.
     pub emission_texture: Option<At<TextureValue>>,
+    /// Picture whose green scales roughness and whose blue scales metalness, as in glTF.
+    pub metal_rough_texture: Option<At<TextureValue>>,
 }
 
 fn yes() -> bool {
@@ -90,54 +99,86 @@ names! {
     /// What alpha means.
     pub(crate) AlphaModeName {
         /// Nothing.
-        #[default]
         Opaque = "opaque",
         /// Below the cutoff there is no surface.
         Mask = "mask",
         /// The surface lets what is behind it through.
         Blend = "blend",
-    }
+    } default Opaque
 }
 
 /// A picture on a surface.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TextureTable {
     /// A PNG or JPEG file, relative to the scene file.
-    pub file: String,
+    pub file: Option<String>,
+    /// In place of a file, the name of one of the scene's `textures`.
+    pub texture: Option<String>,
     /// What happens outside 0 to 1.
-    #[serde(default)]
-    pub wrap: WrapName,
+    pub wrap: Option<At<WrapValue>>,
     /// How texels become values.
-    #[serde(default)]
-    pub filter: FilterName,
+    pub filter: Option<At<TextureFilter>>,
     /// Repetitions along u and v.
-    pub repeat: Option<[Number; 2]>,
+    pub repeat: Option<At<[Number; 2]>>,
+    /// In place of `repeat`, the two rows of an affine map of the texture coordinates.
+    pub transform: Option<At<[[Number; 3]; 2]>>,
     /// Scale of the x and y of normals; 1 by default.
     pub scale: Option<Amount>,
 }
 
-names! {
+/// A texture that materials call by its name.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct NamedTextureTable {
+    /// A name for people; that of the table by default.
+    pub name: Option<String>,
+    /// A PNG or JPEG file, relative to the scene file.
+    pub file: At<String>,
+    /// Whether its colours are sRGB codes; plain numbers if not, as in pictures of normals. They are by default.
+    #[serde(default = "yes")]
+    pub srgb: bool,
     /// What happens outside 0 to 1.
-    pub(crate) WrapName {
-        /// The picture repeats.
-        #[default]
-        Repeat = "repeat",
-        /// Every second repetition is mirrored.
-        Mirror = "mirror",
-        /// The edge continues.
-        Clamp = "clamp",
+    #[serde(default)]
+    pub wrap: WrapValue,
+    /// How texels become values.
+    #[serde(default)]
+    pub filter: TextureFilter,
+}
+
+/// What happens outside 0 to 1: the same along u and v, or one for each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct WrapValue(pub [Wrap; 2]);
+
+impl<'de> Deserialize<'de> for WrapValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Form;
+        impl<'de> Visitor<'de> for Form {
+            type Value = WrapValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("\"repeat\", \"mirror\" or \"clamp\", or two of them")
+            }
+            fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<WrapValue, E> {
+                let wrap = Wrap::deserialize(serde::de::value::StrDeserializer::new(name))?;
+                Ok(WrapValue([wrap; 2]))
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<WrapValue, A::Error> {
+                let list = serde::de::value::SeqAccessDeserializer::new(seq);
+                <[Wrap; 2]>::deserialize(list).map(WrapValue)
+            }
+        }
+        deserializer.deserialize_any(Form)
     }
 }
 
-names! {
-    /// How texels become values.
-    pub(crate) FilterName {
-        /// Linear between texels and between mip levels.
-        #[default]
-        Trilinear = "trilinear",
-        /// The nearest texel.
-        Nearest = "nearest",
+impl JsonSchema for WrapValue {
+    fn schema_name() -> Cow<'static, str> {
+        "WrapValue".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<Wrap>();
+        let two = generator.subschema_for::<[Wrap; 2]>();
+        json_schema!({ "anyOf": [one, two] })
     }
 }
 
@@ -154,8 +195,7 @@ impl<'de> Deserialize<'de> for TextureValue {
                 f.write_str("the name of a picture file, or a table such as { file = \"wood.png\" }")
             }
             fn visit_str<E>(self, file: &str) -> Result<TextureTable, E> {
-                let (wrap, filter) = (WrapName::default(), FilterName::default());
-                Ok(TextureTable { file: file.to_owned(), wrap, filter, repeat: None, scale: None })
+                Ok(TextureTable { file: Some(file.to_owned()), ..TextureTable::default() })
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TextureTable, A::Error> {
                 TextureTable::deserialize(MapAccessDeserializer::new(map))
@@ -218,27 +258,46 @@ impl MaterialTable {
         if let Some(pane) = &self.pane {
             pane.build(&mut material, builder, &pane.span)?;
         }
-        if let Some(seen) = &self.see_through {
+        if let Some(value) = self.transmittance(name, builder)? {
             if let Some(pane) = &self.pane {
-                return Err(Problem::at(&pane.span, "'pane' beside 'see_through': a pane says what is seen"));
+                let message = "'pane' beside 'transmittance': a pane has its own";
+                return Err(Problem::at(&pane.span, message));
             }
-            material.transmittance = Some(transmittance(seen, builder)?);
+            material.transmittance = Some(transmittance(value, builder)?);
         }
         if let (Some(coat), Some(_)) = (&self.coat, &material.transmittance) {
             return Err(Problem::at(
                 &coat.span,
-                "a 'coat' over what is seen through: give the 'pane' its colour instead",
+                "a 'coat' over a surface with a transmittance: give the 'pane' its colour instead",
             ));
         }
         if let Some(coat) = &self.coat {
             material = coat.build(material, builder, &coat.span)?;
         }
-        material.aniso = self.aniso_deg.map_or(0.0, |angle| angle.0.to_radians());
+        if let (Some(_), Some(radians)) = (&self.aniso_deg, &self.aniso_rad) {
+            return Err(Problem::at(&radians.span, "'aniso_rad' beside 'aniso_deg'"));
+        }
+        let radians = self.aniso_rad.as_ref().map_or(0.0, |angle| angle.0);
+        material.aniso = self.aniso_deg.map_or(radians, |angle| angle.0.to_radians());
+        material.name = self.name.clone().unwrap_or_else(|| name.to_owned());
         material.two_sided = self.two_sided;
         material.cull_back = self.cull_back;
         material.alpha = self.alpha.map_or(1.0, |a| a.0 as f32);
         material.alpha_mode = self.alpha_mode()?;
         Ok(material)
+    }
+
+    fn transmittance(&self, name: &str, builder: &mut Builder) -> Result<Option<&At<ColorValue>>, Problem> {
+        if let (Some(_), Some(old)) = (&self.transmittance, &self.see_through) {
+            return Err(Problem::at(
+                &old.span,
+                "'see_through' beside 'transmittance', which is its new name",
+            ));
+        }
+        if self.see_through.is_some() {
+            builder.notes.push(format!("material '{name}': 'see_through' is now 'transmittance'"));
+        }
+        Ok(self.transmittance.as_ref().or(self.see_through.as_ref()))
     }
 
     fn alpha_mode(&self) -> Result<AlphaMode, Problem> {
@@ -313,6 +372,7 @@ impl MaterialTable {
         let others = [
             ("lobes", place(&self.lobes)),
             ("pane", place(&self.pane)),
+            ("transmittance", place(&self.transmittance)),
             ("see_through", place(&self.see_through)),
         ];
         match self.classic_keys().into_iter().chain(others).find_map(|(key, span)| Some((key, span?))) {

@@ -16,15 +16,18 @@ mod explain;
 mod from_library;
 mod hash;
 mod instances;
+mod layer_weights;
 mod layers;
 mod light_keys;
 mod lights;
 mod lobes;
 mod luminaires;
 mod materials;
+mod meshes;
 pub(crate) mod near;
 mod objects;
 mod place;
+mod sampled;
 mod schema;
 mod sets;
 mod spectra;
@@ -56,7 +59,6 @@ pub use schema::schema;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::DeTable;
-pub use types::{ShowName, ToneMapName};
 
 use crate::{Material, Scene};
 use build::Builder;
@@ -84,12 +86,6 @@ pub struct LoadOptions {
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    /// What the picture shows.
-    pub show: ShowName,
-    /// Tone mapping.
-    pub tone_map: ToneMapName,
-    /// Exposure in stops.
-    pub ev: f64,
     /// What was ignored or approximated, in words for people.
     pub notes: Vec<String>,
     /// A number for the content: of the file with the values set, however it is written, and of the
@@ -175,12 +171,5 @@ fn understand(
         .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
     let mut builder = Builder::new(base, allow_outside, hash);
     builder.build(&table)?;
-    Ok(Loaded {
-        show: table.render.show,
-        tone_map: table.render.tone_map,
-        ev: table.render.ev.map_or(0.0, |ev| ev.0),
-        scene: builder.scene,
-        notes: builder.notes,
-        hash: builder.hash.finish(),
-    })
+    Ok(Loaded { scene: builder.scene, notes: builder.notes, hash: builder.hash.finish() })
 }

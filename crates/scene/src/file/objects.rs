@@ -11,12 +11,11 @@ use serde::de::{
 use serde::{Deserialize, Deserializer};
 
 use super::error::Problem;
-use super::near::{did_you_mean, list};
 use super::place::PlaceKeys;
-use super::types::{InterpolationName, ShadingName, names};
 use super::values::{At, Color, HalfTurn};
-use crate::Normals;
 use crate::builtin::Builtin;
+use crate::names::names;
+use crate::{Interpolation, Normals, Shading};
 
 /// An object: a mesh put into the scene.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -38,9 +37,9 @@ pub(crate) struct ObjectTable {
     /// Instead of the three above: the rows of a matrix of 3 or 4 rows and 4 columns.
     pub matrix: Option<At<super::place::Matrix>>,
     /// Where the illumination model is evaluated, if not as the scene says.
-    pub shading: Option<ShadingName>,
+    pub shading: Option<Shading>,
     /// How values between vertices are found, if not as the scene says.
-    pub interpolation: Option<InterpolationName>,
+    pub interpolation: Option<Interpolation>,
     /// Where its normals come from; as the mesh has them by default.
     pub normals: Option<At<NormalsName>>,
     /// With smooth normals: facets that meet at a greater angle keep their edge.
@@ -69,11 +68,10 @@ names! {
     /// Vertex colours that need no list.
     pub(crate) ColorsName {
         /// Those of the mesh.
-        #[default]
         Mesh = "mesh",
         /// None.
         None = "none",
-    }
+    } default Mesh
 }
 
 impl<'de> Deserialize<'de> for ColorsValue {
@@ -104,13 +102,12 @@ names! {
     /// Where normals come from.
     pub(crate) NormalsName {
         /// As the mesh has them; smooth where it has none.
-        #[default]
         Given = "given",
         /// Each facet its own.
         Facet = "facet",
         /// The angle-weighted mean over the facets around a point.
         Smooth = "smooth",
-    }
+    } default Given
 }
 
 /// The most levels of subdivision; each multiplies the triangles by four.
@@ -175,6 +172,8 @@ impl ObjectTable {
 pub(crate) enum MeshValue {
     /// A mesh that needs no file.
     Builtin(Builtin),
+    /// The name of one of the scene's meshes.
+    Named(String),
     /// A file, relative to the scene file.
     File(At<String>),
 }
@@ -195,17 +194,9 @@ impl<'de> Visitor<'de> for MeshVisitor {
              or { file = \"model.glb\" }",
         )
     }
-    fn visit_str<E: Error>(self, name: &str) -> Result<MeshValue, E> {
-        Builtin::named(name).map(MeshValue::Builtin).ok_or_else(|| {
-            let shown = name.chars().take(40).collect::<String>();
-            let near = did_you_mean(name, Builtin::NAMES.iter().copied());
-            // A file's name in place of a table is the likeliest of all mistakes here.
-            let advice = match name.contains('.') {
-                true => "; for a file, write { file = \"..\" }".to_owned(),
-                false => format!("; the meshes are: {}", list(Builtin::NAMES.iter().copied())),
-            };
-            E::custom(format!("unknown mesh '{shown}'{}", if near.is_empty() { advice } else { near }))
-        })
+    fn visit_str<E>(self, name: &str) -> Result<MeshValue, E> {
+        let builtin = Builtin::named(name).map(MeshValue::Builtin);
+        Ok(builtin.unwrap_or_else(|| MeshValue::Named(name.to_owned())))
     }
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<MeshValue, A::Error> {
         let Some(name) = map.next_key::<String>()? else {
@@ -292,6 +283,7 @@ impl JsonSchema for MeshValue {
             "description": "A built-in mesh by its name, or with parameters, or a file.",
             "anyOf": [
                 { "enum": Builtin::NAMES },
+                { "type": "string", "description": "The name of one of the scene's meshes." },
                 builtin,
                 {
                     "type": "object", "required": ["file"], "additionalProperties": false,

@@ -9,11 +9,12 @@ use glanz_color::{
 };
 
 use super::build::Builder;
-use super::colors::{ColorValue, IorValue, PolarizationName, SpectralTable, SpectrumValue};
+use super::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
 use super::error::Problem;
+use super::sampled::{ObserverValue, Sampled};
 use super::values::{At, Number};
 use crate::read::{FolderFiles, Resolver};
-use crate::{Film, LightColor, Polarization, Tint};
+use crate::{Film, LightColor, Pane, Tint};
 
 /// The thickest film: fringes of a thicker one are finer than the spectral grid of 5 nm shows.
 const THICKEST_FILM_NM: f64 = 2000.0;
@@ -58,6 +59,12 @@ impl Builder {
     }
 
     fn unit_light(&mut self, table: &SpectralTable, span: &Range<usize>) -> Result<LightColor, Problem> {
+        if let Some(pane) = &table.pane {
+            return Err(Problem::at(&pane.span, "'pane' is for what surfaces do with light"));
+        }
+        if let Some(schlick) = &table.schlick {
+            return Err(Problem::at(&schlick.span, "'schlick' is for what surfaces do with light"));
+        }
         let spectrum = match self.function(table, span, true)? {
             Function::Light(spectrum) | Function::Either(spectrum) => spectrum,
             Function::Fraction(_) => {
@@ -69,6 +76,9 @@ impl Builder {
             }
         };
         let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
+        if table.samples.is_some() {
+            return Ok(LightColor::Spectrum(Arc::new(spectrum * scale)));
+        }
         match LightColor::unit(&spectrum) {
             Some(unit) => Ok(unit.scaled(scale)),
             None => Err(Problem::at(span, "there is no light in this spectrum between 300 and 780 nm")),
@@ -84,6 +94,14 @@ impl Builder {
         if let Some(luminance) = &table.luminance_cd_m2 {
             return Err(Problem::at(&luminance.span, "'luminance_cd_m2' is for light that a surface sends")
                 .help("give it in 'emission'"));
+        }
+        if let Some(at_normal) = &table.schlick {
+            return Ok(Tint::Schlick(Box::new(self.tint(at_normal)?)));
+        }
+        if let Some(pane) = &table.pane {
+            let ior = medium(&At { value: pane.ior.clone(), span: pane.span.clone() })?;
+            let absorption = pane.absorption.as_ref().map_or(Spectrum::ZERO, |samples| samples.0);
+            return Ok(Tint::Pane(Arc::new(Pane { ior, thickness: pane.thickness_m.0, absorption })));
         }
         if let Some(film) = film(table)? {
             return Ok(Tint::Film(Arc::new(film)));
@@ -108,8 +126,7 @@ impl Builder {
             Function::Ior(ior) => match &table.scale {
                 None => match &table.polarization {
                     None => Tint::Ior(ior),
-                    Some(At { value: PolarizationName::S, .. }) => Tint::Polarized(ior, Polarization::S),
-                    Some(At { value: PolarizationName::P, .. }) => Tint::Polarized(ior, Polarization::P),
+                    Some(polarization) => Tint::Polarized(ior, polarization.value),
                 },
                 Some(scale) => {
                     return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
@@ -160,7 +177,9 @@ impl Builder {
             ("line", table.line.is_some()),
             ("file", table.file.is_some()),
             ("nm", table.nm.is_some() || table.value.is_some()),
+            ("samples", table.samples.is_some()),
             ("reradiation", table.reradiation.is_some()),
+            ("matrix", table.matrix.is_some()),
             ("ior", table.ior.is_some()),
         ];
         if let Some(thickness) = &table.film_nm {
@@ -187,6 +206,8 @@ impl Builder {
                 self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref(), light)
             }
             ["nm"] => self.read_numbers(table, span, light),
+            ["samples"] => Ok(Function::Either(table.samples.as_ref().expect("it is given").0)),
+            ["matrix"] => matrix(table.matrix.as_ref().expect("it is given")),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
             ["ior"] => ior(table.ior.as_ref().expect("it is given")),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
@@ -285,7 +306,11 @@ impl Builder {
     }
 
     /// An observer by name, or a sensor from a file with a curve for each of its channels.
-    pub(super) fn observer(&mut self, name: &At<String>) -> Result<Observer, Problem> {
+    pub(super) fn observer(&mut self, value: &At<ObserverValue>) -> Result<Observer, Problem> {
+        let name = match &value.value {
+            ObserverValue::Table(table) => return Ok(table.observer()),
+            ObserverValue::Name(name) => &At { value: name.clone(), span: value.span.clone() },
+        };
         let known = match glanz_color::observer(name) {
             Ok(observer) => return Ok(observer),
             Err(error) => error,
@@ -323,6 +348,12 @@ pub(super) fn for_power(color: &LightColor, watts: f64) -> f64 {
         LightColor::Spectrum(spectrum) => spectrum.integral(),
     };
     photometry::PHOTOPIC_LM_PER_W * watts / power
+}
+
+fn matrix(rows: &At<Vec<Sampled>>) -> Result<Function, Problem> {
+    let rows_of = |rows: &[Sampled]| rows.iter().map(|row| row.0).collect::<Vec<Spectrum>>();
+    let matrix = Reradiation::try_from(rows_of(rows)).map_err(|error| Problem::at(&rows.span, error))?;
+    Ok(Function::Reradiation(Arc::new(matrix)))
 }
 
 fn named(name: &At<String>, light: bool) -> Result<Function, Problem> {
@@ -398,6 +429,8 @@ fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
         (table.line.as_ref().map(|v| &v.span), "line"),
         (table.nm.as_ref().map(|v| &v.span), "nm"),
         (table.value.as_ref().map(|v| &v.span), "value"),
+        (table.samples.as_ref().map(|v| &v.span), "samples"),
+        (table.matrix.as_ref().map(|v| &v.span), "matrix"),
         (table.polarization.as_ref().map(|v| &v.span), "polarization"),
     ];
     if let Some((span, key)) = others.iter().find_map(|(span, key)| Some((span.as_ref()?, key))) {
@@ -434,6 +467,7 @@ pub(super) fn medium(value: &At<IorValue>) -> Result<Ior, Problem> {
             unknown(&error, &value.span).help("`glanz color list metals` tells the names; or give a number")
         })?,
         IorValue::Index(index) => Ior::constant(*index),
+        IorValue::Table(table) => table.ior(),
     })
 }
 

@@ -133,7 +133,8 @@ fn the_examples_load_and_show_something() {
 fn an_empty_scene_is_an_empty_scene_with_the_defaults() {
     let loaded = parse("").expect("empty is valid");
     assert_eq!(loaded.scene, Scene::default());
-    assert_eq!((loaded.show, loaded.tone_map, loaded.ev), (ShowName::Shaded, ToneMapName::None, 0.0));
+    let render = loaded.scene.render;
+    assert_eq!((render.show, render.tone_map, render.ev), (DebugView::Shaded, ToneMap::None, 0.0));
 }
 
 #[test]
@@ -239,7 +240,8 @@ fn per_object_settings_differ_from_the_scenes() {
     let text = "[render]\nshading = 'flat'\ninterpolation = 'scanline'\nshow = 'uv'\ntone_map = 'khronos-neutral'\n\
                 ev = -1.5\n[[objects]]\nname = 'a'\nmesh = 'quad'\nshading = 'gouraud'\ninterpolation = 'screen-linear'";
     let loaded = parse(text).expect("valid");
-    assert_eq!((loaded.show, loaded.tone_map, loaded.ev), (ShowName::Uv, ToneMapName::KhronosNeutral, -1.5));
+    let render = loaded.scene.render;
+    assert_eq!((render.show, render.tone_map, render.ev), (DebugView::Uv, ToneMap::KhronosNeutral, -1.5));
     let (render, object) = (loaded.scene.render, &loaded.scene.objects[0]);
     assert_eq!((render.shading, render.interpolation), (Shading::Flat, Interpolation::Scanline));
     assert_eq!(object.shading, Some(Shading::Gouraud));

@@ -11,11 +11,14 @@ use serde::{Deserialize, Deserializer};
 
 use super::colors::{ColorValue, SpectrumValue};
 use super::lights::LightTable;
-use super::materials::MaterialTable;
+use super::materials::{MaterialTable, NamedTextureTable};
+use super::meshes::MeshTable;
 use super::objects::ObjectTable;
+use super::sampled::ObserverValue;
 use super::table;
 use super::values::{Amount, At, Color, FieldOfView, Positive, Stops, Vector};
-use crate::{COLOR_MODES, ColorMode, Interpolation, Shading, White};
+use crate::names::names;
+use crate::{COLOR_MODES, ColorMode, DebugView, Interpolation, Shading, ToneMap, White};
 
 /// A Glanz scene: picture, camera, lights, materials and objects.
 ///
@@ -39,6 +42,12 @@ pub(crate) struct SceneTable {
     /// The lights. A scene without lights is dark.
     #[serde(deserialize_with = "table::placed_list")]
     pub lights: Vec<At<LightTable>>,
+    /// Textures that materials call by name, in the order of the file.
+    #[serde(default, deserialize_with = "table::placed_map")]
+    pub textures: BTreeMap<String, At<NamedTextureTable>>,
+    /// Meshes that objects call by name, in the order of the file.
+    #[serde(default, deserialize_with = "table::placed_map")]
+    pub meshes: BTreeMap<String, At<MeshTable>>,
     /// The materials, by name.
     #[serde(deserialize_with = "table::placed_map")]
     pub materials: BTreeMap<String, At<MaterialTable>>,
@@ -81,13 +90,13 @@ impl Default for ImageTable {
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct RenderTable {
     /// Where the illumination model is evaluated, and what is interpolated.
-    pub shading: ShadingName,
+    pub shading: Shading,
     /// How values between vertices are found.
-    pub interpolation: InterpolationName,
+    pub interpolation: Interpolation,
     /// What the picture shows.
-    pub show: ShowName,
+    pub show: DebugView,
     /// How light is compressed to the display's range.
-    pub tone_map: ToneMapName,
+    pub tone_map: ToneMap,
     /// Exposure in stops.
     pub ev: Option<Stops>,
     /// How colour is treated.
@@ -96,7 +105,10 @@ pub(crate) struct RenderTable {
     pub white: WhiteValue,
     /// Who looks: the name of an observer, or a file with the curves of a sensor (CSV); the standard
     /// observer of 1931 by default. Not in mode rgb.
-    pub observer: Option<At<String>>,
+    pub observer: Option<At<ObserverValue>>,
+    /// Whether light is in photometric units, 1 being 1 cd/m² on a white matte surface, also where no unit is
+    /// written; by default where a light or an emission is given in such units.
+    pub photometric: Option<At<bool>>,
     /// Whether surfaces stand in each other's light; not by default, as the classic models have it.
     pub shadows: bool,
 }
@@ -128,6 +140,8 @@ pub(crate) struct CameraTable {
     pub projection: ProjectionName,
     /// Vertical field of view of a perspective camera, in degrees; 40 by default.
     pub fov_deg: Option<At<FieldOfView>>,
+    /// The same in radians, where degrees cannot say it exactly.
+    pub fov_rad: Option<At<Positive>>,
     /// What height an orthographic camera shows, in metres.
     pub height: Option<At<Positive>>,
 }
@@ -161,129 +175,14 @@ impl<'de> Deserialize<'de> for CameraRef {
     }
 }
 
-/// A name out of a few, which are the variants in kebab-case.
-macro_rules! names {
-    ($(#[$doc:meta])* $vis:vis $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $text:literal),+ $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-        $vis enum $name {
-            $($(#[$variant_doc])* #[serde(rename = $text)] $variant),+
-        }
-
-        impl $name {
-            /// The name in files and on the command line.
-            #[allow(dead_code, reason = "not all of the lists are printed")]
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => $text),+
-                }
-            }
-        }
-    };
-}
-pub(crate) use names;
-
-names! {
-    /// Where the illumination model is evaluated.
-    pub(crate) ShadingName {
-        /// Once per facet.
-        Flat = "flat",
-        /// At the vertices.
-        Gouraud = "gouraud",
-        /// At each pixel.
-        #[default]
-        Phong = "phong",
-    }
-}
-
-impl ShadingName {
-    pub(crate) fn shading(self) -> Shading {
-        match self {
-            Self::Flat => Shading::Flat,
-            Self::Gouraud => Shading::Gouraud,
-            Self::Phong => Shading::Phong,
-        }
-    }
-}
-
-names! {
-    /// How values between vertices are found.
-    pub(crate) InterpolationName {
-        /// Linear on the surface in space.
-        #[default]
-        Perspective = "perspective",
-        /// Linear on the screen, over triangles.
-        ScreenLinear = "screen-linear",
-        /// Along the edges of the polygon, then along the scanline.
-        Scanline = "scanline",
-    }
-}
-
-impl InterpolationName {
-    pub(crate) fn interpolation(self) -> Interpolation {
-        match self {
-            Self::Perspective => Interpolation::Perspective,
-            Self::ScreenLinear => Interpolation::ScreenLinear,
-            Self::Scanline => Interpolation::Scanline,
-        }
-    }
-}
-
-names! {
-    /// What a scene file asks the picture to show.
-    pub ShowName {
-        /// Light on surfaces.
-        #[default]
-        Shaded = "shaded",
-        /// Shading normals.
-        Normals = "normals",
-        /// Distance.
-        Depth = "depth",
-        /// A colour per object.
-        Ids = "ids",
-        /// A colour per facet.
-        Facets = "facets",
-        /// The edges of the facets.
-        Wireframe = "wireframe",
-        /// The ambient and emitted terms alone.
-        Ambient = "ambient",
-        /// The diffuse terms alone.
-        Diffuse = "diffuse",
-        /// The specular terms alone.
-        Specular = "specular",
-        /// Texture coordinates.
-        Uv = "uv",
-        /// Where any light reaches the surface.
-        Lit = "lit",
-    }
-}
-
-names! {
-    /// The tone mapping that a scene file asks for.
-    pub ToneMapName {
-        /// None: what is above 1 is clipped.
-        #[default]
-        None = "none",
-        /// Reinhard et al. 2002.
-        Reinhard = "reinhard",
-        /// Academy, fitted.
-        Aces = "aces",
-        /// AgX.
-        Agx = "agx",
-        /// Khronos PBR neutral.
-        KhronosNeutral = "khronos-neutral",
-    }
-}
-
 names! {
     /// How the scene is projected.
     pub(crate) ProjectionName {
         /// A pinhole.
-        #[default]
         Perspective = "perspective",
         /// Parallel rays.
         Orthographic = "orthographic",
-    }
+    } default Perspective
 }
 
 /// A colour mode by its name.

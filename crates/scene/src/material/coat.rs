@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glanz_bsdf::{CoatSurface, LayerWeight, LightTerm, ParamError, Shape, Side};
 use glanz_color::{Ior, Rgb, Spectrum};
+use serde::{Deserialize, Serialize};
 
 use crate::{Absorption, Lobe, Material, Tint};
 
 /// A layer over a material.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coat {
     /// Its index of refraction.
     pub ior: Ior,

@@ -6,9 +6,10 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
 
 /// Luminous intensity over the directions of a luminaire, expanded to full symmetry.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// The half planes C in degrees, increasing, from 0 to 360; the last is the first again. A single 0 for
     /// intensity that is the same all around.
@@ -80,7 +81,7 @@ fn blend(a: f64, b: f64, share: f64) -> f64 {
 }
 
 /// A profile as a light has it: what it sends is its colours times the profile over its maximum.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Luminaire {
     /// The intensities.
     pub profile: Arc<Profile>,

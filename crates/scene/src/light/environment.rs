@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// Surroundings in equirectangular projection: linear RGB of sRGB primaries, every value finite and at
 /// least 0.
@@ -10,7 +11,7 @@ use glam::DVec3;
 /// Rows go from straight up (+Y) to straight down, columns once around to the right, as seen from inside:
 /// the middle of the picture is −Z, its right quarter +X, its left quarter −X, its left and right edges
 /// meet at +Z. This is the convention of most HDR panoramas.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EnvironmentMap {
     /// Pixels in a row; at least 1.
     pub width: usize,

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
 
 use crate::{EnvironmentMap, LightColor, Luminaire};
 
 /// The space in which a light's position and direction are given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Space {
     /// Fixed in the world.
     #[default]
@@ -17,7 +18,7 @@ pub enum Space {
 }
 
 /// How light fades with the distance d: 1 / (constant + linear·d + quadratic·d²).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attenuation {
     /// The part that does not depend on distance.
     pub constant: f64,
@@ -35,7 +36,7 @@ impl Attenuation {
 }
 
 /// What a light sends to the three kinds of lobe.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LightColors {
     /// To ambient lobes: unattenuated, from no direction.
     pub ambient: LightColor,
@@ -70,7 +71,7 @@ impl LightColors {
 }
 
 /// The extent of a light that is a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum AreaShape {
     /// A rectangle.
     Rectangle {
@@ -104,7 +105,7 @@ impl AreaShape {
 }
 
 /// The geometry of a light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LightKind {
     /// From everywhere, on everything.
     Ambient,
@@ -161,7 +162,7 @@ pub enum LightKind {
 }
 
 /// A light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Light {
     /// A name for people; may be empty.
     pub name: String,

@@ -3,8 +3,10 @@
 //! Any scene can be drawn in any colour mode: RGB is turned into spectra where spectra are wanted and
 //! spectra into RGB where that is wanted (`glanz_render::prepare`).
 
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
+use crate::names::names;
 use crate::{Film, Pane};
 use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
 
@@ -13,7 +15,7 @@ use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
 const LEAST_EFFICACY: f64 = 1.0;
 
 /// The colour of light that a lamp or a glowing surface sends.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LightColor {
     /// Amounts of the sRGB primaries; equal amounts are D65.
     Rgb(Rgb),
@@ -97,7 +99,7 @@ impl From<Rgb> for LightColor {
 }
 
 /// The coloured part of a lobe: what it does to each wavelength.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tint {
     /// Shares of the sRGB primaries.
     Rgb(Rgb),
@@ -119,13 +121,14 @@ pub enum Tint {
     Pane(Arc<Pane>),
 }
 
-/// Which way light swings, against the plane of incidence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Polarization {
-    /// Across it.
-    S,
-    /// In it.
-    P,
+names! {
+    /// Polarisation: the direction of the electric field against the plane of incidence.
+    pub Polarization {
+        /// Perpendicular to it (German: senkrecht).
+        S = "s",
+        /// Parallel to it.
+        P = "p",
+    } default S
 }
 
 impl Tint {

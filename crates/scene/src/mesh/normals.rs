@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 
 use crate::{
     Mesh,
-    topology::{Groups, Splitter, Welded, for_each_edge},
+    mesh::topology::{Groups, Splitter, Welded, for_each_edge},
 };
 
 /// Where the normals of a mesh come from.

@@ -1,10 +1,11 @@
 //! Polygon meshes.
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// An axis-parallel box, possibly empty.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bounds {
     /// The corner of least coordinates.
     pub min: DVec3,
@@ -40,7 +41,7 @@ impl Bounds {
 /// A mesh of polygons whose corners share vertices.
 ///
 /// All attribute arrays are empty (the mesh does not have them) or as long as `positions`.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
     /// A name for people; may be empty.
     pub name: String,

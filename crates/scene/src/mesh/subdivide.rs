@@ -8,7 +8,7 @@ use thiserror::Error;
 use crate::{
     Mesh, Normals,
     builtin::MAX_TRIANGLES,
-    topology::{Edges, Welded},
+    mesh::topology::{Edges, Welded},
 };
 
 /// Why a mesh cannot be subdivided.

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3, Vec4};
 
 use crate::{
     Mesh, Normals,
-    topology::{Groups, Splitter, for_each_edge},
+    mesh::topology::{Groups, Splitter, for_each_edge},
 };
 
 impl Mesh {
