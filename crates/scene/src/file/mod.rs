@@ -1,6 +1,6 @@
 //! Scene files: TOML with a JSON Schema from the same types.
 //!
-//! [`load`] reads a file, [`parse_str`] a text. A scene file is taken literally: without lights the
+//! [`load`] reads a file, [`parse_str`] a text; [`save`] and [`write()`] are their inverses. A scene file is taken literally: without lights the
 //! picture is dark. Unknown keys are refused with the nearest known name; every error has its place.
 //! The tables of a file are described by [`schema`], with all keys, ranges and defaults.
 //!
@@ -36,6 +36,7 @@ mod surfaces;
 mod table;
 mod types;
 mod values;
+mod write;
 
 #[cfg(test)]
 mod error_tests;
@@ -59,6 +60,7 @@ pub use schema::schema;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::DeTable;
+pub use write::{WriteError, Written, save, write};
 
 use crate::{Material, Scene};
 use build::Builder;
@@ -158,17 +160,28 @@ fn read_document<'i>(text: &'i str, sets: &'i [sets::Override]) -> Result<Spanne
     Ok(root)
 }
 
+/// That a text is a scene file as far as can be told without the files that it names.
+fn check_text(text: &str) -> Result<(), FileError> {
+    let source = Source::new(Path::new("scene"), text);
+    read_table(text, &[]).map(drop).map_err(|problem| source.error(problem))
+}
+
+fn read_table(text: &str, sets: &[sets::Override]) -> Result<(SceneTable, Hash), Problem> {
+    let root = read_document(text, sets)?;
+    let mut hash = Hash::new();
+    hash.table(root.get_ref());
+    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
+        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
+    Ok((table, hash))
+}
+
 fn understand(
     text: &str,
     sets: &[sets::Override],
     base: &Path,
     allow_outside: bool,
 ) -> Result<Loaded, Problem> {
-    let root = read_document(text, sets)?;
-    let mut hash = Hash::new();
-    hash.table(root.get_ref());
-    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
-        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
+    let (table, hash) = read_table(text, sets)?;
     let mut builder = Builder::new(base, allow_outside, hash);
     builder.build(&table)?;
     Ok(Loaded { scene: builder.scene, notes: builder.notes, hash: builder.hash.finish() })

@@ -16,8 +16,8 @@ use super::values::{At, Number};
 use crate::read::{FolderFiles, Resolver};
 use crate::{Film, LightColor, Pane, Tint};
 
-/// The thickest film: fringes of a thicker one are finer than the spectral grid of 5 nm shows.
-const THICKEST_FILM_NM: f64 = 2000.0;
+/// The thickest film: near 400 nm its fringes are as narrow as the spectral grid of 5 nm.
+const THICKEST_FILM_NM: f64 = 1e4;
 
 /// What a function of wavelength stands for.
 enum Function {
@@ -451,8 +451,8 @@ fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
     Ok(Some(Film { thickness_nm: thickness.0, film, base }))
 }
 
-/// Nothing to speak of.
-fn air() -> Ior {
+/// What a film lies on that says nothing else.
+pub(super) fn air() -> Ior {
     Ior { name: "air".to_owned(), ..Ior::constant(1.0) }
 }
 

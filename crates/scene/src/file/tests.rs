@@ -134,7 +134,10 @@ fn an_empty_scene_is_an_empty_scene_with_the_defaults() {
     let loaded = parse("").expect("empty is valid");
     assert_eq!(loaded.scene, Scene::default());
     let render = loaded.scene.render;
-    assert_eq!((render.show, render.tone_map, render.ev), (DebugView::Shaded, ToneMap::None, 0.0));
+    assert_eq!(
+        (render.show, render.tone_map, render.ev),
+        (crate::DebugView::Shaded, crate::ToneMap::None, 0.0)
+    );
 }
 
 #[test]
@@ -241,7 +244,10 @@ fn per_object_settings_differ_from_the_scenes() {
                 ev = -1.5\n[[objects]]\nname = 'a'\nmesh = 'quad'\nshading = 'gouraud'\ninterpolation = 'screen-linear'";
     let loaded = parse(text).expect("valid");
     let render = loaded.scene.render;
-    assert_eq!((render.show, render.tone_map, render.ev), (DebugView::Uv, ToneMap::KhronosNeutral, -1.5));
+    assert_eq!(
+        (render.show, render.tone_map, render.ev),
+        (crate::DebugView::Uv, crate::ToneMap::KhronosNeutral, -1.5)
+    );
     let (render, object) = (loaded.scene.render, &loaded.scene.objects[0]);
     assert_eq!((render.shading, render.interpolation), (Shading::Flat, Interpolation::Scanline));
     assert_eq!(object.shading, Some(Shading::Gouraud));
