@@ -7,7 +7,7 @@ use glam::DMat4;
 use glanz_render::{DebugView, ToneMap};
 use glanz_scene::file::{FileError, LoadOptions, Loaded, load, parse_str};
 use glanz_scene::read::{ReadError, ReadOptions, read_model};
-use glanz_scene::{Camera, Scene, add_default_lights};
+use glanz_scene::{Camera, RenderSettings, Scene, add_default_lights};
 
 use super::args::{CameraArgs, InputArgs};
 use super::failure::{Failure, Report, without_number};
@@ -99,6 +99,13 @@ impl InputArgs {
 }
 
 impl Input {
+    /// A scene made in code.
+    pub fn of_stage(scene: Scene) -> Self {
+        let RenderSettings { show, tone_map, ev, .. } = scene.render;
+        let (cameras, notes) = (Vec::new(), Vec::new());
+        Self { scene, show, tone_map, ev: ev as f32, cameras, notes, hash: 0, default_lights: true }
+    }
+
     fn of_scene(loaded: Loaded) -> Self {
         let render = loaded.scene.render;
         Self {

@@ -16,6 +16,7 @@ mod names;
 pub mod read;
 mod scene;
 pub mod settings;
+pub mod stage;
 
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};

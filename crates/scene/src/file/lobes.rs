@@ -99,7 +99,7 @@ impl JsonSchema for LobeTable {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let color = generator.subschema_for::<ColorValue>();
-        let layers = generator.subschema_for::<Vec<LayerTable>>();
+        let layers = generator.subschema_for::<LayerTable>();
         let absorption = generator.subschema_for::<AbsorptionTable>();
         let metalness = generator.subschema_for::<MetalnessTable>();
         let variant = |info: &glanz_bsdf::ModelInfo| {
@@ -119,7 +119,11 @@ impl JsonSchema for LobeTable {
                 serde_json::json!({ "enum": ["exact", "schlick"], "default": "exact",
                     "description": "How the tint depends on the angle: exact for indices of refraction, or Schlick's form, in which any tint is the reflectance at normal incidence." }),
             );
-            properties.insert("layers".into(), layers.clone().to_value());
+            properties.insert(
+                "layers".into(),
+                serde_json::json!({ "type": "array", "items": layers.clone().to_value(),
+                    "description": "The weights of the layers over the term, from the inner to the outer." }),
+            );
             properties.insert("absorption".into(), absorption.clone().to_value());
             properties.insert("metalness".into(), metalness.clone().to_value());
             for param in info.params {

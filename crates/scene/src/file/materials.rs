@@ -26,8 +26,6 @@ use crate::{AlphaMode, ClassicMaterial, Material, TextureFilter, Tint, Wrap};
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MaterialTable {
-    /// A name for people; that of the table by default.
-    pub name: Option<String>,
     /// The name of a material of the library, as `glanz material list` tells them. Its terms are taken as they are; a
     /// `coat` lies over them, and textures multiply those that textures multiply.
     pub library: Option<At<String>>,
@@ -59,8 +57,6 @@ pub(crate) struct MaterialTable {
     pub see_through: Option<At<ColorValue>>,
     /// The angle in degrees from the mesh's tangent to the x axis of terms that know one; 0 by default.
     pub aniso_deg: Option<Number>,
-    /// The same in radians, where degrees cannot say it exactly.
-    pub aniso_rad: Option<At<Number>>,
     /// Whether the normal is turned to the viewer. If not, back faces get ambient light only.
     #[serde(default = "yes")]
     pub two_sided: bool,
@@ -81,6 +77,10 @@ pub(crate) struct MaterialTable {
     pub emission_texture: Option<At<TextureValue>>,
     /// Picture whose green scales roughness and whose blue scales metalness, as in glTF.
     pub metal_rough_texture: Option<At<TextureValue>>,
+    /// The same in radians, where degrees cannot say it exactly.
+    pub aniso_rad: Option<At<Number>>,
+    /// A name for people; that of the table by default.
+    pub name: Option<String>,
 }
 
 fn yes() -> bool {

@@ -129,7 +129,6 @@ fn the_schema_refuses_what_the_reader_refuses() {
         "[materials.a]\nlobes = [{ shape = 'lambert', shininess = 3 }]",
         "[materials.a]\nlobes = [{ shape = 'phong', shininess = 1e9 }]",
         "[[objects]]\nmaterial = 'a'",
-        "[[objects]]\nmesh = 'spere'",
         "[[objects]]\nmesh = { sphere = { slizes = 3 } }",
         "[[objects]]\nmesh = { file = 3 }",
         "[[objects]]\nmesh = 'quad'\nsubdivide = 11",

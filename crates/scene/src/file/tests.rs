@@ -84,7 +84,7 @@ fn a_background_may_be_one_number() {
 #[test]
 fn the_full_example_has_its_materials_and_objects() {
     let scene = scene(&full());
-    let [matte, red] = &scene.materials[..] else { panic!("{:?}", scene.materials) };
+    let [red, matte] = &scene.materials[..] else { panic!("{:?}", scene.materials) };
     let tint = Rgb([0.8, 0.1, 0.1]);
     let classic = ClassicMaterial {
         ambient: tint.into(),
@@ -274,8 +274,8 @@ fn overrides_set_values_that_are_there_or_have_a_default() {
         ("ambient", "{ color = [1, 1, 1] }"),
     ];
     let scene = set(&full(), &sets).unwrap_or_else(|error| panic!("{error}")).scene;
-    assert_eq!(scene.materials[1].lobes[2].shape.params(), [64.0]);
-    assert_eq!(scene.materials[0].lobes[0].tint, Rgb([1.0, 0.0, 0.0]).into());
+    assert_eq!(scene.materials[0].lobes[2].shape.params(), [64.0]);
+    assert_eq!(scene.materials[1].lobes[0].tint, Rgb([1.0, 0.0, 0.0]).into());
     assert_eq!(scene.lights[2].colors.diffuse, Rgb([1.0, 0.0, 0.0]).into());
     assert_eq!(scene.lights[1].colors.diffuse, Rgb::gray(1.5).into());
     assert_eq!((scene.render.shading, scene.image.width), (Shading::Gouraud, 16));

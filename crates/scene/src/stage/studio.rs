@@ -1,7 +1,8 @@
-//! The surroundings of the balls: a room with a window and a lit screen, so that mirrors have something to show.
+//! An environment map made in code: walls, windows and a lit screen, for mirrors to reflect.
 
 use glam::DVec3;
-use glanz_scene::EnvironmentMap;
+
+use crate::EnvironmentMap;
 
 /// Columns of the picture; half as many rows. A ball shows all of it, in a picture of a few hundred pixels.
 const WIDTH: usize = 512;
@@ -39,8 +40,9 @@ impl Patch {
     }
 }
 
-/// The room.
-pub fn room() -> EnvironmentMap {
+/// An environment map of 512×256 pixels: grey walls, a dark floor, a window behind the viewer on the left and one
+/// behind the object, and a lit screen on the right.
+pub fn studio() -> EnvironmentMap {
     let height = WIDTH / 2;
     let pixel = |i: usize| {
         let (u, v) = ((i % WIDTH) as f64 + 0.5, (i / WIDTH) as f64 + 0.5);
@@ -76,16 +78,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_room_is_brighter_at_its_windows_than_at_its_walls() {
-        let room = room();
+    fn the_studio_is_brighter_at_its_windows_than_at_its_walls() {
+        let map = studio();
         let toward = |azimuth: f64, height: f64| {
             let (azimuth, height) = (azimuth.to_radians(), height.to_radians());
             let ring = libm::cos(height);
-            room.at(DVec3::new(ring * libm::sin(azimuth), libm::sin(height), ring * libm::cos(azimuth)))[1]
+            map.at(DVec3::new(ring * libm::sin(azimuth), libm::sin(height), ring * libm::cos(azimuth)))[1]
         };
         assert!(toward(-55.0, 30.0) > 8.0 * toward(20.0, 30.0), "a pane of the window");
         assert!(toward(74.0, 10.0) > 4.0 * toward(20.0, 10.0), "the screen");
         assert!(toward(0.0, -20.0) < toward(0.0, 20.0), "the floor is dark");
-        assert!(room.mean().iter().all(|mean| (0.2..0.8).contains(mean)), "{:?}", room.mean());
+        assert!(map.mean().iter().all(|mean| (0.2..0.8).contains(mean)), "{:?}", map.mean());
     }
 }
