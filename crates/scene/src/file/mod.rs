@@ -7,51 +7,17 @@
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
 //! more than 50 million triangles.
 
-mod attenuation;
 mod build;
-mod colors;
-mod environment;
 mod error;
 mod explain;
-mod from_library;
 mod hash;
-mod instances;
-mod layer_weights;
-mod layers;
-mod light_keys;
-mod lights;
-mod lobes;
-mod luminaires;
-mod materials;
-mod meshes;
 pub(crate) mod near;
-mod objects;
-mod place;
-mod sampled;
 mod schema;
 mod sets;
-mod spectra;
-mod strength;
-mod surfaces;
-mod table;
-mod types;
-mod values;
-mod write;
-
-#[cfg(test)]
-mod error_tests;
-#[cfg(test)]
-mod library_tests;
-#[cfg(test)]
-mod light_tests;
-#[cfg(test)]
-mod proptests;
-#[cfg(test)]
-mod schema_tests;
-#[cfg(test)]
-mod spectra_tests;
+mod tables;
 #[cfg(test)]
 mod tests;
+mod write;
 
 use std::path::Path;
 
@@ -67,8 +33,8 @@ use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain};
 use hash::Hash;
-use materials::MaterialTable;
-use types::SceneTable;
+use tables::materials::MaterialTable;
+use tables::scene::SceneTable;
 
 /// The most bytes that a scene file may have.
 pub const MAX_BYTES: u64 = 16 << 20;
@@ -184,5 +150,5 @@ fn understand(
     let (table, hash) = read_table(text, sets)?;
     let mut builder = Builder::new(base, allow_outside, hash);
     builder.build(&table)?;
-    Ok(Loaded { scene: builder.scene, notes: builder.notes, hash: builder.hash.finish() })
+    Ok(Loaded { scene: builder.scene, notes: builder.input.notes, hash: builder.input.hash.finish() })
 }

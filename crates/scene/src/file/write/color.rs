@@ -2,8 +2,8 @@
 
 use glanz_color::{Ior, Rgb, fluorescent, fluorescents};
 
-use super::super::spectra::air;
 use super::text::{Table, inline, number, rgb, samples, string, tall_list};
+use crate::file::build::air;
 use crate::{Film, LightColor, Pane, Polarization, Tint, Transmittance};
 
 /// The colour of a light.
