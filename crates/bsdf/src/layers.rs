@@ -4,6 +4,7 @@
 //! depends on the wavelength, so they belong to the shape.
 
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::albedo::directional;
 use crate::models::charlie;
@@ -11,7 +12,8 @@ use crate::terms::{fresnel_dielectric, lambda_ggx};
 use crate::{Chebyshev, DirectionPair, Shape};
 
 /// The angle whose cosine a weight depends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Angle {
     /// Between viewer and half vector.
     Half,
@@ -48,7 +50,8 @@ impl Angle {
 /// assert!((albedo - 0.96).abs() < 2e-3);
 /// # Ok::<(), glanz_bsdf::ParamError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum LayerWeight {
     /// The same for all directions.
     Constant(f64),
@@ -67,12 +70,14 @@ pub enum LayerWeight {
         /// Which cosine.
         angle: Angle,
         /// The factor over it.
+        #[serde(with = "crate::serial::chebyshev")]
         factor: Chebyshev,
     },
     /// A clear layer that light crosses on its way in and out: (1 − E(θo))(1 − E(θi)) · `gain`, E being the albedo of
     /// the layer.
     Coat {
         /// 1 − E over the cosine.
+        #[serde(with = "crate::serial::chebyshev")]
         transmittance: Chebyshev,
         /// The gain by internal reflection at the layer; see [`LayerWeight::over_matte`].
         gain: f64,

@@ -33,6 +33,7 @@ pub mod laws;
 mod layers;
 pub mod microfacet;
 pub mod models;
+mod serial;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};

@@ -7,9 +7,9 @@ use glam::DMat4;
 use glanz_render::{DebugView, ToneMap};
 use glanz_scene::file::{FileError, LoadOptions, Loaded, load, parse_str};
 use glanz_scene::read::{ReadError, ReadOptions, read_model};
-use glanz_scene::{Camera, Scene, add_default_lights};
+use glanz_scene::{Camera, RenderSettings, Scene, add_default_lights};
 
-use super::args::{CameraArgs, InputArgs, choices};
+use super::args::{CameraArgs, InputArgs};
 use super::print::failure::{Failure, Report, without_number};
 
 /// The material that `--set` describes for a bare model: the one of objects that name none.
@@ -99,12 +99,20 @@ impl InputArgs {
 }
 
 impl Input {
+    /// A scene made in code.
+    pub fn of_stage(scene: Scene) -> Self {
+        let RenderSettings { show, tone_map, ev, .. } = scene.render;
+        let (cameras, notes) = (Vec::new(), Vec::new());
+        Self { scene, show, tone_map, ev: ev as f32, cameras, notes, hash: 0, default_lights: true }
+    }
+
     fn of_scene(loaded: Loaded) -> Self {
+        let render = loaded.scene.render;
         Self {
             scene: loaded.scene,
-            show: choices::show_of_scene(loaded.show),
-            tone_map: choices::tone_map_of_scene(loaded.tone_map),
-            ev: loaded.ev as f32,
+            show: render.show,
+            tone_map: render.tone_map,
+            ev: render.ev as f32,
             cameras: Vec::new(),
             notes: loaded.notes,
             hash: loaded.hash,

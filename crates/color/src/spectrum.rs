@@ -2,6 +2,8 @@
 
 use core::ops::{Add, AddAssign, Index, Mul, Sub};
 
+use serde::{Deserialize, Serialize};
+
 /// The first wavelength of the grid, in nm. Ultraviolet is part of light here.
 pub const FIRST_NM: f64 = 300.0;
 /// The last wavelength of the grid, in nm.
@@ -20,8 +22,24 @@ pub const fn lambda_nm(index: usize) -> f64 {
 ///
 /// For light a value is spectral power per nm; for surfaces a pure number. Integrals are sums over the
 /// samples times 5 nm, so a sample stands for the band of 5 nm around it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<f64>", into = "Vec<f64>")]
 pub struct Spectrum(pub [f64; SAMPLES]);
+
+impl From<Spectrum> for Vec<f64> {
+    fn from(spectrum: Spectrum) -> Self {
+        spectrum.0.to_vec()
+    }
+}
+
+impl TryFrom<Vec<f64>> for Spectrum {
+    type Error = String;
+    fn try_from(values: Vec<f64>) -> Result<Self, String> {
+        let found = values.len();
+        let values = values.try_into().map_err(|_| format!("expected {SAMPLES} samples, found {found}"))?;
+        Ok(Self(values))
+    }
+}
 
 impl Spectrum {
     /// Nothing at any wavelength.

@@ -1,11 +1,12 @@
 //! Where the eye is.
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::Bounds;
 
 /// How the scene is projected on the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Projection {
     /// A pinhole with this vertical field of view, in radians.
     Perspective {
@@ -20,7 +21,7 @@ pub enum Projection {
 }
 
 /// A camera, looking from `eye` to `target`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Camera {
     /// Position of the eye.
     pub eye: DVec3,

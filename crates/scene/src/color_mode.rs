@@ -3,9 +3,12 @@
 use core::fmt;
 use core::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 /// How the tint tables are filled: the only thing in which a picture in RGB and one in spectra
 /// differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub enum ColorMode {
     /// Componentwise in linear sRGB, as in OpenGL.
     #[default]
@@ -68,7 +71,8 @@ impl FromStr for ColorMode {
 }
 
 /// The white that becomes the white of the screen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub enum White {
     /// Daylight D65, as the chosen observer sees it.
     #[default]
@@ -105,6 +109,32 @@ impl FromStr for White {
             let known = Self::ALL.map(|(_, name, _)| name).join(", ");
             format!("expected one of {known}, found '{text}'")
         })
+    }
+}
+
+impl TryFrom<String> for ColorMode {
+    type Error = String;
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
+    }
+}
+
+impl From<ColorMode> for String {
+    fn from(mode: ColorMode) -> Self {
+        mode.to_string()
+    }
+}
+
+impl TryFrom<String> for White {
+    type Error = String;
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
+    }
+}
+
+impl From<White> for String {
+    fn from(white: White) -> Self {
+        white.name().to_owned()
     }
 }
 

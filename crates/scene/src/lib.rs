@@ -1,43 +1,34 @@
-//! What there is to be seen: meshes, materials, lights, cameras, and the files that they come from.
+//! Scenes: meshes, materials, lights, cameras and settings, and the files that they come from.
 //!
-//! A [`Scene`] is plain data without caches. Everything that a drawing back end needs is computed
-//! from it by `glanz-render`'s `prepare`.
+//! A [`Scene`] is plain data without caches, and serialises both ways. [`mod@file`] reads and writes scene
+//! files, [`read`] reads models and pictures, [`library`] holds known materials and [`stage`] scenes made in code.
+//! Everything that a back end needs for drawing is computed from a scene by `glanz-render`'s `prepare`.
 
 pub mod builtin;
 mod camera;
-mod coat;
 mod color_mode;
-mod default_lights;
-mod environment;
 pub mod file;
 pub mod library;
 mod light;
-mod luminaire;
 mod material;
 mod mesh;
-mod normals;
+mod names;
 pub mod read;
 mod scene;
-mod sheet;
-mod subdivide;
-mod tangents;
-mod texture;
-mod tint;
-mod topology;
+pub mod settings;
+pub mod stage;
 
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
-pub use coat::Coat;
 pub use color_mode::{COLOR_MODES, ColorMode, White};
-pub use default_lights::add_default_lights;
-pub use environment::EnvironmentMap;
-pub use light::{AreaShape, Attenuation, Light, LightColors, LightKind, Space};
-pub use luminaire::{Luminaire, Profile};
-pub use material::{AlphaMode, ClassicMaterial, Lobe, Material, Metalness, TextureUse};
-pub use mesh::{Bounds, Mesh, MeshError};
-pub use normals::Normals;
-pub use scene::{Background, Image, Interpolation, Object, RenderSettings, Scene, Shading};
-pub use sheet::{Absorption, Film, Pane, Transmittance};
-pub use subdivide::SubdivideError;
-pub use texture::{Texture, TextureFilter, Wrap};
-pub use tint::{LightColor, Polarization, Tint};
+pub use light::{
+    AreaShape, Attenuation, EnvironmentMap, Light, LightColors, LightKind, Luminaire, Profile, Space,
+    add_default_lights,
+};
+pub use material::{
+    Absorption, AlphaMode, ClassicMaterial, Coat, Film, LightColor, Lobe, Material, Metalness, Pane,
+    Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
+};
+pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
+pub use scene::{Object, Scene};
+pub use settings::{Background, DebugView, Image, Interpolation, RenderSettings, Shading, ToneMap};

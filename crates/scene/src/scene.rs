@@ -1,89 +1,13 @@
 //! The whole of a scene.
 
 use glam::DMat4;
-use glanz_color::{Observer, Rgb};
+use glanz_color::Observer;
+use serde::{Deserialize, Serialize};
 
-use crate::{Bounds, Camera, ColorMode, Light, Material, Mesh, Texture, White};
-
-/// Where the illumination model is evaluated, and what is interpolated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Shading {
-    /// Once per facet: at its centroid, with its own normal.
-    Flat,
-    /// At the vertices; values are interpolated.
-    Gouraud,
-    /// At each pixel, with the interpolated normal.
-    #[default]
-    Phong,
-}
-
-/// How values between vertices are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Interpolation {
-    /// Linear on the surface in space: right under perspective.
-    #[default]
-    Perspective,
-    /// Linear on the screen, over triangles.
-    ScreenLinear,
-    /// The scheme of 1971: along the edges of the whole polygon, then along the scanline.
-    Scanline,
-}
-
-/// What is where nothing is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Background {
-    /// A linear colour.
-    Color(Rgb),
-    /// Nothing: alpha 0.
-    Transparent,
-    /// The first light of the scene that is an environment.
-    Environment,
-}
-
-/// The picture to be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Image {
-    /// Width in pixels.
-    pub width: u32,
-    /// Height in pixels.
-    pub height: u32,
-    /// Coverage samples per pixel: 1, 2, 4, 8 or 16.
-    pub samples: u32,
-    /// Shade every sample rather than once per pixel and surface.
-    pub supersample: bool,
-    /// Where nothing is.
-    pub background: Background,
-}
-
-impl Default for Image {
-    fn default() -> Self {
-        Self {
-            width: 800,
-            height: 600,
-            samples: 4,
-            supersample: false,
-            background: Background::Color(Rgb([0.05, 0.05, 0.08])),
-        }
-    }
-}
-
-/// How to draw what does not say otherwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RenderSettings {
-    /// For objects that name none.
-    pub shading: Shading,
-    /// For objects that name none.
-    pub interpolation: Interpolation,
-    /// How colour is treated.
-    pub mode: ColorMode,
-    /// The white that becomes the screen's.
-    pub white: White,
-    /// Whether surfaces stand in each other's light. The classic models know no shadows.
-    pub shadows: bool,
-}
+use crate::{Bounds, Camera, Image, Interpolation, Light, Material, Mesh, RenderSettings, Shading, Texture};
 
 /// A mesh put into the scene.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Object {
     /// A name for people; may be empty.
     pub name: String,
@@ -100,7 +24,7 @@ pub struct Object {
 }
 
 /// A scene: what there is, without caches.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// All meshes.
     pub meshes: Vec<Mesh>,

@@ -6,13 +6,15 @@ mod metals;
 
 use std::sync::LazyLock;
 
+use serde::{Deserialize, Serialize};
+
 use crate::names::{UnknownName, plain};
 use crate::spectrum::Spectrum;
 
 pub use dispersion::Dispersion;
 
 /// A complex refractive index η + i k over the grid; k > 0 absorbs.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ior {
     /// The name, such as `Au` or `BK7`.
     pub name: String,

@@ -7,6 +7,9 @@ mod list;
 
 use std::sync::LazyLock;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::names::{UnknownName, plain};
 use crate::resample::Outside;
 use crate::spectrum::Spectrum;
@@ -15,7 +18,7 @@ use crate::table::Table;
 pub use list::{ObserverInfo, observers};
 
 /// Who looks: one response per channel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observer {
     /// The name, such as `cie1931`.
     pub name: String,
@@ -28,7 +31,7 @@ pub struct Observer {
 }
 
 /// One kind of receptor, or one colour-matching function.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Channel {
     /// The name, such as `x` or `L`.
     pub name: String,
@@ -37,7 +40,8 @@ pub struct Channel {
 }
 
 /// What the channels of an observer are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum ObserverKind {
     /// x, y, z: colour-matching functions of which y is a luminous efficiency.
     Xyz,

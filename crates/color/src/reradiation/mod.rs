@@ -12,6 +12,8 @@ mod measured;
 #[cfg(test)]
 mod tests;
 
+use serde::{Deserialize, Serialize};
+
 use crate::spectrum::{SAMPLES, Spectrum};
 
 pub use energy::EnergyReport;
@@ -23,9 +25,27 @@ pub use measured::MeasuredError;
 ///
 /// Entry `[out][in]` is what one unit of light in the band of 5 nm around `in` gives in the band of 5
 /// nm around `out`. The diagonal is ordinary reflectance.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Spectrum>", into = "Vec<Spectrum>")]
 pub struct Reradiation {
     entries: Box<[[f64; SAMPLES]]>,
+}
+
+impl From<Reradiation> for Vec<Spectrum> {
+    fn from(matrix: Reradiation) -> Self {
+        matrix.entries.iter().map(|row| Spectrum(*row)).collect()
+    }
+}
+
+impl TryFrom<Vec<Spectrum>> for Reradiation {
+    type Error = String;
+    /// From one row for each wavelength of emission.
+    fn try_from(rows: Vec<Spectrum>) -> Result<Self, String> {
+        match rows.len() {
+            SAMPLES => Ok(Self { entries: rows.into_iter().map(|row| row.0).collect() }),
+            found => Err(format!("expected {SAMPLES} rows, found {found}")),
+        }
+    }
 }
 
 impl Reradiation {

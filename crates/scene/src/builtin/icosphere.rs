@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::{Mesh, topology::Edges};
+use crate::{Mesh, mesh::topology::Edges};
 
 /// The corners of an icosahedron: all even permutations of (0, ±1, ±φ), φ the golden ratio.
 const CORNERS: [[f64; 3]; 12] = {

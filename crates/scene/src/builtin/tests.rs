@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::{Builtin, BuiltinError, MAX_TRIANGLES};
-use crate::{Mesh, topology::Welded};
+use crate::{Mesh, mesh::topology::Welded};
 
 fn all() -> impl Iterator<Item = Builtin> {
     Builtin::NAMES.into_iter().map(|name| Builtin::named(name).expect("the name is in the list"))

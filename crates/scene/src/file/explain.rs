@@ -8,6 +8,9 @@ use toml::de::{DeTable, DeValue};
 use super::error::Problem;
 use super::near::{did_you_mean, list};
 
+/// Keys that are still read, but no longer told.
+const OLD_KEYS: [&str; 1] = ["see_through"];
+
 /// The problem that an error of the TOML reader tells of. `root` is the document that was read, if
 /// it could be parsed at all.
 pub(crate) fn explain(error: &toml::de::Error, root: Option<&Paths>) -> Problem {
@@ -49,7 +52,7 @@ fn unknown(
     table: Option<&str>,
     span: Option<Range<usize>>,
 ) -> Problem {
-    let known = || known.iter().map(String::as_str);
+    let known = || known.iter().map(String::as_str).filter(|name| !OLD_KEYS.contains(name));
     let near = did_you_mean(name, known());
     let place = if what == "key" { within(table) } else { String::new() };
     let help = Some(format!("known {what}s: {}", list(known())));

@@ -1,53 +1,23 @@
 //! Scene files: TOML with a JSON Schema from the same types.
 //!
-//! [`load`] reads a file, [`parse_str`] a text. A scene file is taken literally: without lights the
+//! [`load`] reads a file, [`parse_str`] a text; [`save`] and [`write()`] are their inverses. A scene file is taken literally: without lights the
 //! picture is dark. Unknown keys are refused with the nearest known name; every error has its place.
 //! The tables of a file are described by [`schema`], with all keys, ranges and defaults.
 //!
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
 //! more than 50 million triangles.
 
-mod attenuation;
 mod build;
-mod colors;
-mod environment;
 mod error;
 mod explain;
-mod from_library;
 mod hash;
-mod instances;
-mod layers;
-mod light_keys;
-mod lights;
-mod lobes;
-mod luminaires;
-mod materials;
 pub(crate) mod near;
-mod objects;
-mod place;
 mod schema;
 mod sets;
-mod spectra;
-mod strength;
-mod surfaces;
-mod table;
-mod types;
-mod values;
-
-#[cfg(test)]
-mod error_tests;
-#[cfg(test)]
-mod library_tests;
-#[cfg(test)]
-mod light_tests;
-#[cfg(test)]
-mod proptests;
-#[cfg(test)]
-mod schema_tests;
-#[cfg(test)]
-mod spectra_tests;
+mod tables;
 #[cfg(test)]
 mod tests;
+mod write;
 
 use std::path::Path;
 
@@ -56,15 +26,15 @@ pub use schema::schema;
 use serde::Deserialize;
 use toml::Spanned;
 use toml::de::DeTable;
-pub use types::{ShowName, ToneMapName};
+pub use write::{WriteError, Written, save, write};
 
 use crate::{Material, Scene};
 use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain};
 use hash::Hash;
-use materials::MaterialTable;
-use types::SceneTable;
+use tables::materials::MaterialTable;
+use tables::scene::SceneTable;
 
 /// The most bytes that a scene file may have.
 pub const MAX_BYTES: u64 = 16 << 20;
@@ -84,12 +54,6 @@ pub struct LoadOptions {
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    /// What the picture shows.
-    pub show: ShowName,
-    /// Tone mapping.
-    pub tone_map: ToneMapName,
-    /// Exposure in stops.
-    pub ev: f64,
     /// What was ignored or approximated, in words for people.
     pub notes: Vec<String>,
     /// A number for the content: of the file with the values set, however it is written, and of the
@@ -162,25 +126,29 @@ fn read_document<'i>(text: &'i str, sets: &'i [sets::Override]) -> Result<Spanne
     Ok(root)
 }
 
+/// That a text is a scene file as far as can be told without the files that it names.
+fn check_text(text: &str) -> Result<(), FileError> {
+    let source = Source::new(Path::new("scene"), text);
+    read_table(text, &[]).map(drop).map_err(|problem| source.error(problem))
+}
+
+fn read_table(text: &str, sets: &[sets::Override]) -> Result<(SceneTable, Hash), Problem> {
+    let root = read_document(text, sets)?;
+    let mut hash = Hash::new();
+    hash.table(root.get_ref());
+    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
+        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
+    Ok((table, hash))
+}
+
 fn understand(
     text: &str,
     sets: &[sets::Override],
     base: &Path,
     allow_outside: bool,
 ) -> Result<Loaded, Problem> {
-    let root = read_document(text, sets)?;
-    let mut hash = Hash::new();
-    hash.table(root.get_ref());
-    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
-        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
+    let (table, hash) = read_table(text, sets)?;
     let mut builder = Builder::new(base, allow_outside, hash);
     builder.build(&table)?;
-    Ok(Loaded {
-        show: table.render.show,
-        tone_map: table.render.tone_map,
-        ev: table.render.ev.map_or(0.0, |ev| ev.0),
-        scene: builder.scene,
-        notes: builder.notes,
-        hash: builder.hash.finish(),
-    })
+    Ok(Loaded { scene: builder.scene, notes: builder.input.notes, hash: builder.input.hash.finish() })
 }

@@ -2,7 +2,7 @@
 
 use schemars::generate::SchemaSettings;
 
-use super::types::SceneTable;
+use super::tables::scene::SceneTable;
 
 /// The JSON Schema (draft 2020-12) of scene files, from the types that read them.
 pub fn schema() -> serde_json::Value {

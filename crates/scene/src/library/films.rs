@@ -18,7 +18,7 @@ const ENTRIES: &[Entry] = &[
         source: SOAP,
         toml: r#"
 lobes = [{ shape = "mirror", tint = { film_nm = 300, film_ior = 1.33 } }]
-see_through = { film_nm = 300, film_ior = 1.33 }"#,
+transmittance = { film_nm = 300, film_ior = 1.33 }"#,
     },
     Entry {
         name: "soap-film-thick",
@@ -26,7 +26,7 @@ see_through = { film_nm = 300, film_ior = 1.33 }"#,
         source: SOAP,
         toml: r#"
 lobes = [{ shape = "mirror", tint = { film_nm = 650, film_ior = 1.33 } }]
-see_through = { film_nm = 650, film_ior = 1.33 }"#,
+transmittance = { film_nm = 650, film_ior = 1.33 }"#,
     },
     Entry {
         name: "oil-on-water",

@@ -2,6 +2,8 @@
 
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 
+use serde::{Deserialize, Serialize};
+
 use super::Charlie;
 use crate::{DirectionPair, Model};
 
@@ -21,7 +23,7 @@ const POINTS: usize = 32;
 /// by 0.003 at most from 0.001 (narrow, where it comes to 4) to 1 (0.0003). Cosines below 0.002 count as
 /// that. It is more than 1 where the lobe breaks the law of energy, for α below 0.07 near the horizon: a
 /// layer below must then get nothing, and not less.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Albedo {
     /// Of the Chebyshev polynomials in √cosθ, from the flattest view to the normal.
     series: [f64; TERMS],
@@ -44,6 +46,16 @@ impl Albedo {
             factor / TERMS as f64 * values.iter().enumerate().map(wave).sum::<f64>()
         });
         Self { series }
+    }
+
+    /// The albedo with these coefficients, from [`Self::series`].
+    pub const fn from_series(series: [f64; TERMS]) -> Self {
+        Self { series }
+    }
+
+    /// The coefficients of its series, of degree 0 first.
+    pub const fn series(&self) -> &[f64; TERMS] {
+        &self.series
     }
 
     /// E for a direction `cosine` off the normal, 0 … 1.

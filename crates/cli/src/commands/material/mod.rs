@@ -1,10 +1,8 @@
 //! `glanz material`: the library of materials.
 
 mod list;
-mod room;
 mod sheet;
 mod show;
-mod sky;
 
 use clap::Subcommand;
 use clap::builder::{PossibleValuesParser, TypedValueParser};

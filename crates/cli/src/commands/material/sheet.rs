@@ -7,12 +7,13 @@ use glanz_color::Rgb;
 use glanz_plot::ContactSheet;
 use glanz_scene::LightColor;
 use glanz_scene::library::{self, Category, MaterialInfo, materials};
+use glanz_scene::stage::MaterialStage;
 
 use super::categories;
-use super::room::Room;
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
 use crate::encode;
 use crate::input::spectra;
+use crate::load::Input;
 use crate::pipeline::{self, Picture, Plan};
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
@@ -80,7 +81,7 @@ impl SheetArgs {
         let target = self.target.resolve(Path::new("materials"), "_sheet.png")?;
         encode::expect_png(&target, "a sheet")?;
         let chosen = self.chosen()?;
-        let room = Room::new(self.lamp()?)?;
+        let stage = MaterialStage::new(self.lamp()?);
         let cell = self.size as usize;
         let sheet = ContactSheet {
             captions: chosen.iter().map(|info| vec![info.name.clone()]).collect(),
@@ -95,7 +96,7 @@ impl SheetArgs {
         let camera = CameraArgs::default();
         let mut progress = Progress::new(chosen.len(), "pictures");
         for (index, info) in chosen.iter().enumerate() {
-            let input = room.input(info.material(), size);
+            let input = Input::of_stage(stage.scene(info.material(), size));
             let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
             let mut shot = plan.shot(&input.scene)?;
             let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;

@@ -1,0 +1,64 @@
+//! Shapes and series as serde sees them: a shape is the name of its model and its parameters.
+
+use std::collections::BTreeMap;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::Shape;
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Shape", deny_unknown_fields)]
+struct Named {
+    model: String,
+    #[serde(default)]
+    params: BTreeMap<String, f64>,
+}
+
+impl Serialize for Shape {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let info = self.info();
+        let names = info.params.iter().map(|param| param.name.to_owned());
+        let params = names.zip(self.params()).collect();
+        Named { model: info.name.to_owned(), params }.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Shape {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Named { model, params } = Named::deserialize(deserializer)?;
+        let params: Vec<(&str, f64)> = params.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        Self::named(&model, &params).map_err(D::Error::custom)
+    }
+}
+
+/// A Chebyshev series as the list of its coefficients.
+pub mod chebyshev {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use crate::Chebyshev;
+
+    pub fn serialize<S: Serializer>(series: &Chebyshev, serializer: S) -> Result<S::Ok, S::Error> {
+        series.terms.iter().map(|[term]| *term).collect::<Vec<f64>>().serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Chebyshev, D::Error> {
+        let terms = Vec::<f64>::deserialize(deserializer)?;
+        Ok(Chebyshev { terms: terms.into_iter().map(|term| [term]).collect() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{MODELS, Shape};
+
+    #[test]
+    fn every_shape_survives_serde() {
+        for info in MODELS {
+            let shape = Shape::named(info.name, &[]).expect("a name from the list");
+            let text = serde_json::to_string(&shape).expect("shapes are plain");
+            assert_eq!(serde_json::from_str::<Shape>(&text).expect("it was written so"), shape);
+        }
+        assert!(serde_json::from_str::<Shape>(r#"{"model": "ggx", "params": {"alpha": 7.0}}"#).is_err());
+    }
+}

@@ -1,0 +1,199 @@
+//! What may stand where a colour may: RGB, or a table that names a function of wavelength.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use super::sampled::{IorTable, PaneTintTable, Sampled};
+use super::values::{Amount, At, Color, Number};
+use crate::Polarization;
+
+/// A function of wavelength: exactly one of `spectrum`, `blackbody`, `gaussian`, `line`, `file`,
+/// `nm` with `value`, `samples`, `reradiation`, `matrix`, `pane`, `schlick`, and `ior` or `film_nm`.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct SpectralTable {
+    /// The name of a light source (`glanz color list lights`) or of a reflectance.
+    pub spectrum: Option<At<String>>,
+    /// Temperature of a black body in K; light only.
+    pub blackbody: Option<At<Amount>>,
+    /// Centre and full width at half the maximum of a Gaussian, in nm.
+    pub gaussian: Option<At<[Amount; 2]>>,
+    /// Wavelength of a single line in nm; light only.
+    pub line: Option<At<Amount>>,
+    /// A file with a spectrum (CSV, SPDX, CGATS, CxF), relative to the scene file.
+    pub file: Option<At<String>>,
+    /// Which spectrum of a file with several, by its name; the first by default.
+    pub column: Option<At<String>>,
+    /// Wavelengths in nm, increasing; with `value`.
+    pub nm: Option<At<Vec<Number>>>,
+    /// The values at these wavelengths.
+    pub value: Option<At<Vec<Number>>>,
+    /// The name of a fluorescent material (`glanz color list fluorescent`), or a file with its
+    /// re-radiation matrix (BFC, CSV); surfaces only.
+    pub reradiation: Option<At<String>>,
+    /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
+    /// refraction from 1.05 to 20; surfaces only.
+    pub ior: Option<At<IorValue>>,
+    /// Beside `ior`: Fresnel reflection as seen through a filter that lets light pass that is polarised across ("s")
+    /// or in ("p") the plane of incidence.
+    pub polarization: Option<At<Polarization>>,
+    /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
+    /// air if that is missing. Surfaces only.
+    pub film_nm: Option<At<Amount>>,
+    /// What the film is made of: a glass, or an index of refraction; 1.33 by default.
+    pub film_ior: Option<At<IorValue>>,
+    /// The function as the scene holds it: a number, or the 97 values at 300, 305 … 780 nm. Of light they are in the
+    /// scene's unit, and their level counts.
+    pub samples: Option<At<Sampled>>,
+    /// A re-radiation matrix: 97 rows, one for each wavelength of emission, of the shares of light at each of the 97
+    /// wavelengths of incidence; surfaces only.
+    pub matrix: Option<At<Vec<Sampled>>>,
+    /// What both sides of a pane reflect, or, in `transmittance`, what passes it; surfaces only.
+    pub pane: Option<At<PaneTintTable>>,
+    /// What rises to 1 at grazing angles in Schlick's form; surfaces only.
+    pub schlick: Option<Box<At<ColorValue>>>,
+    /// Multiplies the function; 1 by default.
+    pub scale: Option<At<Amount>>,
+    /// For light that a surface sends itself: its luminance in cd/m².
+    pub luminance_cd_m2: Option<At<Amount>>,
+}
+
+/// A metal or glass by name, or an index of refraction.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(crate) enum IorValue {
+    /// The name of a medium.
+    Name(String),
+    /// The index of refraction of a medium that does not absorb.
+    Index(f64),
+    /// Its samples.
+    Table(Box<IorTable>),
+}
+
+impl<'de> Deserialize<'de> for IorValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Ior;
+        impl<'de> Visitor<'de> for Ior {
+            type Value = IorValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "the name of a metal or glass such as \"Au\", or an index of refraction such as 1.5",
+                )
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<IorValue, E> {
+                Ok(IorValue::Name(name.to_owned()))
+            }
+            fn visit_f64<E: Error>(self, index: f64) -> Result<IorValue, E> {
+                // The series of the tint table holds 1e-4 between these.
+                match (1.05..=20.0).contains(&index) {
+                    true => Ok(IorValue::Index(index)),
+                    false => Err(E::custom(format!(
+                        "expected an index of refraction between 1.05 and 20, found {index}"
+                    ))),
+                }
+            }
+            fn visit_i64<E: Error>(self, index: i64) -> Result<IorValue, E> {
+                self.visit_f64(index as f64)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<IorValue, A::Error> {
+                let table = IorTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(IorValue::Table(Box::new(table)))
+            }
+        }
+        deserializer.deserialize_any(Ior)
+    }
+}
+
+/// A colour: RGB, or a function of wavelength.
+#[derive(Debug)]
+pub(crate) enum ColorValue {
+    Rgb(Color),
+    Spectral(Box<SpectralTable>),
+}
+
+impl<'de> Deserialize<'de> for ColorValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Value;
+        impl<'de> Visitor<'de> for Value {
+            type Value = ColorValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "a colour: three amounts such as [1.0, 0.5, 0.0], one for a grey, \"#rrggbb\", or a table such as { spectrum = \"D65\" }",
+                )
+            }
+            fn visit_f64<E: Error>(self, amount: f64) -> Result<ColorValue, E> {
+                Color::deserialize(serde::de::value::F64Deserializer::new(amount)).map(ColorValue::Rgb)
+            }
+            fn visit_i64<E: Error>(self, amount: i64) -> Result<ColorValue, E> {
+                self.visit_f64(amount as f64)
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<ColorValue, E> {
+                Color::deserialize(serde::de::value::StrDeserializer::new(text)).map(ColorValue::Rgb)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<ColorValue, A::Error> {
+                Color::deserialize(SeqAccessDeserializer::new(seq)).map(ColorValue::Rgb)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ColorValue, A::Error> {
+                let table = SpectralTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(ColorValue::Spectral(Box::new(table)))
+            }
+        }
+        deserializer.deserialize_any(Value)
+    }
+}
+
+impl JsonSchema for ColorValue {
+    fn schema_name() -> Cow<'static, str> {
+        "ColorOrSpectrum".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let color = generator.subschema_for::<Color>();
+        let table = generator.subschema_for::<SpectralTable>();
+        json_schema!({ "anyOf": [color, table] })
+    }
+}
+
+/// A spectrum: the name of one, or its table.
+#[derive(Debug)]
+pub(crate) enum SpectrumValue {
+    Name(String),
+    Table(Box<SpectralTable>),
+}
+
+impl<'de> Deserialize<'de> for SpectrumValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Value;
+        impl<'de> Visitor<'de> for Value {
+            type Value = SpectrumValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "the name of a light source such as \"D65\", or a table such as { blackbody = 2856 }",
+                )
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<SpectrumValue, E> {
+                Ok(SpectrumValue::Name(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<SpectrumValue, A::Error> {
+                let table = SpectralTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(SpectrumValue::Table(Box::new(table)))
+            }
+        }
+        deserializer.deserialize_any(Value)
+    }
+}
+
+impl JsonSchema for SpectrumValue {
+    fn schema_name() -> Cow<'static, str> {
+        "SpectrumOrName".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let table = generator.subschema_for::<SpectralTable>();
+        let name = "The name of a light source, as `glanz color list lights` tells them.";
+        json_schema!({ "anyOf": [{ "type": "string", "description": name }, table] })
+    }
+}

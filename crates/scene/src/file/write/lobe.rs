@@ -1,0 +1,80 @@
+//! The lobes of general materials.
+
+use glanz_bsdf::{Angle, Chebyshev, LayerWeight, LightTerm};
+
+use super::color::{is_white, tint};
+use super::text::{Table, inline, list, number, numbers, samples, string};
+use crate::{Lobe, Metalness, Tint};
+
+/// A lobe on one line.
+pub fn lobe(lobe: &Lobe) -> String {
+    let mut table = Table::default();
+    let info = lobe.shape.info();
+    table.put("shape", string(info.name));
+    for (param, value) in info.params.iter().zip(lobe.shape.params()) {
+        table.put_unless(value == param.default, param.name, number(value));
+    }
+    match &lobe.tint {
+        Tint::Schlick(at_normal) if matches!(**at_normal, Tint::Rgb(_) | Tint::Spectrum(_)) => {
+            table.put("tint", tint(at_normal));
+            table.put("fresnel", string("schlick"));
+        }
+        other => table.put_unless(is_white(other), "tint", tint(other)),
+    }
+    let textured = matches!(info.term, LightTerm::Ambient | LightTerm::Diffuse);
+    table.put_unless(lobe.textured == textured, "textured", lobe.textured.to_string());
+    let is_lit = matches!(info.term, LightTerm::Diffuse | LightTerm::Specular);
+    match lobe.layers.as_slice() {
+        [] => {}
+        [LayerWeight::Constant(weight)] if is_lit && (0.0..1.0).contains(weight) => {
+            table.put("weight", number(*weight));
+        }
+        layers => table.put("layers", list(layers.iter().map(layer))),
+    }
+    if let Some(absorption) = &lobe.absorption {
+        let depth = samples(&absorption.depth);
+        table.put("absorption", inline([("depth", depth), ("eta", number(absorption.eta))]));
+    }
+    match lobe.metalness {
+        Metalness::Any => {}
+        Metalness::Metal { factor } => table.put("metalness", inline([("metal", number(factor))])),
+        Metalness::Dielectric { factor } => table.put("metalness", inline([("dielectric", number(factor))])),
+    }
+    table.inline()
+}
+
+fn layer(layer: &LayerWeight) -> String {
+    let (kind, value) = match layer {
+        LayerWeight::Constant(weight) => ("constant", number(*weight)),
+        LayerWeight::Schlick { angle, at_zero, at_grazing } => (
+            "schlick",
+            inline([
+                ("angle", angle_name(*angle)),
+                ("at_zero", number(*at_zero)),
+                ("at_grazing", number(*at_grazing)),
+            ]),
+        ),
+        LayerWeight::Series { angle, factor } => {
+            ("series", inline([("angle", angle_name(*angle)), ("terms", terms(factor))]))
+        }
+        LayerWeight::Coat { transmittance, gain } => {
+            ("coat", inline([("terms", terms(transmittance)), ("gain", number(*gain))]))
+        }
+        LayerWeight::Sheen { strength, albedo } => {
+            ("sheen", inline([("strength", number(*strength)), ("terms", numbers(albedo.series()))]))
+        }
+    };
+    inline([(kind, value)])
+}
+
+fn angle_name(angle: Angle) -> String {
+    string(match angle {
+        Angle::Half => "half",
+        Angle::HalfThrough => "half-through",
+        Angle::View => "view",
+    })
+}
+
+fn terms(series: &Chebyshev) -> String {
+    list(series.terms.iter().map(|[term]| number(*term)))
+}

@@ -1,0 +1,21 @@
+//! Materials: sums of lobes, their tints, the layers over them, and textures.
+
+mod classic;
+mod coat;
+mod lobe;
+mod pane;
+mod surface;
+mod texture;
+mod thin_film;
+mod tint;
+mod transmittance;
+
+pub use classic::ClassicMaterial;
+pub use coat::Coat;
+pub use lobe::{Absorption, Lobe, Metalness};
+pub use pane::Pane;
+pub use surface::{AlphaMode, Material, TextureUse};
+pub use texture::{Texture, TextureFilter, Wrap};
+pub use thin_film::Film;
+pub use tint::{LightColor, Polarization, Tint};
+pub use transmittance::Transmittance;

@@ -1,0 +1,100 @@
+//! What surfaces do with light.
+
+use glanz_color::Rgb;
+use serde::{Deserialize, Serialize};
+
+use crate::{ClassicMaterial, Lobe, Transmittance};
+
+/// A texture and how a material applies it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TextureUse {
+    /// Index in `Scene::textures`.
+    pub texture: usize,
+    /// Affine map of the texture coordinates, rows of a 2×3 matrix.
+    pub transform: [[f32; 3]; 2],
+    /// Factor; for normal maps the scale of x and y.
+    pub scale: f32,
+}
+
+impl TextureUse {
+    /// The texture as it is.
+    pub const fn plain(texture: usize) -> Self {
+        Self { texture, transform: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], scale: 1.0 }
+    }
+}
+
+/// What alpha means.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum AlphaMode {
+    /// Nothing.
+    #[default]
+    Opaque,
+    /// Below the cutoff there is no surface.
+    Mask {
+        /// The least alpha that is drawn.
+        cutoff: f32,
+    },
+    /// The surface lets what is behind it through.
+    Blend,
+}
+
+/// A sum of lobes, with what textures change of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Its name; may be empty.
+    pub name: String,
+    /// The terms.
+    pub lobes: Vec<Lobe>,
+    /// Whether the normal is turned to the viewer. If not, back faces get ambient light only.
+    pub two_sided: bool,
+    /// Multiplies the tint of the `textured` lobes; its alpha is the surface's.
+    pub base_color: Option<TextureUse>,
+    /// Tangent-space normals, x to the right of the texture, y up.
+    pub normal_map: Option<TextureUse>,
+    /// Multiplies the emission lobes.
+    pub emission_map: Option<TextureUse>,
+    /// Green widens or narrows lobes, blue says where metal is, as glTF has it.
+    pub metal_rough_map: Option<TextureUse>,
+    /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
+    pub aniso: f64,
+    /// What is seen through the surface, beside what `alpha` leaves open.
+    pub transmittance: Option<Transmittance>,
+    /// Opacity, times the texture's and the vertex colour's.
+    pub alpha: f32,
+    /// What alpha means.
+    pub alpha_mode: AlphaMode,
+    /// Whether back faces are not drawn at all.
+    pub cull_back: bool,
+}
+
+impl Material {
+    /// A material of these lobes, opaque, two-sided, untextured.
+    pub fn of_lobes(name: impl Into<String>, lobes: Vec<Lobe>) -> Self {
+        Self {
+            name: name.into(),
+            lobes,
+            two_sided: true,
+            base_color: None,
+            normal_map: None,
+            emission_map: None,
+            metal_rough_map: None,
+            aniso: 0.0,
+            transmittance: None,
+            alpha: 1.0,
+            alpha_mode: AlphaMode::Opaque,
+            cull_back: false,
+        }
+    }
+
+    /// The material of objects that name none: light grey, with a weak highlight.
+    pub fn default_gray() -> Self {
+        ClassicMaterial {
+            ambient: Rgb::gray(0.7).into(),
+            diffuse: Rgb::gray(0.7).into(),
+            specular: Rgb::gray(0.2).into(),
+            ..ClassicMaterial::default()
+        }
+        .build("default")
+        .expect("the default model exists")
+    }
+}

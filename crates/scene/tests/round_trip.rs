@@ -1,0 +1,549 @@
+//! A scene that is saved loads back as the same scene.
+
+#![allow(clippy::expect_used, reason = "a test")]
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
+use glanz_bsdf::models::charlie::Albedo;
+use glanz_bsdf::{Angle, Chebyshev, LayerWeight, MODELS, Shape};
+use glanz_color::{Channel, Ior, Observer, ObserverKind, Reradiation, Rgb, Spectrum};
+use glanz_scene::builtin::Builtin;
+use glanz_scene::file::{LoadOptions, WriteError, load, save, write};
+use glanz_scene::read::{ReadOptions, read_model};
+use glanz_scene::*;
+use proptest::prelude::*;
+
+/// A folder of its own, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new() -> Self {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let number = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("glanz-round-trip-{}-{number}", std::process::id()));
+        std::fs::create_dir_all(&path).expect("a folder for the test");
+        Self(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn saved_and_loaded(scene: &Scene) -> Scene {
+    let folder = Folder::new();
+    let path = folder.0.join("a scene.toml");
+    save(&path, scene).expect("the scene can be written");
+    let loaded = load(&path, &LoadOptions::default());
+    match loaded {
+        Ok(loaded) => loaded.scene,
+        Err(error) => panic!("{error}\n{}", std::fs::read_to_string(&path).unwrap_or_default()),
+    }
+}
+
+/// Compares part by part, so that a failure does not print a whole scene.
+fn assert_same(scene: &Scene, again: &Scene, what: &str) {
+    assert_eq!(scene.image, again.image, "{what}");
+    assert_eq!(scene.render, again.render, "{what}");
+    assert_eq!(scene.camera, again.camera, "{what}");
+    assert_eq!(scene.photometric, again.photometric, "{what}");
+    assert!(scene.observer == again.observer, "{what}: observer");
+    assert_eq!(scene.objects, again.objects, "{what}");
+    for (a, b) in scene.lights.iter().zip(&again.lights) {
+        assert!(a == b, "{what}: light '{}'", a.name);
+    }
+    for (a, b) in scene.materials.iter().zip(&again.materials) {
+        assert_eq!((&a.name, a.lobes.len()), (&b.name, b.lobes.len()), "{what}");
+        for (left, right) in a.lobes.iter().zip(&b.lobes) {
+            assert_eq!(left, right, "{what}: material '{}'", a.name);
+        }
+        assert!(a == b, "{what}: material '{}'", a.name);
+    }
+    for (a, b) in scene.meshes.iter().zip(&again.meshes) {
+        assert_eq!(a.name, b.name, "{what}");
+        assert!(a == b, "{what}: mesh '{}'", a.name);
+    }
+    assert!(scene == again, "{what}: something else");
+}
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+#[test]
+fn every_scene_of_examples_and_gold_pictures_survives() {
+    let mut count = 0;
+    for folder in ["examples", "crates/render/tests/golden/scenes"] {
+        for entry in std::fs::read_dir(workspace().join(folder)).expect("the folder is there") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|extension| extension == "toml") {
+                let options = LoadOptions { allow_outside: true, ..LoadOptions::default() };
+                let scene = load(&path, &options).expect("it loads").scene;
+                assert_same(&scene, &saved_and_loaded(&scene), &path.display().to_string());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 25, "{count} scenes");
+}
+
+#[test]
+fn every_model_of_the_examples_survives() {
+    for entry in std::fs::read_dir(workspace().join("examples/models")).expect("the folder is there") {
+        let path = entry.expect("an entry").path();
+        let Ok(model) = read_model(&path, &ReadOptions::default()) else { continue };
+        let mut scene = Scene::default();
+        model.append_to(&mut scene, DMat4::IDENTITY, None, true);
+        assert_same(&scene, &saved_and_loaded(&scene), &path.display().to_string());
+    }
+}
+
+#[test]
+fn every_material_of_the_library_survives() {
+    let mut scene = Scene::default();
+    for name in library::names() {
+        scene.materials.push(library::info(name).expect("a name of the list").material());
+    }
+    assert_same(&scene, &saved_and_loaded(&scene), "the library");
+}
+
+#[test]
+fn scenes_survive_json() {
+    let options = LoadOptions { allow_outside: true, ..LoadOptions::default() };
+    for name in ["full.toml", "fluorescence.toml", "soap.toml"] {
+        let scene = load(&workspace().join("examples").join(name), &options).expect("it loads").scene;
+        let text = serde_json::to_string(&scene).expect("scenes are plain");
+        assert!(serde_json::from_str::<Scene>(&text).expect("it was written so") == scene, "{name}");
+    }
+}
+
+#[test]
+fn a_scene_is_written_as_people_would() {
+    let text = "[[lights]]\nkind = \"directional\"\ndirection = [0.0, -1.0, 0.0]\ncolor = 0.5\n\n\
+        [materials.red]\ndiffuse = [1.0, 0.0, 0.0]\nspecular = 0.25\nshininess = 64.0\n\n\
+        [[objects]]\nname = \"ball\"\nmesh = \"sphere\"\nmaterial = \"red\"\nscale = 2.0\n";
+    let loaded = file::parse_str(text, Path::new(""), &LoadOptions::default()).expect("it is valid");
+    let written = write(&loaded.scene, "data").expect("it can be written");
+    assert_eq!(written.text, text);
+    assert!(written.files.is_empty());
+}
+
+#[test]
+fn what_leads_nowhere_or_is_out_of_range_is_an_error() {
+    let material = Material { base_color: Some(TextureUse::plain(3)), ..Material::default_gray() };
+    let scene = Scene { materials: vec![material], ..Scene::default() };
+    assert!(matches!(write(&scene, ""), Err(WriteError::Index { what: "texture", index: 3, count: 0 })));
+    let image = Image { width: 0, ..Image::default() };
+    assert!(matches!(write(&Scene { image, ..Scene::default() }, ""), Err(WriteError::Range(_))));
+    let render = RenderSettings { ev: f64::NAN, ..RenderSettings::default() };
+    assert!(matches!(write(&Scene { render, ..Scene::default() }, ""), Err(WriteError::Range(_))));
+}
+
+fn amount() -> impl Strategy<Value = f32> {
+    prop_oneof![Just(0.0f32), Just(1.0f32), 0.0..10.0f32]
+}
+
+fn rgb() -> impl Strategy<Value = Rgb> {
+    [amount(), amount(), amount()].prop_map(Rgb)
+}
+
+fn spectrum() -> impl Strategy<Value = Spectrum> {
+    prop_oneof![
+        (0.0..1.0f64).prop_map(Spectrum::constant),
+        (0.0..1.0f64, 1.0..9.0f64).prop_map(|(a, b)| Spectrum::from_fn(move |nm| a / (b + nm))),
+    ]
+}
+
+fn vector() -> impl Strategy<Value = DVec3> {
+    [-9.0..9.0f64, -9.0..9.0f64, 0.5..9.0f64].prop_map(DVec3::from_array)
+}
+
+fn name() -> impl Strategy<Value = String> {
+    prop_oneof![Just(String::new()), Just("sphere".to_owned()), "[a-z]{1,2}", any::<String>()]
+}
+
+fn medium() -> impl Strategy<Value = Ior> {
+    prop_oneof![
+        Just(glanz_color::ior("Au").expect("gold")),
+        Just(glanz_color::ior("water").expect("water")),
+        (1.0..3.0f64).prop_map(Ior::constant),
+        (name(), spectrum(), spectrum()).prop_map(|(name, eta, k)| Ior {
+            name: name.clone(),
+            eta: eta + Spectrum::ONE,
+            k,
+            source: name
+        }),
+    ]
+}
+
+fn clear() -> impl Strategy<Value = Ior> {
+    medium().prop_map(|ior| Ior { k: Spectrum::ZERO, ..ior })
+}
+
+fn pane() -> impl Strategy<Value = Arc<Pane>> {
+    (clear(), 0.0..0.1f64, spectrum())
+        .prop_map(|(ior, thickness, absorption)| Arc::new(Pane { ior, thickness, absorption }))
+}
+
+fn film() -> impl Strategy<Value = Arc<Film>> {
+    (0.0..2000.0f64, clear(), clear())
+        .prop_map(|(thickness_nm, film, base)| Arc::new(Film { thickness_nm, film, base }))
+}
+
+fn tint() -> impl Strategy<Value = Tint> {
+    let reflectance = prop_oneof![
+        rgb().prop_map(Tint::Rgb),
+        spectrum().prop_map(|spectrum| Tint::Spectrum(Arc::new(spectrum)))
+    ];
+    prop_oneof![
+        reflectance.clone(),
+        reflectance.prop_map(|tint| Tint::Schlick(Box::new(tint))),
+        spectrum().prop_map(|diagonal| Tint::Reradiation(Arc::new(Reradiation::diagonal(&diagonal)))),
+        medium().prop_map(|ior| Tint::Ior(Arc::new(ior))),
+        medium().prop_map(|ior| Tint::Polarized(Arc::new(ior), Polarization::P)),
+        medium().prop_map(|ior| Tint::Schlick(Box::new(Tint::Ior(Arc::new(ior))))),
+        film().prop_map(Tint::Film),
+        pane().prop_map(Tint::Pane),
+    ]
+}
+
+fn shape() -> impl Strategy<Value = Shape> {
+    (0..MODELS.len(), proptest::collection::vec(0.0..1.0f64, 8)).prop_map(|(model, places)| {
+        let info = &MODELS[model];
+        let between = |(param, t): (&glanz_bsdf::ParamInfo, &f64)| {
+            (param.name, param.min + (param.max - param.min) * *t)
+        };
+        let set: Vec<(&str, f64)> = info.params.iter().zip(&places).map(between).collect();
+        Shape::named(info.name, &set)
+            .or_else(|_| Shape::named(info.name, &[]))
+            .expect("the defaults are valid")
+    })
+}
+
+fn layer() -> impl Strategy<Value = LayerWeight> {
+    let angle = prop_oneof![Just(Angle::Half), Just(Angle::HalfThrough), Just(Angle::View)];
+    let series = proptest::collection::vec(-1.0..1.0f64, 0..5);
+    let series = series.prop_map(|terms| Chebyshev { terms: terms.into_iter().map(|term| [term]).collect() });
+    prop_oneof![
+        (0.0..1.5f64).prop_map(LayerWeight::Constant),
+        (angle.clone(), 0.0..1.0f64, 0.0..1.0f64)
+            .prop_map(|(angle, at_zero, at_grazing)| LayerWeight::Schlick { angle, at_zero, at_grazing }),
+        (angle, series.clone()).prop_map(|(angle, factor)| LayerWeight::Series { angle, factor }),
+        (series, 1.0..3.0f64).prop_map(|(transmittance, gain)| LayerWeight::Coat { transmittance, gain }),
+        (0.0..1.0f64, 0.01..1.0f64)
+            .prop_map(|(strength, alpha)| LayerWeight::Sheen { strength, albedo: Albedo::new(alpha) }),
+    ]
+}
+
+fn lobe() -> impl Strategy<Value = Lobe> {
+    let metalness = prop_oneof![
+        Just(Metalness::Any),
+        (0.0..1.0f64).prop_map(|factor| Metalness::Metal { factor }),
+        (0.0..1.0f64).prop_map(|factor| Metalness::Dielectric { factor }),
+    ];
+    let absorption = proptest::option::of((spectrum(), 1.0..2.0f64));
+    let layers = proptest::collection::vec(layer(), 0..3);
+    (shape(), tint(), any::<bool>(), layers, absorption, metalness).prop_map(
+        |(shape, tint, textured, layers, absorption, metalness)| {
+            let info = shape.info();
+            let glows = info.term == glanz_bsdf::LightTerm::Emission;
+            let passes = info.side == glanz_bsdf::Side::Transmission;
+            // Combinations that scene files refuse because they mean nothing.
+            let tint = match tint {
+                tint @ (Tint::Rgb(_) | Tint::Spectrum(_)) => tint,
+                _ if glows => Tint::Rgb(Rgb::WHITE),
+                Tint::Ior(ior) if passes => Tint::Ior(Arc::new(Ior { k: Spectrum::ZERO, ..(*ior).clone() })),
+                tint => tint,
+            };
+            let specular = info.term == glanz_bsdf::LightTerm::Specular;
+            let textured = textured && !(specular && tint.depends_on_angle());
+            let absorption = absorption.map(|(depth, eta)| Arc::new(Absorption { depth, eta }));
+            Lobe { shape, tint, textured, layers, absorption, metalness }
+        },
+    )
+}
+
+fn transmittance() -> impl Strategy<Value = Transmittance> {
+    prop_oneof![
+        (0.0..1.0f32).prop_map(|value| Transmittance::Constant(Tint::Rgb(Rgb::gray(value)))),
+        spectrum().prop_map(|value| Transmittance::Constant(Tint::Spectrum(Arc::new(value)))),
+        clear().prop_map(|ior| Transmittance::Boundary(Arc::new(ior))),
+        pane().prop_map(Transmittance::Pane),
+        film().prop_map(Transmittance::Film),
+    ]
+}
+
+fn texture_use() -> impl Strategy<Value = TextureUse> {
+    let plain = Just([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    let transform = prop_oneof![
+        plain,
+        [[-2.0..2.0f32, -2.0..2.0f32, -2.0..2.0f32], [-2.0..2.0f32, 0.0..1.0f32, 0.0..1.0f32]]
+    ];
+    (0..2usize, transform, amount()).prop_map(|(texture, transform, scale)| TextureUse {
+        texture,
+        transform,
+        scale,
+    })
+}
+
+fn material() -> impl Strategy<Value = Material> {
+    let classic = (rgb(), rgb(), rgb(), 0.0..200.0f64).prop_map(|(ambient, diffuse, specular, shininess)| {
+        let block = ClassicMaterial {
+            ambient: ambient.into(),
+            diffuse: diffuse.into(),
+            specular: specular.into(),
+            shininess,
+            ..ClassicMaterial::default()
+        };
+        block.build("").expect("phong exists").lobes
+    });
+    let lobes = prop_oneof![classic, proptest::collection::vec(lobe(), 0..4)];
+    let maps = [(); 4].map(|()| proptest::option::of(texture_use()));
+    let alpha = prop_oneof![
+        Just(AlphaMode::Opaque),
+        Just(AlphaMode::Blend),
+        (0.0..1.0f32).prop_map(|cutoff| AlphaMode::Mask { cutoff })
+    ];
+    let surface = (any::<bool>(), any::<bool>(), -4.0..4.0f64, 0.0..1.0f32, alpha);
+    (name(), lobes, maps, proptest::option::of(transmittance()), surface).prop_map(
+        |(name, lobes, [base_color, normal_map, emission_map, metal_rough_map], transmittance, surface)| {
+            let (two_sided, cull_back, aniso, alpha, alpha_mode) = surface;
+            Material {
+                name,
+                lobes,
+                two_sided,
+                base_color,
+                normal_map,
+                emission_map,
+                metal_rough_map,
+                aniso,
+                transmittance,
+                alpha,
+                alpha_mode,
+                cull_back,
+            }
+        },
+    )
+}
+
+fn light_color() -> impl Strategy<Value = LightColor> {
+    prop_oneof![
+        rgb().prop_map(LightColor::Rgb),
+        spectrum().prop_map(|spectrum| LightColor::Spectrum(Arc::new(spectrum)))
+    ]
+}
+
+fn attenuation() -> impl Strategy<Value = Attenuation> {
+    prop_oneof![
+        Just(Attenuation::NONE),
+        Just(Attenuation::PHYSICAL),
+        [0.1..2.0f64, 0.0..2.0f64, 0.0..2.0f64].prop_map(|[constant, linear, quadratic]| Attenuation {
+            constant,
+            linear,
+            quadratic
+        }),
+    ]
+}
+
+fn environment() -> impl Strategy<Value = LightKind> {
+    let pixels = proptest::collection::vec([amount(), amount(), amount()], 8);
+    let map = pixels.prop_map(|pixels| Arc::new(EnvironmentMap { width: 4, height: 2, pixels }));
+    let turn = prop_oneof![
+        Just(DMat3::IDENTITY),
+        (-180.0..180.0f64).prop_map(|degrees| DMat3::from_axis_angle(DVec3::Y, degrees.to_radians())),
+        (vector(), 0.0..3.0f64).prop_map(|(axis, angle)| DMat3::from_axis_angle(axis.normalize(), angle)),
+    ];
+    (proptest::option::of(map), turn).prop_map(|(map, rotation)| LightKind::Environment { map, rotation })
+}
+
+fn light_kind() -> impl Strategy<Value = LightKind> {
+    let edge = proptest::option::of((0.5..1.0f64, 0.0..0.5f64));
+    prop_oneof![
+        Just(LightKind::Ambient),
+        vector().prop_map(|direction| LightKind::Directional { direction }),
+        (vector(), attenuation())
+            .prop_map(|(position, attenuation)| LightKind::Point { position, attenuation }),
+        (vector(), vector(), 0.0..3.1f64, 0.0..50.0f64, edge, attenuation()).prop_map(
+            |(position, direction, cutoff, exponent, smooth_edge, attenuation)| LightKind::Spot {
+                position,
+                direction,
+                cutoff,
+                exponent,
+                smooth_edge,
+                attenuation
+            }
+        ),
+        (vector(), vector(), 0.1..3.0f64, 0.1..3.0f64, any::<bool>()).prop_map(
+            |(position, direction, width, height, two_sided)| LightKind::Area {
+                shape: AreaShape::Rectangle { width, height },
+                position,
+                direction,
+                up: direction.any_orthogonal_vector(),
+                two_sided
+            }
+        ),
+        (vector(), 0.1..3.0f64).prop_map(|(position, radius)| LightKind::Area {
+            shape: AreaShape::Sphere { radius },
+            position,
+            direction: DVec3::NEG_Y,
+            up: DVec3::NEG_Z,
+            two_sided: false
+        }),
+        environment(),
+    ]
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    let candela = proptest::collection::vec(0.1..100.0f64, 6);
+    let profile = candela.prop_map(|candela| {
+        Arc::new(Profile { c_deg: vec![0.0, 120.5, 360.0], gamma_deg: vec![0.0, 90.0], candela })
+    });
+    let colors = (light_color(), light_color(), light_color(), any::<bool>());
+    (name(), light_kind(), colors, any::<bool>(), proptest::option::of((profile, vector()))).prop_map(
+        |(name, kind, (ambient, diffuse, specular, same), with_camera, profile)| {
+            let colors = match (&kind, same) {
+                (LightKind::Ambient, _) => LightColors::ambient(ambient),
+                (_, true) => LightColors::all(diffuse),
+                (_, false) => LightColors { ambient, diffuse, specular },
+            };
+            let still = matches!(kind, LightKind::Ambient | LightKind::Environment { .. });
+            let space = if with_camera && !still { Space::Camera } else { Space::World };
+            let axis = match &kind {
+                LightKind::Point { .. } => Some(Luminaire::AXIS),
+                LightKind::Spot { direction, .. } => Some(*direction),
+                _ => None,
+            };
+            let luminaire = axis.zip(profile).map(|(axis, (profile, c0))| {
+                let parallel = axis.normalize().cross(c0.normalize()).length() < 1e-3;
+                Luminaire { profile, axis, c0: if parallel { Luminaire::c0_for(axis) } else { c0 } }
+            });
+            Light { name, kind, colors, space, luminaire }
+        },
+    )
+}
+
+fn mesh() -> impl Strategy<Value = Mesh> {
+    let coordinate = || prop_oneof![Just(0.0f32), -1e6..1e6f32, Just(1e-40f32), Just(0.1f32)];
+    let soup = (3..90usize, name(), any::<[bool; 5]>(), coordinate(), coordinate()).prop_map(
+        |(vertices, name, has, a, b)| {
+            let value = |i: usize| a + b * i as f32;
+            let list = |has: bool| if has { vertices } else { 0 };
+            let corners: Vec<u32> = (0..vertices as u32 / 3 * 3).collect();
+            let end = corners.len() as u32;
+            Mesh {
+                name,
+                positions: (0..vertices).map(|i| Vec3::new(value(i), a, b)).collect(),
+                normals: (0..list(has[0])).map(|i| Vec3::new(a, value(i), b)).collect(),
+                uvs: (0..list(has[1])).map(|i| Vec2::new(value(i), b)).collect(),
+                tangents: (0..list(has[2])).map(|i| Vec4::new(value(i), a, b, -1.0)).collect(),
+                colors: (0..list(has[3])).map(|i| Vec4::new(value(i), a, b, 0.5)).collect(),
+                face_starts: if has[4] { vec![0, 2, end] } else { Vec::new() },
+                corners,
+            }
+        },
+    );
+    let builtin = (0..Builtin::NAMES.len())
+        .prop_map(|i| Builtin::named(Builtin::NAMES[i]).expect("a name").mesh().expect("it has defaults"));
+    prop_oneof![soup, builtin]
+}
+
+fn texture() -> impl Strategy<Value = Texture> {
+    let wrap = || prop_oneof![Just(Wrap::Repeat), Just(Wrap::Mirror), Just(Wrap::Clamp)];
+    let filter = prop_oneof![Just(TextureFilter::Nearest), Just(TextureFilter::Trilinear)];
+    let rgba = proptest::collection::vec(any::<u8>(), 24);
+    (name(), rgba, any::<bool>(), [wrap(), wrap()], filter).prop_map(|(name, rgba, srgb, wrap, filter)| {
+        Texture { name, width: 3, height: 2, rgba, srgb, wrap, filter }
+    })
+}
+
+fn object() -> impl Strategy<Value = Object> {
+    let transform = prop_oneof![
+        Just(DMat4::IDENTITY),
+        vector().prop_map(DMat4::from_translation),
+        (0.1..3.0f64, vector())
+            .prop_map(|(scale, to)| DMat4::from_translation(to) * DMat4::from_scale(DVec3::splat(scale))),
+        (vector(), 0.0..3.0f64).prop_map(|(axis, angle)| DMat4::from_axis_angle(axis.normalize(), angle)),
+    ];
+    let shading = proptest::option::of(Just(Shading::Gouraud));
+    (name(), 0..2usize, 0..2usize, transform, shading).prop_map(
+        |(name, mesh, material, transform, shading)| Object {
+            name,
+            mesh,
+            material,
+            transform,
+            shading,
+            interpolation: None,
+        },
+    )
+}
+
+fn scene() -> impl Strategy<Value = Scene> {
+    let pair = || proptest::collection::vec(material(), 2..4);
+    let parts = (
+        proptest::collection::vec(mesh(), 2..4),
+        proptest::collection::vec(texture(), 2..4),
+        pair(),
+        proptest::collection::vec(light(), 0..4),
+        proptest::collection::vec(object(), 0..4),
+    );
+    let camera = proptest::option::of((vector(), 0.1..3.0f64)).prop_map(|camera| {
+        camera.map(|(eye, fov_y)| Camera {
+            eye,
+            target: DVec3::ZERO,
+            up: DVec3::Y,
+            projection: Projection::Perspective { fov_y },
+        })
+    });
+    let observer = proptest::option::of(spectrum().prop_map(|sensitivity| Observer {
+        name: "eye".to_owned(),
+        title: String::new(),
+        channels: vec![Channel { name: "V".to_owned(), sensitivity }],
+        kind: ObserverKind::Other,
+    }));
+    (parts, camera, observer, any::<bool>(), rgb(), -3.0..3.0f64).prop_map(
+        |((meshes, textures, materials, lights, objects), camera, observer, photometric, color, ev)| Scene {
+            meshes,
+            textures,
+            materials,
+            lights,
+            objects,
+            camera,
+            image: Image {
+                background: Background::Color(color),
+                supersample: photometric,
+                ..Image::default()
+            },
+            render: RenderSettings {
+                ev,
+                show: DebugView::Lit,
+                tone_map: ToneMap::KhronosNeutral,
+                mode: ColorMode::Sampled(7),
+                white: White::None,
+                ..RenderSettings::default()
+            },
+            observer,
+            photometric,
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, max_shrink_iters: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_scene_survives(scene in scene()) {
+        assert_same(&scene, &saved_and_loaded(&scene), "a generated scene");
+    }
+
+    #[test]
+    fn any_scene_survives_serde(scene in scene()) {
+        let text = serde_json::to_string(&scene).expect("scenes are plain");
+        let again: Scene = serde_json::from_str(&text).expect("it was written so");
+        assert_same(&scene, &again, "a generated scene");
+    }
+}
