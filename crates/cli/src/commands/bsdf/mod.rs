@@ -23,7 +23,7 @@ pub enum BsdfCommand {
     List(FormatArgs),
     /// All that is known of one model: formula, parameters, laws, source
     #[command(after_help = "Example:\n  glanz bsdf show blinn-phong")]
-    DebugView(list::ShowArgs),
+    Show(list::ShowArgs),
     /// The value for one pair of directions, or for each of a table
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::EvalArgs),
@@ -49,7 +49,7 @@ impl BsdfCommand {
     pub fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
-            Self::DebugView(_) => "show",
+            Self::Show(_) => "show",
             Self::Eval(_) => "eval",
             Self::Albedo(_) => "albedo",
         }
@@ -59,7 +59,7 @@ impl BsdfCommand {
     pub fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(format) => list::run(*format),
-            Self::DebugView(args) => args.run(),
+            Self::Show(args) => args.run(),
             Self::Eval(args) => args.run(),
             Self::Albedo(args) => args.run(),
         }
