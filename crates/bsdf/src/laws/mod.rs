@@ -14,7 +14,7 @@
 //! | grazing | f_cos is finite in `f64` and `f32`, for grazing, horizontal and opposite directions as well | exact |
 //! | normalization | ∫ D cosθ dω = 1, for microfacet models | 1e-3 |
 //! | limits | a highlight that narrows becomes a mirror, a diffuse lobe Lambert's | 1°, 1e-6 |
-//! | precision | `f32` against `f64`, allowing for the rounding of the cosines | 1e-5 |
+//! | precision | `f32` against `f64`, allowing for the rounding of the cosines | 2e-5 |
 //! | lanes | 16 lanes give the bits of scalar `f32`, at every SIMD level of this machine | exact |
 //!
 //! The same lobe always gets the same verdicts: no random numbers, no clock, no mathematics of the platform.

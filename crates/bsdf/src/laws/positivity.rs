@@ -1,6 +1,6 @@
 //! Positivity and finiteness: every value is a number, and no light is negative.
 
-use super::grid::{Place, places_anywhere};
+use super::grid::{Place, places, places_anywhere};
 use super::subject::Subject;
 use super::verdict::{Finding, Law};
 
@@ -31,19 +31,21 @@ pub(super) fn judge(subject: &dyn Subject) -> Finding {
     Finding::judged(Law::Positivity, subject.info(), worst.1.is_none(), worst.0, detail)
 }
 
-/// Looks for values that are not finite.
+/// Looks for values that are not finite. The greatest one that is told is that of views up to 89.999°: lobes that grow
+/// without bound have no greatest value in the plane itself.
 pub(super) fn judge_finiteness(subject: &dyn Subject) -> Finding {
     if let Some(reason) = subject.no_values() {
         return Finding::not_applicable(Law::Grazing, reason);
     }
     let mut greatest = (0.0_f64, None);
     let mut wrong = None;
-    for place in places_anywhere(subject) {
+    let above = places(subject).len();
+    for (index, place) in places_anywhere(subject).into_iter().enumerate() {
         let value = subject.value(&place.pair());
         let single = subject.value_f32(&place.pair_f32()).unwrap_or(0.0);
         if !value.is_finite() || !single.is_finite() {
             wrong = wrong.or(Some((place, if value.is_finite() { "f32" } else { "f64" })));
-        } else if value > greatest.0 {
+        } else if index < above && value > greatest.0 {
             greatest = (value, Some(place));
         }
     }

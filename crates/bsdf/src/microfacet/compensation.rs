@@ -1,10 +1,12 @@
 //! Multiple-scattering compensation (Kulla and Conty 2017): a reciprocal lobe with the energy that single reflections lack.
 //!
 //! (1 − E(wo)) (1 − E(wi)) cosθi / (π (1 − Eavg)) has the albedo 1 − E(wo): C. Kulla and A. Conty, Revisiting Physically
-//! Based Shading at Imageworks, SIGGRAPH course, 2017, after C. Kelemen and L. Szirmay-Kalos 2001. Here 1 − E is the series x Σ pₖ (1 − x)ᵏ, or x Σ pₖ (½ − x)ᵏ, with x = cosθ / (cosθ + c α), c a constant near 2: in
-//! x, and not in cosθ, surfaces of all widths are alike, since 1 − E is greatest at cosines about α.
-//! On an anisotropic surface α is the width along the direction, and p has a part that goes with the cosine of twice
-//! the azimuth. The series lies below 1 − E rather than above it, so that no energy is made.
+//! Based Shading at Imageworks, SIGGRAPH course, 2017, after C. Kelemen and L. Szirmay-Kalos 2001.
+//!
+//! Here 1 − E is the series x Σ pₖ (1 − x)ᵏ, or x Σ pₖ (½ − x)ᵏ, with x = cosθ / (cosθ + c α), c a constant near 2: in x,
+//! and not in cosθ, surfaces of all widths are alike, since 1 − E is greatest at cosines about α. On an anisotropic
+//! surface α is the width along the direction, and p has a part that goes with the cosine of twice the azimuth. The series
+//! lies below 1 − E rather than above it, so that no energy is made.
 
 use core::marker::PhantomData;
 

@@ -11,14 +11,15 @@ use crate::DirectionPair;
 pub struct HalfVector<R> {
     /// (n·H)², at least 1e-12: below are directions at grazing angles both, which no picture shows, and quotients
     /// stay finite.
-    pub(crate) up2: R,
+    pub up2: R,
     /// |H|², at least `up2`.
-    pub(crate) length2: R,
+    pub length2: R,
 }
 
 impl<R: Real> HalfVector<R> {
+    /// That of a pair.
     #[inline(always)]
-    pub(crate) fn new(pair: &DirectionPair<R>) -> Self {
+    pub fn new(pair: &DirectionPair<R>) -> Self {
         let up2 = (pair.cos_o + pair.cos_i).sqr().max(pair.cos_o.lit(1e-12));
         let length2 = ((pair.cos_io + pair.cos_io.one()) * pair.cos_io.lit(2.0)).max(up2);
         Self { up2, length2 }
@@ -27,7 +28,7 @@ impl<R: Real> HalfVector<R> {
     /// The tangential part of H in parts of the widths, squared. `inverse2` is (1/αx², 1/αy²); where both are equal
     /// the tangents are not read.
     #[inline(always)]
-    pub(crate) fn across2(&self, pair: &DirectionPair<R>, inverse2: (f64, f64)) -> R {
+    pub fn across2(&self, pair: &DirectionPair<R>, inverse2: (f64, f64)) -> R {
         let x = self.up2.lit(inverse2.0);
         if inverse2.0 == inverse2.1 {
             return (self.length2 - self.up2) * x;

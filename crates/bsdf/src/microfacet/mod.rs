@@ -30,12 +30,13 @@ mod transmission;
 
 pub use albedo::{smith_albedo, smith_albedo_average};
 pub use distribution::{BeckmannDistribution, Distribution, GgxDistribution};
+pub use half_vector::HalfVector;
 pub use multiple::SmithMultiple;
 pub use reflection::Smith;
+pub use refracted_half_vector::RefractedHalfVector;
 pub use transmission::SmithTransmission;
 
 pub(crate) use factors::{both_above, d_above};
-pub(crate) use half_vector::HalfVector;
 
 use crate::ParamInfo;
 

@@ -10,18 +10,19 @@ use crate::DirectionPair;
 /// H = wo + η wi.
 pub struct RefractedHalfVector<R: Real> {
     /// (n·H)².
-    pub(crate) up2: R,
+    pub up2: R,
     /// |H|², at least `up2`; not below (η − 1)².
-    pub(crate) length2: R,
+    pub length2: R,
     /// |wo·H| |wi·H|.
-    pub(crate) product: R,
+    pub product: R,
     /// Whether there is light on the other side and the facet is seen and lit.
-    pub(crate) lit: R::Mask,
+    pub lit: R::Mask,
 }
 
 impl<R: Real> RefractedHalfVector<R> {
+    /// That of a pair for this index of refraction.
     #[inline(always)]
-    pub(crate) fn new(pair: &DirectionPair<R>, eta: f64) -> Self {
+    pub fn new(pair: &DirectionPair<R>, eta: f64) -> Self {
         let (zero, one, eta) = (pair.cos_o.zero(), pair.cos_o.one(), pair.cos_o.lit(eta));
         let up = pair.cos_o + eta * pair.cos_i;
         let (with_o, with_i) = (one + eta * pair.cos_io, pair.cos_io + eta);

@@ -17,9 +17,10 @@ pub struct SmithTransmission<D> {
     pub eta: f64,
     /// The index that is computed with.
     effective_eta: f64,
-    /// α², and the constant factor.
-    pub(super) square: f64,
-    pub(super) scale: f64,
+    /// α².
+    pub square: f64,
+    /// The constant factor, [`Distribution::transmission_scale`].
+    pub scale: f64,
     distribution: PhantomData<D>,
 }
 

@@ -21,7 +21,8 @@ Examples:
 
 Looked at are reciprocity, energy (the greatest albedo and where), positivity, the side of the
 light, finiteness up to grazing angles, the normalisation of the distribution of facets, limits,
-single against double precision, and 16 lanes against scalar code. The exit code is 1 where a law fails, even if the model is known to break it.";
+single against double precision, and 16 lanes against scalar code. The exit code is 1 where a law
+fails, even if the model is known to break it.";
 
 /// Options of `glanz check`.
 #[derive(Args, Debug)]
