@@ -21,7 +21,7 @@ pub enum Category {
     Wood,
     /// Stone, plaster, ceramics.
     Mineral,
-    /// Glass, water and other clear matter.
+    /// Glass, water and other clear media.
     Glass,
     /// Table 1 of Ward 1992.
     Ward1992,

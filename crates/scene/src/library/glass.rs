@@ -1,4 +1,4 @@
-//! Glass and other clear matter: panes, through which the scene is seen, and bodies, which bend the surroundings.
+//! Glass and other clear media: panes, which transmit the scene, and solids, which refract the environment.
 
 use super::entry::{self, Entry};
 use super::{Category, MaterialInfo};

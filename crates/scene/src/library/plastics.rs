@@ -1,4 +1,4 @@
-//! Plastics, matter that scatters within a smooth boundary, and rubber, whose boundary is rough.
+//! Plastics, which scatter light below a smooth boundary, and rubber, whose boundary is rough.
 
 use super::entry::{self, CHOSEN, Entry};
 use super::{Category, MaterialInfo};

@@ -1,4 +1,4 @@
-//! Timber, raw and under varnish. Colours are those of plain wood: the grain is a texture's.
+//! Timber, raw and under varnish. Colours are those of plain wood: the figure is a texture's.
 
 use super::entry::{self, CHOSEN, Entry};
 use super::{Category, MaterialInfo};

@@ -1,11 +1,11 @@
-//! Pictures of surroundings, by direction.
+//! Environment maps: radiance by direction.
 
 use core::f64::consts::PI;
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Surroundings in equirectangular projection: linear RGB of sRGB primaries, every value finite and at
+/// An environment in equirectangular projection: linear RGB of sRGB primaries, every value finite and at
 /// least 0.
 ///
 /// Rows go from straight up (+Y) to straight down, columns once around to the right, as seen from inside:

@@ -76,8 +76,8 @@ fn bracket(angles: &[f64], angle: f64) -> (usize, f64) {
     }
 }
 
-fn blend(a: f64, b: f64, share: f64) -> f64 {
-    a + (b - a) * share
+fn blend(a: f64, b: f64, t: f64) -> f64 {
+    a + (b - a) * t
 }
 
 /// A profile as a light has it: what it sends is its colours times the profile over its maximum.
@@ -113,7 +113,7 @@ impl Luminaire {
         Some(DMat3::from_cols(axis.cross(c90), c90, axis))
     }
 
-    /// The share of the greatest intensity, 0 to 1, that goes along unit vectors given in [`Self::frame`].
+    /// The intensity relative to the greatest, 0 to 1, along unit vectors given in [`Self::frame`].
     pub fn share(&self, local: DVec3) -> f64 {
         let max = self.profile.max();
         if max <= 0.0 {

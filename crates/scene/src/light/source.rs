@@ -1,4 +1,5 @@
-//! Lights, after documents 000 and 003; surfaces that shine, surroundings, and luminaires.
+//! Lights: punctual lights as in F. Lauri, "Modèles d'illumination simples" (course MV52, UTBM) and E. Thiel,
+//! "Programmation graphique", lecture 5; area lights, environments and luminaires.
 
 use std::sync::Arc;
 
@@ -151,8 +152,8 @@ pub enum LightKind {
         /// Whether it shines on its back, too. Spheres ignore it.
         two_sided: bool,
     },
-    /// From surroundings at infinite distance. Its colours are the radiance where the map is 1: uniform
-    /// surroundings of value 1 make a white Lambert surface 1, and are seen as 1 themselves.
+    /// From an environment at infinite distance. Its colours are the radiance where the map is 1: a uniform
+    /// environment of value 1 makes a white Lambert surface 1, and is seen as 1 itself.
     Environment {
         /// What they look like; `None` for the same in all directions.
         map: Option<Arc<EnvironmentMap>>,

@@ -17,7 +17,7 @@ pub struct Lobe {
     pub tint: Tint,
     /// Whether the base colour texture and vertex colours multiply the tint.
     pub textured: bool,
-    /// What lies over it.
+    /// The weights of the layers over it, from the inner to the outer.
     pub layers: Vec<LayerWeight>,
     /// What a coat over it absorbs.
     pub absorption: Option<Arc<Absorption>>,
@@ -37,7 +37,7 @@ impl Lobe {
         Self { textured: true, ..self }
     }
 
-    /// The same under one more veil.
+    /// The same under one more layer.
     pub fn under(mut self, layer: LayerWeight) -> Self {
         self.layers.push(layer);
         self

@@ -3,8 +3,8 @@
 use glanz_color::{Ior, Spectrum};
 use serde::{Deserialize, Serialize};
 
-/// A plane-parallel sheet of clear or coloured matter, thick against a wavelength: light that is reflected
-/// to and fro in it adds up without interference.
+/// A plane-parallel sheet of a clear or coloured medium, thick against a wavelength: inter-reflections add up without
+/// interference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pane {
     /// What it is made of; `k` is not used, absorption takes its place.

@@ -53,11 +53,11 @@ pub struct Material {
     pub normal_map: Option<TextureUse>,
     /// Multiplies the emission lobes.
     pub emission_map: Option<TextureUse>,
-    /// Green widens or narrows lobes, blue says where metal is, as glTF has it.
+    /// glTF metallic-roughness map: green scales roughness, blue is metalness.
     pub metal_rough_map: Option<TextureUse>,
     /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
     pub aniso: f64,
-    /// What is seen through the surface, beside what `alpha` leaves open.
+    /// How much of the light from behind reaches the viewer, beside what `alpha` leaves open.
     pub transmittance: Option<Transmittance>,
     /// Opacity, times the texture's and the vertex colour's.
     pub alpha: f32,

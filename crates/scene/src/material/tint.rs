@@ -101,9 +101,9 @@ impl From<Rgb> for LightColor {
 /// The coloured part of a lobe: what it does to each wavelength.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tint {
-    /// Shares of the sRGB primaries.
+    /// Reflectance in the sRGB primaries.
     Rgb(Rgb),
-    /// A share of each wavelength; for an emission lobe the light sent out, scaled as
+    /// Reflectance or transmittance at each wavelength; for an emission lobe the light sent out, scaled as
     /// [`LightColor::Spectrum`].
     Spectrum(Arc<Spectrum>),
     /// Light that comes back at other wavelengths too.

@@ -7,11 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Film, Pane, Tint};
 
-/// What is seen through a surface: the share of the light from behind at each wavelength, along the line of
-/// sight.
+/// The transmittance of a surface along the line of sight, at each wavelength.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Transmittance {
-    /// The same share at every angle.
+    /// The same at every angle.
     Constant(Tint),
     /// What one boundary to this medium does not reflect.
     Boundary(Arc<Ior>),

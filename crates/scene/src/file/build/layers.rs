@@ -65,7 +65,7 @@ impl PaneTable {
     }
 }
 
-/// What is seen through a surface: the share of each colour, what a boundary (`ior`) or a film in air
+/// The transmittance of a surface: a colour, or what a boundary (`ior`) or a film in air
 /// (`film_nm`) does not reflect.
 pub(super) fn transmittance(value: &At<ColorValue>, builder: &mut Builder) -> Result<Transmittance, Problem> {
     let opaque =
@@ -80,7 +80,7 @@ pub(super) fn transmittance(value: &At<ColorValue>, builder: &mut Builder) -> Re
             return Err(Problem::at(&value.span, "'polarization' is for what a surface reflects"));
         }
         Tint::Reradiation(_) => {
-            return Err(Problem::at(&value.span, "what is seen through a surface cannot glow")
+            return Err(Problem::at(&value.span, "a transmittance cannot re-radiate")
                 .help("give a colour, a reflectance, an 'ior' or a 'film_nm'"));
         }
         tint => {
@@ -90,7 +90,7 @@ pub(super) fn transmittance(value: &At<ColorValue>, builder: &mut Builder) -> Re
                 _ => 0.0,
             };
             if most > 1.0 {
-                let message = format!("expected a share of the light from behind, 0 to 1, found {most}");
+                let message = format!("expected a transmittance of at most 1, found {most}");
                 return Err(Problem::at(&value.span, message));
             }
             Transmittance::Constant(tint)
@@ -117,10 +117,7 @@ fn absorption(value: Option<&At<ColorValue>>, builder: &mut Builder) -> Result<O
         Tint::Rgb(rgb) => rgb_spectra::spectrum_of_reflectance(rgb),
         Tint::Spectrum(spectrum) => *spectrum,
         _ => {
-            return Err(Problem::at(
-                &value.span,
-                "expected the share of light that passes: a colour or a spectrum",
-            ));
+            return Err(Problem::at(&value.span, "expected a transmittance: a colour or a spectrum"));
         }
     };
     if left.max() > 1.0 {

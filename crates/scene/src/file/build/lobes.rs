@@ -18,7 +18,8 @@ impl LobeTable {
     pub fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
         let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
         let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
-        // Document 003's textures and vertex colours are surface colours: not light, not highlights.
+        // Textures and vertex colours are surface colours (E. Thiel, "Programmation graphique", lecture 5): they multiply
+        // neither emitted light nor highlights.
         let textured =
             self.textured.unwrap_or(matches!(shape.info().term, LightTerm::Ambient | LightTerm::Diffuse));
         let tint = match &self.tint {

@@ -201,7 +201,7 @@ impl Builder {
             quantity if light && quantity.is_ratio() => {
                 return Err(Problem::at(
                     &file.span,
-                    "a lamp needs light, found a share of light in the file",
+                    "a lamp needs light, found a reflectance or transmittance in the file",
                 ));
             }
             Quantity::Light if !light => {

@@ -39,8 +39,8 @@ pub(crate) struct SpectralTable {
     /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
     /// refraction from 1.05 to 20; surfaces only.
     pub ior: Option<At<IorValue>>,
-    /// Beside `ior`: Fresnel reflection as seen through a filter that lets light pass that is polarised across ("s")
-    /// or in ("p") the plane of incidence.
+    /// Beside `ior`: Fresnel reflection through a polarising filter: the electric field perpendicular ("s") or
+    /// parallel ("p") to the plane of incidence.
     pub polarization: Option<At<Polarization>>,
     /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
     /// air if that is missing. Surfaces only.
@@ -50,8 +50,8 @@ pub(crate) struct SpectralTable {
     /// The function as the scene holds it: a number, or the 97 values at 300, 305 … 780 nm. Of light they are in the
     /// scene's unit, and their level counts.
     pub samples: Option<At<Sampled>>,
-    /// A re-radiation matrix: 97 rows, one for each wavelength of emission, of the shares of light at each of the 97
-    /// wavelengths of incidence; surfaces only.
+    /// A re-radiation matrix: 97 rows, one for each wavelength of emission, of the re-radiated fractions of light at each of the
+    /// 97 wavelengths of incidence; surfaces only.
     pub matrix: Option<At<Vec<Sampled>>>,
     /// What both sides of a pane reflect, or, in `transmittance`, what passes it; surfaces only.
     pub pane: Option<At<PaneTintTable>>,

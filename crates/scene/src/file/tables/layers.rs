@@ -18,7 +18,7 @@ pub(crate) struct CoatTable {
     pub weight: Option<At<Fraction>>,
     /// Its thickness in mm, 0.05 by default; 0 is no coat.
     pub thickness_mm: Option<At<Amount>>,
-    /// The share of light that passes 1 mm of it: a colour or a spectrum; all by default.
+    /// Its transmittance over 1 mm: a colour or a spectrum; 1 by default.
     pub transmittance_1mm: Option<At<ColorValue>>,
 }
 
@@ -32,6 +32,6 @@ pub(crate) struct PaneTable {
     pub alpha: Option<At<Fraction>>,
     /// Its thickness in mm; 4 by default.
     pub thickness_mm: Option<At<Amount>>,
-    /// The share of light that passes 1 mm of it: a colour or a spectrum; all by default.
+    /// Its transmittance over 1 mm: a colour or a spectrum; 1 by default.
     pub transmittance_1mm: Option<At<ColorValue>>,
 }

@@ -126,7 +126,7 @@ pub(crate) struct LightTable {
     pub profile: Option<At<ProfileValue>>,
     /// Where the half plane C 0° of the profile points; +X by default, +Y of a light along X.
     pub profile_c0: Option<At<Direction>>,
-    /// The share of the profile's candela that the light has; 1 by default.
+    /// Factor of the profile's candela; 1 by default.
     pub dimming: Option<At<Amount>>,
     /// Across a rectangle, in m.
     pub width: Option<At<Positive>>,

@@ -40,7 +40,7 @@ pub(crate) struct MaterialTable {
     pub lobes: Option<At<Vec<LobeTable>>>,
     /// A clear or coloured layer over all terms: varnish, glaze, the top of car paint.
     pub coat: Option<At<CoatTable>>,
-    /// Makes the surface a sheet of glass: it mirrors, and what is behind it is seen through it.
+    /// Makes the surface a sheet of glass: it reflects on both sides and transmits what is behind it.
     pub pane: Option<At<PaneTable>>,
     /// How much of the light from behind reaches the viewer: a colour, or a table with `ior` (what a boundary does not
     /// reflect), `film_nm` (what a film in air does not reflect) or `pane`.

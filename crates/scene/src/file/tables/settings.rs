@@ -23,7 +23,7 @@ pub(crate) struct ImageTable {
     pub samples: Samples,
     /// Shade every sample rather than once per pixel and surface.
     pub supersample: bool,
-    /// What is where nothing is: a colour, "transparent", or "environment", the first light of that kind.
+    /// The background: a colour, "transparent", or "environment", the first light of that kind.
     pub background: Option<At<BackgroundValue>>,
 }
 
@@ -167,7 +167,7 @@ impl JsonSchema for Samples {
     }
 }
 
-/// What is where nothing is.
+/// The background of the picture.
 #[derive(Debug)]
 pub(crate) struct BackgroundValue(pub crate::Background);
 

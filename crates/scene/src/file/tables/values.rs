@@ -94,7 +94,7 @@ number!(
 );
 
 number!(
-    /// A share.
+    /// A fraction.
     Fraction, "a number between 0 and 1", |v| (0.0..=1.0).contains(&v),
     { "type": "number", "minimum": 0.0, "maximum": 1.0 }
 );

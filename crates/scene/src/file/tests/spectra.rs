@@ -177,7 +177,7 @@ fn what_is_no_colour_says_what_would_be() {
         (light("spectrum = { nm = [400, 500], value = [0, 0] }"), "there is no light in this spectrum"),
         (
             light("spectrum = { file = 'data/metamer-a.csv' }"),
-            "a lamp needs light, found a share of light in the file",
+            "a lamp needs light, found a reflectance or transmittance in the file",
         ),
         (light("spectrum = 'UV365'\nluminous_intensity_cd = 5"), "light that the eye hardly sees"),
         (

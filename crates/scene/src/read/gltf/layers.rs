@@ -24,7 +24,7 @@ const FILM_TERMS: usize = 32;
 /// The least index of a pane: in one of index 1 grazing light would never reach the other side.
 const LEAST_PANE: f64 = 1.001;
 
-/// The least share of a channel that is seen through: darker is as good as black.
+/// The least transmittance of a channel: darker is as good as black.
 const LEAST_SEEN: f64 = 1e-6;
 
 /// The lobes of a material; those whose tint is black are left out.
@@ -57,7 +57,7 @@ pub(super) fn lobes(pbr: &PbrMaterial) -> Vec<Lobe> {
     all
 }
 
-/// What is seen through the surface. A pane whose two sides together reflect at normal incidence what the one
+/// The transmittance of the surface: a pane whose two sides together reflect at normal incidence what the one
 /// boundary of glTF does, coloured as all that light passes there.
 pub(super) fn transmittance(pbr: &PbrMaterial) -> Option<Transmittance> {
     if pbr.open() <= 0.0 {
@@ -73,14 +73,14 @@ pub(super) fn transmittance(pbr: &PbrMaterial) -> Option<Transmittance> {
     let open = pbr.open() * sheen * (1.0 - pbr.coat * COAT_F0);
     let seen: [f64; 3] = core::array::from_fn(|c| open * pbr.base[c] * pbr.left[c]);
     let both_sides = pbr.specular * pbr.greatest_f0();
-    let absorption =
-        rgb_spectra::spectrum_of_reflectance(rgb(seen)).map(|share| -libm::log(share.clamp(LEAST_SEEN, 1.0)));
+    let absorption = rgb_spectra::spectrum_of_reflectance(rgb(seen))
+        .map(|weight| -libm::log(weight.clamp(LEAST_SEEN, 1.0)));
     let ior = Ior::constant(index(both_sides / (2.0 - both_sides)).max(LEAST_PANE));
     Some(Transmittance::Pane(Arc::new(Pane { ior, thickness: 1.0, absorption })))
 }
 
 fn dielectric(pbr: &PbrMaterial) -> Vec<Lobe> {
-    let share = match (pbr.metallic, pbr.metal_varies) {
+    let metalness = match (pbr.metallic, pbr.metal_varies) {
         (0.0, _) => Metalness::Any,
         (1.0, false) => return Vec::new(),
         (factor, _) => Metalness::Dielectric { factor },
@@ -104,12 +104,12 @@ fn dielectric(pbr: &PbrMaterial) -> Vec<Lobe> {
         push(&mut lobes, 1.0 - pbr.iridescence, lobe);
     }
     lobes.extend(iridescent(pbr, film, &gloss));
-    lobes.iter_mut().for_each(|lobe| lobe.metalness = share);
+    lobes.iter_mut().for_each(|lobe| lobe.metalness = metalness);
     lobes
 }
 
 fn metal(pbr: &PbrMaterial) -> Vec<Lobe> {
-    let share = match (pbr.metallic, pbr.metal_varies) {
+    let metalness = match (pbr.metallic, pbr.metal_varies) {
         (0.0, _) => return Vec::new(),
         (1.0, false) => Metalness::Any,
         (factor, _) => Metalness::Metal { factor },
@@ -120,7 +120,7 @@ fn metal(pbr: &PbrMaterial) -> Vec<Lobe> {
         push(&mut lobes, 1.0 - pbr.iridescence, lobe);
     }
     lobes.extend(iridescent(pbr, film(pbr, pbr.base), &gloss));
-    lobes.iter_mut().for_each(|lobe| lobe.metalness = share);
+    lobes.iter_mut().for_each(|lobe| lobe.metalness = metalness);
     lobes
 }
 
@@ -146,12 +146,12 @@ fn boundary(gloss: &Shape, f0: [f64; 3], f90: f64, textured: bool) -> Vec<Lobe> 
     vec![colored.under(layer(1.0, 0.0)), Lobe::new(gloss.clone(), Rgb::WHITE).under(layer(0.0, f90))]
 }
 
-/// Adds a lobe with a share, if it has any.
-fn push(lobes: &mut Vec<Lobe>, share: f64, lobe: Lobe) {
-    if lobe.tint.is_black() || share <= 0.0 {
+/// Adds a lobe with a weight, if that is not 0.
+fn push(lobes: &mut Vec<Lobe>, weight: f64, lobe: Lobe) {
+    if lobe.tint.is_black() || weight <= 0.0 {
         return;
     }
-    lobes.push(if share < 1.0 { lobe.under(LayerWeight::Constant(share)) } else { lobe });
+    lobes.push(if weight < 1.0 { lobe.under(LayerWeight::Constant(weight)) } else { lobe });
 }
 
 /// The film over a base of this reflectance at normal incidence, if there is one.

@@ -288,7 +288,7 @@ fn tell(json: &json::Material, pbr: &PbrMaterial, context: &mut Context<'_>) {
         (open && json.extensions.volume.thickness_factor > 0.0, "glTF: volumes do not bend light"),
         (
             open && (has_colors || (varies && pbr.metallic > 0.0)),
-            "glTF: textures do not change what is seen through a surface",
+            "glTF: textures do not change the transmittance of a surface",
         ),
         (varies && pbr.coat > 0.0, "glTF: roughness textures change the clear coat too"),
         (

@@ -19,7 +19,7 @@
 //! - clear coat: the rest times 1 − c, `ggx` times c = clearcoat · (0.04 + 0.96 (1 − n·v)⁵);
 //! - transmission t: the dielectric's Lambert part times 1 − t, and `ggx-thin-transmission` · base · t (1 − F);
 //! - anisotropy: the width along the tangent, turned by the rotation, is α + (1 − α) strength²;
-//! - iridescence: that share of each F is a film's.
+//! - iridescence: that fraction of each F is a film's.
 //!
 //! Where it differs:
 //! - Masking is Smith's with correlated heights, as in KHR_materials_anisotropy; the sample code of Appendix B,
@@ -28,7 +28,7 @@
 //!   f0 or the metal's base colour has. The extension takes two orders of it, Schlick's form for the
 //!   boundaries, and three Gaussians for the eye (Belcour and Barla 2017). Textures of the base colour do not
 //!   change a metal below a film. A thickness that a texture says is taken in the middle of its range.
-//! - What is seen through a surface is not blurred and not changed by textures. At normal incidence it is
+//! - The transmittance of a surface is neither blurred nor changed by textures. At normal incidence it is
 //!   base · t (1 − F); towards grazing light a pane with that reflectance goes by Fresnel's law and its colour
 //!   deepens. Volumes absorb by their `thicknessFactor`, half at each face where both sides are drawn, and do
 //!   not bend light.

@@ -1,4 +1,4 @@
-//! Nodes: what is where.
+//! Nodes: where meshes, lights and cameras are placed.
 
 use glam::{DMat4, DQuat, DVec3};
 use glanz_color::Rgb;

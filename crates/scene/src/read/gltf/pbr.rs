@@ -51,7 +51,7 @@ impl PbrMaterial {
         self.metallic * self.mean_metal
     }
 
-    /// The share of light that it lets through of what gets past its boundary.
+    /// The fraction transmitted of the light that enters its boundary.
     pub fn open(&self) -> f64 {
         self.transmission * (1.0 - self.metal_on_the_whole())
     }

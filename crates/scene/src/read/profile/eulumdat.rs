@@ -60,7 +60,7 @@ fn symmetry(isym: f64, planes: usize, source: &Source) -> Result<(Symmetry, usiz
 
 /// From the cd per 1000 lm of the lamps, as the file has them, to cd.
 fn factor(lines: &mut Lines, source: &mut Source) -> Result<f64, ReadError> {
-    lines.skip(2, "the shares of light below and from the luminaire", source)?;
+    lines.skip(2, "the fractions of light below and from the luminaire", source)?;
     let conversion = lines.number("the conversion factor", source)?;
     let conversion_line = lines.number;
     if lines.number("the tilt of the luminaire when measured", source)? != 0.0 {
