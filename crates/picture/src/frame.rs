@@ -20,12 +20,12 @@ pub struct Frame {
     pub more: Vec<Vec<f32>>,
     /// How much of the pixel is covered.
     pub alpha: Vec<f32>,
-    /// Distance from the eye plane in metres, infinite where nothing is; empty if not asked for.
+    /// Distance from the eye plane in metres, infinite where no surface is; empty if not asked for.
     pub depth: Vec<f32>,
-    /// World-space shading normal of the nearest surface, null where nothing is; empty planes if not
+    /// World-space shading normal of the nearest surface, null where no surface is; empty planes if not
     /// asked for.
     pub normal: [Vec<f32>; 3],
-    /// 1 + the number of the nearest object, 0 where nothing is; empty if not asked for.
+    /// 1 + the number of the nearest object, 0 where no surface is; empty if not asked for.
     pub object: Vec<u32>,
 }
 

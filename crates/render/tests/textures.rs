@@ -343,7 +343,7 @@ fn a_normal_map_that_points_straight_up_changes_next_to_nothing() {
 
 #[test]
 fn a_normal_map_leans_the_normal_along_the_textures_axes() {
-    // TintCoordinate +u is +x of the rectangle, y upwards in the map is +y: the same as other vertex normals.
+    // Along +u is +x of the rectangle, y upwards in the map is +y: the same as other vertex normals.
     let lean = |x: f64, y: f64| DVec3::new(x, y, 1.0).normalize();
     for (code, x, y) in [([255, 128, 255, 255], 1.0, 1.0 / 255.0), ([128, 0, 255, 255], 1.0 / 255.0, -1.0)] {
         let mapped = draw(&bumpy(code, 1.0));

@@ -85,7 +85,7 @@ impl<'a> FrameView<'a> {
 }
 
 impl FrameView<'_> {
-    /// What is where nothing is.
+    /// The background.
     #[inline(always)]
     pub fn background(&self) -> ViewBackground<'_> {
         ViewBackground::new(

@@ -1,4 +1,4 @@
-//! The view in single precision, relative to the eye.
+//! The camera of a view in single precision.
 
 use glam::DVec3;
 use glanz_math::{Real, Vec3};
@@ -12,28 +12,39 @@ use glanz_math::inline::inlined;
 /// Nearest visible distance, as a fraction of the greatest distance in the scene.
 const NEAR_FRACTION: f64 = 1e-5;
 
-/// The view in single precision. The eye is the origin, the axes are the world's.
+/// The camera of a view in single precision: its position is the origin, the axes are those of the world.
 #[derive(Clone, Debug)]
 pub struct ViewCamera {
+    /// Width of the picture, in pixels.
     pub width: usize,
+    /// Height of the picture, in pixels.
     pub height: usize,
     /// Centre of the picture, in pixels.
     pub center: [f32; 2],
-    /// Pixels per metre at distance 1 (perspective) or everywhere (parallel), and its inverse.
+    /// Pixels per metre at distance 1 (perspective) or everywhere (parallel).
     pub scale: f32,
+    /// Metres per pixel at distance 1 (perspective) or everywhere (parallel).
     pub inverse_scale: f32,
+    /// Unit vectors of the world to the right, up and towards the viewer.
     pub axes: [DVec3; 3],
+    /// The first of the axes.
     pub right: [f32; 3],
+    /// The second of the axes.
     pub up: [f32; 3],
+    /// The third of the axes: against the direction in which the camera looks.
     pub back: [f32; 3],
+    /// Whether distances shrink what is seen.
     pub perspective: bool,
+    /// The least distance at which something is seen, in metres.
     pub near: f32,
-    /// Range of distances in the scene, for the depth view.
+    /// The least and the greatest distance in the scene, in metres.
     pub range: [f32; 2],
+    /// Where the camera is in the world, in metres.
     pub position: DVec3,
 }
 
 impl ViewCamera {
+    /// The camera of `view` before what has been prepared.
     pub fn new(prepared: &Prepared, view: &View) -> Self {
         let [right, up, back] = view.axes;
         let mut range = [f64::INFINITY, 0.0f64];
@@ -63,20 +74,20 @@ impl ViewCamera {
         }
     }
 
-    /// The object's anchor along right, up and away from the eye.
+    /// The object's anchor along right, up and away from the camera.
     pub fn anchor(&self, object: &PreparedObject) -> [f32; 3] {
         let offset = DVec3::from_array(object.anchor) - self.position;
         let [right, up, back] = self.axes;
         [right.dot(offset) as f32, up.dot(offset) as f32, -back.dot(offset) as f32]
     }
 
-    /// The object's anchor relative to the eye, along world axes.
+    /// The object's anchor relative to the camera, along world axes.
     pub fn offset(&self, object: &PreparedObject) -> Vec3<f32> {
         let offset = (DVec3::from_array(object.anchor) - self.position).as_vec3();
         Vec3::new(offset.x, offset.y, offset.z)
     }
 
-    /// Whether the eye is outside the box of the object, so that a closed one shows no back face.
+    /// Whether the camera is outside the box of the object, so that a closed one shows no back face.
     pub fn is_outside(&self, object: &PreparedObject) -> bool {
         let camera = self.position - DVec3::from_array(object.anchor);
         let [low, high] = object.bounds.map(DVec3::from_array);

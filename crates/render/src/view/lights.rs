@@ -1,4 +1,4 @@
-//! The lights in single precision, relative to the eye.
+//! The lights in single precision, relative to the camera.
 
 use glam::{DMat3, DVec3, Mat3};
 use glanz_math::{Real, Vec3};
@@ -11,16 +11,18 @@ use crate::view::camera::ViewCamera;
 
 /// The lights of a frame.
 pub struct ViewLights<'a> {
+    /// Each light of the scene that is not ambient, in its order.
     pub list: Vec<ViewLight<'a>>,
     /// What casts shadows.
     pub bvh: Option<ViewBvh<'a>>,
 }
 
-/// What casts shadows, as seen from the eye.
+/// What casts shadows, relative to the camera.
 #[derive(Clone, Copy)]
 pub struct ViewBvh<'a> {
+    /// The tree of the triangles.
     pub bvh: &'a Bvh,
-    /// Where the eye is among it.
+    /// Where the camera is among them.
     pub camera: [f32; 3],
     /// How far a pixel may be off the surface, in m, and what a metre of distance adds to it: at an edge a pixel of
     /// several samples is shaded at its centre, where its triangle may have ended.
@@ -33,8 +35,11 @@ const HALF_DIAGONAL: f32 = 0.75;
 /// A cone, in single precision.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewCone {
+    /// The unit vector along which it shines.
     pub axis: [f32; 3],
+    /// Cosine of the angle to the axis beyond which nothing is sent.
     pub cos_cutoff: f32,
+    /// The power of the cosine with which it fades away from the axis.
     pub exponent: f32,
     /// Outer cosine and 1 / (inner − outer).
     pub smooth_edge: Option<[f32; 2]>,
@@ -43,6 +48,7 @@ pub struct ViewCone {
 /// What a luminaire sends into each direction.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewLuminaire<'a> {
+    /// Shares of the greatest intensity.
     pub intensities: &'a IntensityGrid,
     /// Rows: C 0°, C 90°, γ 0°.
     pub frame: [[f32; 3]; 3],
@@ -51,30 +57,42 @@ pub struct ViewLuminaire<'a> {
 /// A surface that shines.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewArea {
+    /// Its form and size.
     pub form: AreaShape,
+    /// Its centre.
     pub center: [f32; 3],
-    /// TintCoordinate its width, its height and the way it faces.
+    /// Along its width, its height and the way it faces.
     pub axes: [[f32; 3]; 3],
+    /// Whether it shines on its back, too.
     pub two_sided: bool,
 }
 
-/// A light relative to the eye, along world axes.
+/// A light relative to the camera, along world axes.
 #[derive(Clone, Copy, Debug)]
 pub enum ViewLight<'a> {
+    /// A light at infinite distance.
     Directional {
+        /// The unit vector towards it.
         towards: [f32; 3],
     },
+    /// A light at a point.
     Point {
+        /// Where it is.
         position: [f32; 3],
         /// The factors of 1, d and d² in the denominator by which it fades; none where it does not.
         attenuation: Option<[f32; 3]>,
+        /// What it is limited to.
         cone: Option<ViewCone>,
+        /// How much it sends into each direction; the same into all where there is none.
         luminaire: Option<ViewLuminaire<'a>>,
     },
+    /// A surface that shines.
     Area(ViewArea),
+    /// An environment at infinite distance.
     Environment {
+        /// What it looks like.
         environment: &'a EnvironmentLight,
-        /// Its number among the surroundings of the scene.
+        /// Its number among the environments of the scene.
         number: usize,
         /// Rows of the rotation into its own directions.
         to_map: [[f32; 3]; 3],
@@ -82,6 +100,7 @@ pub enum ViewLight<'a> {
 }
 
 impl<'a> ViewLights<'a> {
+    /// The prepared lights as `camera` sees them.
     pub fn new(prepared: &'a Prepared, camera: &ViewCamera, options: &DrawOptions) -> Self {
         let mut number = 0;
         let list: Vec<_> = prepared
@@ -105,7 +124,7 @@ impl<'a> ViewLights<'a> {
         Self { list, bvh }
     }
 
-    /// The surroundings that are seen behind everything: the first.
+    /// The environment that is seen behind everything: the first.
     pub fn environment(&self) -> Option<&ViewLight<'a>> {
         self.list.iter().find(|light| matches!(light, ViewLight::Environment { .. }))
     }

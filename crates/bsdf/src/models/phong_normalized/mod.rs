@@ -5,7 +5,7 @@
 //! **Laws** reciprocal; conserves energy: the albedo is 1 along the normal for every n and less elsewhere.
 //!
 //! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind darkens
-//! towards grazing angles. LightTerm of the lobe is below the horizon there and is lost as well.
+//! towards grazing angles. Part of the lobe is below the horizon there and is lost as well.
 
 use glanz_math::{PI, Real};
 

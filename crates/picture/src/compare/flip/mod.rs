@@ -10,7 +10,7 @@
 //! brought to 0 … 1 ([`color`]). Edges and points that one picture alone has ([`feature`]) raise it to a
 //! power below 1. Light is looked at in several exposures ([`exposure`]); the greatest error counts.
 //!
-//! Primaries and white are those of this house, which differ from the authors' by 1e-5.
+//! Primaries and white are Glanz's, which differ from the authors' by 1e-5.
 
 mod color;
 mod exposure;

@@ -10,7 +10,7 @@ use crate::cpu::lighting::general::layered;
 use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals};
 use crate::view::lights::turned;
 
-/// Adds what surroundings give; they are the three lights of the table from `row` on.
+/// Adds what an environment gives; it is the three lights of the table from `row` on.
 #[inline(always)]
 pub(crate) fn add<R: Real>(
     sum: &mut LightSum<R>,
@@ -25,7 +25,7 @@ pub(crate) fn add<R: Real>(
     let material = sum.material;
     for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
         if is_transmitting(lobe) && lobe.term == LightTerm::Specular && material.transmittance.is_some() {
-            // They are seen through the surface already.
+            // It is seen through the surface already.
             continue;
         }
         let pair = sum.typical_pair(lobe);
@@ -40,7 +40,7 @@ pub(crate) fn add<R: Real>(
     }
 }
 
-/// What a lobe sees of the surroundings, as amounts of the three spectra; 1 where they are uniform.
+/// What a lobe sees of the environment, as amounts of the three spectra; 1 where they are uniform.
 #[inline(always)]
 fn seen<R: Real>(
     sum: &LightSum<R>,

@@ -1,7 +1,7 @@
 //! The form factor of a polygon: the integral of a clamped cosine over it.
 //!
 //! Source: J. H. Lambert 1760; D. R. Baum, H. E. Rushmeier and J. M. Winget, "Improving Radiosity Solutions
-//! Transmittance the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
+//! Through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
 
 use glanz_math::{PI, Real, Vec3};
 

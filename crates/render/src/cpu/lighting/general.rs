@@ -1,5 +1,5 @@
 //! The sum over lights and lobes with all that the classic models do not have: lobes that know a tangent, lie
-//! below coats or let light through; lights that are surfaces or surroundings; luminaires and shadows.
+//! below coats or let light through; area lights and environments; luminaires and shadows.
 //!
 //! It is the sum of `reflect.rs`: C = Σ_l a_l(x) · Σ_k s_k(wo, wi) · T\[l, k, c\].
 //!
@@ -59,7 +59,7 @@ pub(crate) fn apart<R: Real, T>(like: R, f: impl FnOnce() -> T) -> T {
     like.at_own_level(f)
 }
 
-/// A lobe's value under its veils, without its tint.
+/// A lobe's value under its layers, without its tint.
 #[inline(never)]
 pub(crate) fn layered<R: Real>(lobe: &DirectLobe, mut value: R, pair: &DirectionPair<R>) -> R {
     if lobe.layers.is_empty() {
@@ -146,7 +146,7 @@ impl<'a, R: Real> LightSum<'a, R> {
         pair
     }
 
-    /// The pair that stands for all light that a lobe takes from areas and surroundings.
+    /// The pair that stands for all light that a lobe takes from areas and environments.
     #[inline(always)]
     pub fn typical_pair(&self, lobe: &DirectLobe) -> DirectionPair<R> {
         match is_transmitting(lobe) {

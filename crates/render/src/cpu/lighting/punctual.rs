@@ -11,7 +11,7 @@ use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
 use crate::view::lights::ViewLight;
 
-/// Adds what a lamp gives.
+/// Adds what a punctual light gives.
 #[inline(always)]
 pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &ViewLight, row: usize) {
     let point = sum.point;
@@ -40,7 +40,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
         if lobe.shape.info().delta || !R::any(is_lit) {
             continue;
         }
-        // Lobes of one shape under different veils stand together.
+        // Lobes of one shape under different layers stand together.
         if !sum.material.repeats[k] {
             last = shape_value(lobe, &pair) * attenuation;
         }

@@ -47,7 +47,7 @@ pub(crate) struct Reflected<R> {
     pub plain: [R; 3],
 }
 
-/// What reaches the point from a lamp: direction, reach, and the factor of its cone alone.
+/// What reaches the point from a punctual light: direction, reach, and the factor of its cone alone.
 pub(crate) struct Incident<R> {
     pub wi: Vec3<R>,
     pub attenuation: Option<R>,
@@ -73,7 +73,7 @@ pub(crate) fn reflect<R: Real>(
     }
 }
 
-/// [`reflect`] where there are but classic materials and lamps without luminaires or shadows.
+/// [`reflect`] where there are only classic materials and punctual lights without luminaires or shadows.
 #[inline(always)]
 pub(crate) fn reflect_classic<R: Real>(
     lights: &[ViewLight],
@@ -183,7 +183,7 @@ pub(crate) fn arrive<R: Real>(light: &ViewLight, point: &ShadingPoint<R>) -> Inc
         ViewLight::Directional { towards } => {
             Incident { wi: splat(like, towards), attenuation: None, cone: None, distance: None }
         }
-        // Surfaces and surroundings are no lamps; the loop does not ask.
+        // Areas and environments are not punctual; the loop does not ask.
         ViewLight::Area(_) | ViewLight::Environment { .. } => {
             Incident { wi: point.normal, attenuation: Some(like.zero()), cone: None, distance: None }
         }

@@ -1,4 +1,4 @@
-//! What is where nothing is.
+//! The background: what a pixel shows that no surface covers.
 
 use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real};
@@ -16,12 +16,12 @@ use glanz_math::inline::three;
 /// The background of a frame.
 #[derive(Clone, Copy)]
 pub(crate) struct ViewBackground<'a> {
-    /// Colour and coverage where no surroundings are seen.
+    /// Colour and coverage where no environment is seen.
     fixed: ([f32; 3], f32),
     environment: Option<EnvironmentView<'a>>,
 }
 
-/// EnvironmentLight that are seen.
+/// The environment that is seen.
 #[derive(Clone, Copy)]
 struct EnvironmentView<'a> {
     camera: &'a ViewCamera,
@@ -33,7 +33,7 @@ struct EnvironmentView<'a> {
 }
 
 impl<'a> ViewBackground<'a> {
-    /// The background of a view among lights; `tint` is what surroundings give in the channels.
+    /// The background of a view among lights; `tint` is what the environment gives in the channels.
     pub fn new(
         background: Background,
         camera: &'a ViewCamera,

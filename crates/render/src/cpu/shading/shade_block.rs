@@ -340,7 +340,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         Shaded { rgb, alpha, transmittance, distance: place.distance, normal: point.normal }
     }
 
-    /// What is seen through the surface, along the line of sight. Where no normal is known for the pixel, as on
+    /// The transmittance of the surface along the line of sight. Where no normal is known for the pixel, as on
     /// objects that are not shaded per pixel, the surface is taken to face the viewer.
     #[inline(always)]
     fn transmittance(

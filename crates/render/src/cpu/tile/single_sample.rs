@@ -115,7 +115,7 @@ fn keep<S: Simd>(
     scratch.pixels.put(at, rgb, alpha);
 }
 
-/// The colours of a block; where nothing is, any.
+/// The colours of a block; where no surface is, any.
 #[inline(always)]
 fn colors<S: Simd>(
     simd: S,

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn uniform_surroundings_give_one_everywhere() {
+    fn a_uniform_environment_gives_one_everywhere() {
         let white = irradiance(&EnvironmentMap::from_fn(64, 32, |_| [1.0, 0.5, 0.25]));
         for normal in [DVec3::X, DVec3::NEG_Y, DVec3::new(0.48, 0.6, 0.64)] {
             let got = white.at(Vec3::new(normal.x as f32, normal.y as f32, normal.z as f32));

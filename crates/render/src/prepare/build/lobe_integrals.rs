@@ -111,7 +111,7 @@ fn is_cosine(shape: &Shape) -> bool {
     info.term == LightTerm::Diffuse && info.params.is_empty() && tried.into_iter().all(is_exact)
 }
 
-/// The albedo of a lobe; of a perfect mirror what its veils leave in its one direction is not part of it.
+/// The albedo of a lobe; of a perfect mirror what the layers above leave in its one direction is not part of it.
 fn albedo(shape: &Shape, layers: &[LayerWeight]) -> Chebyshev {
     match shape.info().delta {
         true => Chebyshev::interpolate(1, |_| 1.0),

@@ -3,7 +3,7 @@
 //! A linear map takes the clamped cosine lobe to one that looks like the given lobe; the inverse map takes the
 //! polygon along, and the polygon's form factor is the integral. Source: E. Heitz, J. Dupuy, S. Hill and
 //! D. Neubelt, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines", SIGGRAPH 2016. The maps
-//! are fitted here, for the lobes of the scene, when it is prepared; `tests/surroundings` states the error.
+//! are fitted here, for the lobes of the scene, when it is prepared; `tests/lighting` states the error.
 
 use glanz_bsdf::{DirectionPair, LayerWeight, Shape, Side};
 use glanz_math::{PI, Vec3};
@@ -102,7 +102,7 @@ fn points(shape: &Shape, theta_o: f64, grid: PolarGrid) -> Vec<LobeSample> {
     points
 }
 
-/// The albedo of a lobe under veils for a viewer at an angle of this cosine. [`glanz_bsdf::layered_albedo`] is more
+/// The albedo of a lobe under layers for a viewer at an angle of this cosine. [`glanz_bsdf::layered_albedo`] is more
 /// exact and takes a hundred times as long.
 pub(crate) fn albedo(shape: &Shape, layers: &[LayerWeight], cos_o: f64) -> f64 {
     let theta = libm::acos(cos_o.clamp(1e-3, 1.0));

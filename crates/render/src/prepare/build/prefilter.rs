@@ -1,10 +1,10 @@
-//! EnvironmentLight as a lobe sees them: blurred by its shape.
+//! An environment as a lobe sees it: blurred by its shape.
 //!
-//! For each direction, the mean of the surroundings weighted with the lobe as it is for a viewer straight above. The
+//! For each direction, the mean of the environment weighted with the lobe as it is for a viewer straight above. The
 //! pixel loop takes it in the lobe's mean direction and multiplies it with the lobe's albedo, both for the true
-//! view angle. That keeps the energy for every angle and is exact in uniform surroundings and for viewers above;
+//! view angle. That keeps the energy for every angle and is exact in a uniform environment and for viewers above;
 //! the lobe's stretching towards grazing views is left out, as in B. Karis, "Real Shading in Unreal Engine 4",
-//! SIGGRAPH course, 2013, from which the separation comes. `tests/surroundings` states the error.
+//! SIGGRAPH course, 2013, from which the separation comes. `tests/lighting` states the error.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::prepare::data::environment_map::EnvironmentMap;
 /// Share of a lobe that is left out where it is faintest.
 const LEFT_OUT: f64 = 0.003;
 
-/// Pixels of the surroundings from the inner to the outer edge of each ring around the middle, at least: the further
+/// Pixels of the environment from the inner to the outer edge of each ring around the middle, at least: the further
 /// out, the coarser the level that is looked at.
 const ACROSS: f64 = 6.0;
 
@@ -95,7 +95,7 @@ fn around(shape: &Shape, angle: f64) -> f64 {
     (0..count).map(value).sum::<f64>() / count as f64
 }
 
-/// A ring around the middle of a lobe, and the level of the surroundings that it looks at.
+/// A ring around the middle of a lobe, and the level of the environment that it looks at.
 struct Ring<'a> {
     from: f64,
     to: f64,
@@ -104,7 +104,7 @@ struct Ring<'a> {
     level: &'a PyramidLevel,
 }
 
-/// The surroundings at all levels, each half as fine as the one before.
+/// The environment at all levels, each half as fine as the one before.
 pub(crate) struct Pyramid(Vec<PyramidLevel>);
 
 impl Pyramid {
@@ -118,7 +118,7 @@ impl Pyramid {
     }
 }
 
-/// The surroundings, more or less coarse.
+/// The environment, more or less coarse.
 struct PyramidLevel {
     map: Arc<EnvironmentMap>,
     directions: Vec<Vec<glam::Vec3>>,
@@ -133,7 +133,7 @@ impl PyramidLevel {
     }
 }
 
-/// The surroundings blurred by a lobe. Lobes narrower than a pixel leave them as they are.
+/// The environment blurred by a lobe. Lobes narrower than a pixel leave it as it is.
 pub(crate) fn blurred(Pyramid(levels): &Pyramid, shape: &Shape) -> Arc<EnvironmentMap> {
     let profile = Profile::of(shape);
     if profile.core * levels[0].map.size()[1] as f64 / PI < 0.5 {
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn uniform_surroundings_stay_uniform() {
+    fn a_uniform_environment_stays_uniform() {
         let map = Arc::new(EnvironmentMap::from_fn(64, 32, |_| [0.7, 0.7, 0.7]));
         for exponent in [1.0, 50.0, 1e5] {
             let blurred = blurred(&Pyramid::of(&map), &shape("phong", "shininess", exponent));

@@ -173,7 +173,7 @@ impl Sampling {
         }
     }
 
-    /// What is seen through a surface at the nodes, along a line of sight of this cosine.
+    /// The transmittance of a surface at the nodes, along a line of sight of this cosine.
     pub fn transmittance(&self, transmittance: &Transmittance, cosine: f64) -> Surface {
         let transmitted = |spectrum: Spectrum| Surface::Reflectance(self.reflectance(&spectrum));
         match transmittance {
@@ -194,7 +194,7 @@ impl Sampling {
         self.light(&LightColor::Rgb(glanz_color::Rgb::WHITE))
     }
 
-    /// One of the three spectra that textures and surroundings mix, at the nodes.
+    /// One of the three spectra that textures and environments mix, at the nodes.
     pub fn basis(&self, number: usize) -> &Row {
         &self.basis[number]
     }

@@ -9,7 +9,7 @@ use crate::prepare::color::tint_coordinate::{self, coordinate_of};
 use crate::prepare::color::tint_series;
 use crate::prepare::data::{TintCoordinate, TintSeries};
 
-/// A light at the nodes of the colour mode, for the three kinds of lobe; times π for lamps, whose value 1 is
+/// A light at the nodes of the colour mode, for the three kinds of lobe; times π for punctual lights, whose value 1 is
 /// an irradiance of π.
 struct LightRows {
     ambient: Row,
@@ -21,7 +21,7 @@ struct LightRows {
     is_mixed: bool,
 }
 
-/// The scene's lights as a colour mode takes them: one side of every entry of the table. EnvironmentLight are
+/// The scene's lights as a colour mode takes them: one side of every entry of the table. Environments are
 /// three lights, one for each of the spectra that their pixels mix.
 pub(crate) struct Table<'a> {
     sampling: &'a Sampling,
@@ -124,7 +124,7 @@ impl<'a> Table<'a> {
         Some([0, 1, 2].map(|basis: usize| short(whole.under(&self.lights[first + basis].specular))))
     }
 
-    /// What is seen through a surface: the share of each channel, over the cosine of the line of sight, for
+    /// The transmittance of a surface in each channel, over the cosine of the line of sight, for
     /// white light from behind.
     pub fn transmittance(&self, transmittance: &Transmittance) -> TintSeries {
         let white = self.sampling.white();
@@ -185,7 +185,7 @@ fn light_rows(sampling: &Sampling, light: &Light) -> Vec<LightRows> {
 }
 
 impl LightRows {
-    /// The part of surroundings that one spectrum of their pixels makes; the first has the ambient light.
+    /// The part of an environment that one spectrum of their pixels makes; the first has the ambient light.
     fn mixed(&self, basis: &Row, number: usize) -> Self {
         let times = |row: &Row| row.iter().zip(basis).map(|(value, b)| value * b).collect();
         let dark = || vec![0.0; self.ambient.len()];

@@ -1,4 +1,4 @@
-//! EnvironmentLight as pictures that the pixel loop looks up: the picture itself, what a lobe makes of it, and
+//! Environments as pictures that the pixel loop looks up: the picture itself, what a lobe makes of it, and
 //! what a matte surface gets of it.
 
 use glam::DVec3;

@@ -8,7 +8,7 @@ const STEP_DEG: f64 = 1.0;
 const COLUMNS: usize = 361;
 const ROWS: usize = 181;
 
-/// IntensityGrid of the greatest intensity on a grid of planes C and angles γ.
+/// Shares of the greatest intensity on a grid of planes C and angles γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntensityGrid {
     /// By planes C, each from γ = 0° to 180° in steps of 1°.

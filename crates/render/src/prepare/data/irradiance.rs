@@ -1,6 +1,6 @@
-//! What a matte surface gets from surroundings, as a polynomial of its normal.
+//! What a matte surface gets from an environment, as a polynomial of its normal.
 //!
-//! The clamped cosine keeps of the surroundings' spherical harmonics those of degree 0, 1, and even ones, and
+//! The clamped cosine keeps of the spherical harmonics those of degree 0, 1, and even ones, and
 //! little beyond degree 4. Source: R. Ramamoorthi and P. Hanrahan, "An Efficient Representation for
 //! Irradiance Environment Maps", SIGGRAPH 2001 (degree 2); here degree 4 too.
 
@@ -9,7 +9,7 @@ use glanz_math::{Real, Vec3};
 /// Harmonics of degree 0, 1, 2 and 4.
 pub const IRRADIANCE_TERMS: usize = 1 + 3 + 5 + 9;
 
-/// The irradiance over π: 1 in uniform surroundings of 1.
+/// The irradiance over π: 1 in a uniform environment of 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Irradiance {
     /// By harmonics, their constants and what the cosine keeps included.
@@ -17,7 +17,7 @@ pub struct Irradiance {
 }
 
 impl Irradiance {
-    /// That of uniform surroundings of 1.
+    /// That of a uniform environment of 1.
     pub fn uniform() -> Self {
         let mut terms = [[0.0; 3]; IRRADIANCE_TERMS];
         terms[0] = [1.0; 3];

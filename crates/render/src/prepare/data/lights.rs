@@ -47,25 +47,25 @@ pub enum LightShape {
         /// Whether it shines on its back, too.
         two_sided: bool,
     },
-    /// EnvironmentLight.
+    /// An environment at infinite distance.
     Environment(EnvironmentLight),
 }
 
-/// EnvironmentLight at infinite distance.
+/// An environment at infinite distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentLight {
-    /// What they look like; `None` for 1 everywhere.
+    /// What it looks like; `None` for 1 everywhere.
     pub map: Option<Arc<EnvironmentMap>>,
-    /// What a matte surface gets of them.
+    /// What a matte surface gets of it.
     pub irradiance: Irradiance,
-    /// From their directions to the light's space.
+    /// From its directions to the light's space.
     pub rotation: [[f64; 3]; 3],
 }
 
 /// Intensities over directions, and how they are turned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreparedLuminaire {
-    /// IntensityGrid of the greatest intensity.
+    /// Shares of the greatest intensity.
     pub intensities: Arc<IntensityGrid>,
     /// The directions of C 0°, C 90° and γ 0°.
     pub frame: [[f64; 3]; 3],
@@ -83,7 +83,7 @@ pub struct PreparedLight {
 }
 
 impl LightShape {
-    /// How many lights of the table it is: surroundings are one for each of the three spectra that their
+    /// How many lights of the table it is: an environment is one for each of the three spectra that their
     /// pixels mix.
     pub fn rows(&self) -> usize {
         if matches!(self, Self::Environment(_)) { 3 } else { 1 }

@@ -29,7 +29,7 @@ pub struct PreparedMaterial {
     pub lobes: Vec<DirectLobe>,
     /// The tint table: entry `light · lobes.len() + lobe`, one value per channel.
     pub tints: Vec<[f32; 3]>,
-    /// What the lobes make of areas and surroundings; empty where the scene has none.
+    /// What the lobes make of areas and environments; empty where the scene has none.
     pub integrals: Vec<LobeIntegrals>,
     /// The entries of curved lobes, with the same numbers; empty if there are none.
     pub series: Vec<TintSeries>,
@@ -61,7 +61,7 @@ pub struct PreparedMaterial {
     pub anisotropic: bool,
     /// Whether any lobe answers to light on the other side.
     pub transmits: bool,
-    /// What is seen through it, per channel over the cosine of the line of sight.
+    /// Its transmittance, per channel over the cosine of the line of sight.
     pub transmittance: Option<TintSeries>,
     /// Opacity.
     pub alpha: f32,

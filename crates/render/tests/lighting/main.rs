@@ -11,7 +11,7 @@ mod common;
 mod areas;
 mod panes;
 mod shadows;
-mod skies;
+mod environments;
 
 use common::{add, empty, picture, rectangle, transparent};
 use glam::{DMat4, DVec3};
