@@ -26,8 +26,6 @@ use glanz_scene::{
 
 const WIDTH: u32 = 150;
 const HEIGHT: u32 = 101;
-/// All names that a level can have; a machine has some of them.
-const LEVELS: [&str; 6] = ["scalar", "sse2", "avx2", "avx512", "neon", "simd128"];
 
 /// A scene with what makes drawing take different ways: several objects, all lights, vertices behind
 /// the eye, textures, masks and blending.
