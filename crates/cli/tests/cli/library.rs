@@ -31,9 +31,7 @@ specular = 0.4
 shininess = 20
 
 [[objects]]
-mesh = "sphere"
-slices = 12
-stacks = 7
+mesh = { sphere = { slices = 12, stacks = 7 } }
 material = "orange"
 "#;
 
