@@ -22,7 +22,7 @@ height = 2.4
 [[lights]]
 kind = "directional"
 direction = [-1.0, -1.0, -1.0]
-spectrum = "D65"
+spectrum = "A"
 
 [materials.orange]
 model = "blinn-phong"
@@ -40,14 +40,14 @@ const SETTINGS: [&[&str]; 16] = [
     &[],
     &["render.ev=1.5"],
     &["render.tone_map='reinhard'"],
-    &["render.show='normal'"],
+    &["render.show='normals'"],
     &["render.show='depth'"],
     &["render.mode='rgb'"],
     &["render.mode='meyer'"],
-    &["render.mode={ sampled = 5 }"],
+    &["render.mode='sampled:5'"],
     &["render.shading='flat'"],
-    &["render.interpolation='scanline'"],
-    &["render.white='scene'", "lights.0.spectrum='A'"],
+    &["render.shading='gouraud'", "render.interpolation='scanline'"],
+    &["render.white='scene'", "lights.0.spectrum='FL11'"],
     &["render.observer='cie1964'"],
     &["image.samples=8", "image.supersample=true"],
     &["image.background='transparent'"],
