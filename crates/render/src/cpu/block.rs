@@ -8,7 +8,7 @@ use fearless_simd::Simd;
 use glanz_math::Lanes;
 
 use crate::cpu::geometry::bins::TILE_WIDTH;
-use crate::cpu::visibility::raster::Grid;
+use crate::view::samples::SUBPIXEL;
 
 /// Pixels of a block.
 pub(crate) const BLOCK: usize = 16;
@@ -23,6 +23,31 @@ pub(crate) const RIGHT: [f32; BLOCK] =
 /// How far down each pixel of a block is.
 pub(crate) const DOWN: [f32; BLOCK] =
     [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 3.0];
+
+/// The tile's place in the picture, and which sample of each pixel is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid {
+    /// Left and top pixel of the tile.
+    pub origin: [usize; 2],
+    /// Columns and rows of the tile that are in the picture.
+    pub size: [usize; 2],
+    /// The sample's place in the pixel, in 1/256.
+    pub sample: [i32; 2],
+}
+
+impl Grid {
+    /// The sample of a pixel of the tile, in 1/256 pixel of the picture.
+    #[inline(always)]
+    pub fn fixed(&self, pixel: usize, axis: usize) -> i32 {
+        (self.origin[axis] + pixel) as i32 * SUBPIXEL + self.sample[axis]
+    }
+
+    /// The same in pixels.
+    #[inline(always)]
+    pub fn center(&self, pixel: usize, axis: usize) -> f32 {
+        (self.origin[axis] + pixel) as f32 + self.sample[axis] as f32 * (1.0 / SUBPIXEL as f32)
+    }
+}
 
 /// Column and row in the tile of the pixel at a place of the tile's arrays.
 pub(crate) fn pixel(place: usize) -> [usize; 2] {

@@ -1,18 +1,15 @@
 //! Everything about a frame that all its tiles share.
 
-use glanz_scene::{AlphaMode, Interpolation, Shading};
-
 use crate::cpu::lighting::matte_highlight::MatteHighlight;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
-use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::polygons::PolygonView;
-use crate::cpu::shading::shade_block::is_simple;
 use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
 use crate::view::camera::ViewCamera;
 use crate::view::lights::ViewLights;
 use crate::view::materials::shown_materials;
 use crate::view::objects::{Pass, ViewObject};
 use crate::view::{DebugView, DrawOptions, View, samples};
+use glanz_scene::{AlphaMode, Interpolation, Shading};
 
 /// An object seen from the eye.
 #[derive(Clone, Debug)]
@@ -27,14 +24,14 @@ pub(crate) struct ObjectView {
     /// The anchor along right, up and away from the eye.
     pub anchor: [f32; 3],
     pub polygons: Option<PolygonView>,
-    /// Whether [`ShadeBlock::simple`](ShadeBlock::simple) gives its colours.
+    /// Whether its colours need neither textures nor vertex colours nor a special view.
     pub simple: bool,
 }
 
 /// Where attribute groups of three values are among an object's interpolated attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Layout {
-    /// Light of the second kind ([`crate::cpu::lighting::reflect::Reflected::plain`]), Gouraud or flat with texture.
+    /// Light of the second kind ([`crate::cpu::lighting::point::Reflected::plain`]), Gouraud or flat with texture.
     pub plain: Option<usize>,
     /// The first of two groups with light through the second and third spectrum that texels mix; the first
     /// spectrum is in group 0. Gouraud or flat with texture, where texels mix spectra.
@@ -84,19 +81,6 @@ impl<'a> FrameView<'a> {
     }
 }
 
-impl FrameView<'_> {
-    /// The background.
-    #[inline(always)]
-    pub fn background(&self) -> ViewBackground<'_> {
-        ViewBackground::new(
-            self.options.background,
-            &self.camera,
-            &self.lights,
-            self.prepared.environment_tint,
-        )
-    }
-}
-
 impl ObjectView {
     fn new(
         object: &PreparedObject,
@@ -122,8 +106,19 @@ impl ObjectView {
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
             view.polygons = Some(PolygonView::new(polygons, object, camera, lights, material));
         }
-        view.simple = is_simple(&view, show);
+        view.simple = view.is_simple(show);
         view
+    }
+
+    /// Whether no textures, no vertex colours and no special view change its light.
+    #[inline(always)]
+    pub fn is_simple(&self, show: DebugView) -> bool {
+        self.layout.groups == 1
+            && self.polygons.is_none()
+            && matches!(
+                show,
+                DebugView::Shaded | DebugView::Diffuse | DebugView::Specular | DebugView::Ambient
+            )
     }
 }
 

@@ -6,10 +6,14 @@ use glanz_math::{SimdLevel, at_level};
 
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
-use crate::cpu::geometry::process::{self, ChunkOutput, Screen};
+use crate::cpu::geometry::chunk::ChunkOutput;
+use crate::cpu::geometry::process;
+use crate::cpu::geometry::screen::Screen;
+use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::gouraud::{Lit, VertexLight};
 use crate::cpu::shading::triangle_setup::Projected;
-use crate::cpu::tile::draw::{self, TilePlace, TileScratch};
+use crate::cpu::tile::draw;
+use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
 use crate::{Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
@@ -66,7 +70,7 @@ impl Backend for Renderer {
         let frame = FrameView::new(prepared, view, options);
         let kernel = DevelopKernel::new(develop);
         let opaque = options.background != Background::Transparent;
-        let empty = empty_block(develop, &kernel, &frame.background());
+        let empty = empty_block(develop, &kernel, &ViewBackground::of(&frame));
         let bands = out
             .chunks_mut(4 * width * TILE_HEIGHT)
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))

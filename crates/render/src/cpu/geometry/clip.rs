@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::Bins;
-use crate::cpu::geometry::process::{GUARD, Screen, sample_range};
+use crate::cpu::geometry::screen::{GUARD, Screen, sample_range};
 use crate::view::samples::SUBPIXEL;
 
 /// Names with this bit are indices of [`ClippedTriangle`]s, not triangles of the geometry.

@@ -1,50 +1,17 @@
 //! The first pass: clusters are culled, vertices projected; `sort` then puts triangles into bins.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
-use glanz_math::{Lanes, Real};
-
 use crate::cpu::frame::{FrameView, ObjectView};
-use crate::cpu::geometry::bins::Bins;
-use crate::cpu::geometry::clip::ClippedTriangle;
-use crate::cpu::geometry::micro_triangles::MicroSample;
+
+use crate::cpu::geometry::chunk::{ChunkOutput, Local};
+use crate::cpu::geometry::screen::{GUARD, Screen};
 use crate::cpu::geometry::sort::sort;
 use crate::cpu::shading::gouraud::{self, VertexLight};
 use crate::prepare::Cluster;
 use crate::view::camera::ViewCamera;
 use crate::view::samples::SUBPIXEL;
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16};
 use glanz_math::inline::inlined;
-
-/// Screen positions beyond this many pixels from the corner are clipped, so that fixed-point numbers
-/// keep their range.
-pub(crate) const GUARD: f32 = 30_000.0;
-
-/// Triangles smaller than this (in 1/256 pixel) have edge functions that fit 32 bits.
-pub(crate) const SMALL: i32 = 64 * SUBPIXEL;
-
-/// A projected vertex: x and y in pixels, then a depth that is linear on the screen and greater when
-/// nearer: 1/distance in perspective, −distance else. NaN marks a vertex that must be clipped. The
-/// fourth entry is not used.
-pub(crate) type Screen = [f32; 4];
-
-/// What a run of clusters becomes. Kept between frames, for its memory.
-#[derive(Debug, Default)]
-pub(crate) struct ChunkOutput {
-    /// Opaque and masked triangles.
-    pub solid: Bins<u32>,
-    /// Samples that tiny opaque triangles cover, where there is one sample per pixel.
-    pub points: Bins<MicroSample>,
-    /// Blended triangles.
-    pub blended: Bins<u32>,
-    /// Triangles that clipping made.
-    pub clipped_triangles: Vec<ClippedTriangle>,
-}
-
-/// Fixed-point positions of a cluster's vertices, and which of them need clipping.
-pub(crate) struct Local {
-    pub at: [[i32; 2]; 256],
-    /// One bit for each, sixteen to a row.
-    pub outside: [u16; 16],
-}
+use glanz_math::{Lanes, Real};
 
 /// Projects and bins the clusters `range`. `screen` and `lit` are the parts of the frame's arrays that
 /// begin with the first vertex of the first cluster.
@@ -188,10 +155,4 @@ fn project_lanes<S: Simd>(
     let inside = splat(camera.near).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
     let nan = splat(f32::NAN);
     (x.select(inside, splat(0.0)), y.select(inside, splat(0.0)), depth.select(inside, nan), inside)
-}
-
-/// The least and greatest coordinate of the samples of a pixel.
-#[inline(always)]
-pub(crate) fn sample_range(samples: &[[i32; 2]], axis: usize) -> (i32, i32) {
-    samples.iter().fold((SUBPIXEL, 0), |(low, high), s| (low.min(s[axis]), high.max(s[axis])))
 }

@@ -5,9 +5,10 @@ use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
 use glanz_math::Lanes;
 
 use crate::cpu::frame::{FrameView, ObjectView};
+use crate::cpu::geometry::chunk::{ChunkOutput, Local};
 use crate::cpu::geometry::clip;
 use crate::cpu::geometry::micro_triangles::{MicroTriangles, TINY};
-use crate::cpu::geometry::process::{ChunkOutput, Local, SMALL, Screen, sample_range};
+use crate::cpu::geometry::screen::{SMALL, Screen, sample_range};
 use crate::prepare::Geometry;
 use crate::view::objects::Pass;
 use crate::view::samples::SUBPIXEL;

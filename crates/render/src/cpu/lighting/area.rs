@@ -6,11 +6,11 @@ use glanz_math::{Frame, PI, Real, Vec3};
 use glanz_scene::AreaShape;
 
 use crate::cpu::lighting::form_factor::{above_horizon, form_factor};
-use crate::cpu::lighting::general::LightSum;
-use crate::cpu::lighting::general::apart;
-use crate::cpu::lighting::general::is_transmitting;
-use crate::cpu::lighting::general::layered;
-use crate::cpu::lighting::general::shape_value;
+use crate::cpu::lighting::light_sum::LightSum;
+use crate::cpu::lighting::light_sum::apart;
+use crate::cpu::lighting::light_sum::is_transmitting;
+use crate::cpu::lighting::light_sum::layered;
+use crate::cpu::lighting::light_sum::shape_value;
 use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
 use crate::prepare::{AreaIntegral, DirectLobe, LtcTable};

@@ -3,10 +3,10 @@
 use glanz_bsdf::LightTerm;
 use glanz_math::{Real, Vec3};
 
-use crate::cpu::lighting::general::LightSum;
-use crate::cpu::lighting::general::apart;
-use crate::cpu::lighting::general::is_transmitting;
-use crate::cpu::lighting::general::layered;
+use crate::cpu::lighting::light_sum::LightSum;
+use crate::cpu::lighting::light_sum::apart;
+use crate::cpu::lighting::light_sum::is_transmitting;
+use crate::cpu::lighting::light_sum::layered;
 use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals};
 use crate::view::lights::turned;
 

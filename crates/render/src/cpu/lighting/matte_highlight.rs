@@ -9,7 +9,7 @@ use glanz_bsdf::{DirectionPair, Model, ModelInfo, Shape, ShapeVisitor};
 use glanz_math::Real;
 
 use crate::cpu::lighting::inlined_models::{is_highlight, is_matte};
-use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, add, literal};
+use crate::cpu::lighting::point::{Reflected, ShadingPoint, add, literal};
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::prepare::{DirectLobe, TintCoordinate};
 use crate::view::lights::{ViewLight, splat};

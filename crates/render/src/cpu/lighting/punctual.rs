@@ -2,11 +2,12 @@
 
 use glanz_math::Real;
 
-use crate::cpu::lighting::general::LightSum;
-use crate::cpu::lighting::general::is_transmitting;
-use crate::cpu::lighting::general::layered;
-use crate::cpu::lighting::general::shape_value;
-use crate::cpu::lighting::reflect::{add as add_light, arrive, literal, mixed};
+use crate::cpu::lighting::incident::arrive;
+use crate::cpu::lighting::light_sum::LightSum;
+use crate::cpu::lighting::light_sum::is_transmitting;
+use crate::cpu::lighting::light_sum::layered;
+use crate::cpu::lighting::light_sum::shape_value;
+use crate::cpu::lighting::point::{add as add_light, literal, mixed};
 use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
 use crate::view::lights::ViewLight;

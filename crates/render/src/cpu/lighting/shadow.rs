@@ -2,7 +2,7 @@
 
 use glanz_math::{Real, Vec3};
 
-use crate::cpu::lighting::reflect::ShadingPoint;
+use crate::cpu::lighting::point::ShadingPoint;
 use crate::view::lights::ViewBvh;
 
 /// How far the rounding of positions in `f32` may put a point off its surface, in parts of its distance from the eye:

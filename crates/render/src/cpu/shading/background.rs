@@ -4,10 +4,10 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, LanesMask, Real};
 use glanz_scene::Background;
 
-use crate::cpu::block;
-use crate::cpu::lighting::reflect::mixed;
+use crate::cpu::block::{self, Grid};
+use crate::cpu::frame::FrameView;
+use crate::cpu::lighting::point::mixed;
 use crate::cpu::lighting::shade_material::ShadeLights;
-use crate::cpu::visibility::raster::Grid;
 use crate::prepare::EnvironmentMap;
 use crate::view::camera::ViewCamera;
 use crate::view::lights::{ViewLight, turned};
@@ -33,8 +33,14 @@ struct EnvironmentView<'a> {
 }
 
 impl<'a> ViewBackground<'a> {
+    /// The background of a frame.
+    #[inline(always)]
+    pub fn of(frame: &'a FrameView<'a>) -> Self {
+        Self::new(frame.options.background, &frame.camera, &frame.lights, frame.prepared.environment_tint)
+    }
+
     /// The background of a view among lights; `tint` is what the environment gives in the channels.
-    pub fn new(
+    fn new(
         background: Background,
         camera: &'a ViewCamera,
         lights: &ShadeLights<'a>,

@@ -1,13 +1,14 @@
 //! Light at vertices, for Gouraud shading.
 
+use crate::cpu::frame::{FrameView, ObjectView};
+use crate::cpu::lighting::point::ShadingPoint;
+use crate::cpu::lighting::point::unit;
+use crate::cpu::lighting::reflect::reflect_lanes;
+use crate::prepare::Cluster;
+use crate::view::camera::ViewCamera;
 use fearless_simd::Simd;
 use glanz_color::Rgb;
 use glanz_math::{Lanes, Real, Vec3};
-
-use crate::cpu::frame::{FrameView, ObjectView};
-use crate::cpu::lighting::reflect::{ShadingPoint, reflect_lanes};
-use crate::prepare::Cluster;
-use crate::view::camera::ViewCamera;
 
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
 pub(crate) type Lit = [[[f32; 3]; 2]; 2];
@@ -111,12 +112,6 @@ impl<S: Simd> VertexBlock<'_, S> {
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: Vec3<f32>) -> Vec3<Lanes<S>> {
     Vec3::new(Lanes::splat(simd, v.x), Lanes::splat(simd, v.y), Lanes::splat(simd, v.z))
-}
-
-/// The unit normal, or null where there is none.
-#[inline(always)]
-pub(crate) fn unit<R: Real>(n: Vec3<R>) -> Vec3<R> {
-    n * n.dot(n).max(n.x.lit(1e-30)).rsqrt()
 }
 
 #[inline(always)]

@@ -4,6 +4,7 @@ pub(crate) mod background;
 pub(crate) mod debug_view;
 pub(crate) mod gouraud;
 pub(crate) mod polygons;
+pub(crate) mod shade;
 pub(crate) mod shade_block;
 pub(crate) mod surface;
 pub(crate) mod texturing;

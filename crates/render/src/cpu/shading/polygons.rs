@@ -7,9 +7,10 @@ use glanz_color::Rgb;
 use glanz_math::Vec3;
 use glanz_scene::Shading;
 
-use crate::cpu::lighting::reflect::{ShadingPoint, reflect};
+use crate::cpu::lighting::point::ShadingPoint;
+use crate::cpu::lighting::point::unit;
+use crate::cpu::lighting::reflect::reflect;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
-use crate::cpu::shading::gouraud::unit;
 use crate::prepare::{Polygons, PreparedObject};
 use crate::view::camera::ViewCamera;
 

@@ -5,9 +5,9 @@ use glanz_math::{Lanes, Real, Vec3};
 use glanz_scene::{AlphaMode, TextureUse};
 
 use crate::cpu::frame::Layout;
-use crate::cpu::lighting::reflect::ShadingPoint;
+use crate::cpu::lighting::point::ShadingPoint;
+use crate::cpu::lighting::point::unit;
 use crate::cpu::lighting::shade_material::ShadeMaterial;
-use crate::cpu::shading::gouraud::unit;
 use crate::cpu::shading::polygons::{CORNER, PolygonView};
 use crate::cpu::shading::shade_block::{Place, ShadeBlock};
 use crate::cpu::shading::triangle_setup::GROUP;

@@ -8,11 +8,14 @@ use glanz_math::{Real, Vec3};
 use glanz_scene::Shading;
 
 use crate::cpu::frame::{FrameView, Layout};
+use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::geometry::clip::EXTRA;
-use crate::cpu::geometry::process::{ChunkOutput, Screen};
-use crate::cpu::lighting::reflect::{Reflected, ShadingPoint, reflect};
+use crate::cpu::geometry::screen::Screen;
+use crate::cpu::lighting::point::unit;
+use crate::cpu::lighting::point::{Reflected, ShadingPoint};
+use crate::cpu::lighting::reflect::reflect;
 use crate::cpu::lighting::shade_material::ShadeMaterial;
-use crate::cpu::shading::gouraud::{Lit, unit};
+use crate::cpu::shading::gouraud::Lit;
 use crate::cpu::visibility::raster::Triangle;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;

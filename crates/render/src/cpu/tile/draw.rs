@@ -1,64 +1,13 @@
 //! One tile: visibility, then interpolation and shading, then out.
 
 use fearless_simd::Simd;
-use glanz_math::{Lanes, LanesMask, Real};
 
-use crate::cpu::block::BLOCK;
 use crate::cpu::frame::FrameView;
-use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
-use crate::cpu::shading::shade_block::Shaded;
-use crate::cpu::shading::triangle_batch::TriangleBatch;
-use crate::cpu::shading::triangle_setup::{Projected, TriangleSetups};
-use crate::cpu::tile::multi_sample;
-use crate::cpu::tile::single_sample;
-use crate::cpu::tile::target::{Band, Slot, TilePixels};
-use crate::cpu::tile::transparency::TransparencyBuffer;
-use crate::cpu::visibility::coverage_layers::{CoverageLayers, Run};
-use crate::cpu::visibility::raster::Grid;
-use crate::cpu::visibility::visible::Visible;
-use crate::view::Aovs;
-use crate::view::samples::SUBPIXEL;
-
-/// Everything that drawing a tile needs beside the frame. Kept by each thread, for its memory.
-#[derive(Debug, Default)]
-pub(crate) struct TileScratch {
-    pub visible: Visible,
-    pub setups: TriangleSetups,
-    pub layers: CoverageLayers<1>,
-    pub tinted_layers: CoverageLayers<4>,
-    pub transparency: TransparencyBuffer,
-    pub triangle_batch: TriangleBatch,
-    pub pixels: TilePixels,
-}
-
-/// A tile's number and its part of the picture.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TilePlace {
-    pub column: usize,
-    pub row: usize,
-}
-
-/// What all blocks of a tile share.
-#[derive(Clone, Copy)]
-pub(crate) struct Tile<'a> {
-    pub frame: &'a FrameView<'a>,
-    pub projected: &'a Projected<'a>,
-    pub grid: Grid,
-    pub slot: Slot,
-    /// Whether the tile has blended surfaces.
-    pub blended: bool,
-}
-
-impl TilePlace {
-    fn grid(self, frame: &FrameView) -> Grid {
-        let origin = [self.column * TILE_WIDTH, self.row * TILE_HEIGHT];
-        let size = [
-            TILE_WIDTH.min(frame.camera.width - origin[0]),
-            TILE_HEIGHT.min(frame.camera.height - origin[1]),
-        ];
-        Grid { origin, size, sample: [SUBPIXEL / 2; 2] }
-    }
-}
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::shading::triangle_setup::Projected;
+use crate::cpu::tile::state::{Tile, TilePlace, TileScratch};
+use crate::cpu::tile::target::{Band, Slot};
+use crate::cpu::tile::{multi_sample, single_sample};
 
 /// Draws a tile into its band.
 #[inline(always)]
@@ -73,7 +22,7 @@ pub(crate) fn draw<S: Simd>(
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
     let slot = Slot { stride: frame.camera.width, left, top, size: grid.size };
-    let behind = (&frame.background(), &grid);
+    let behind = (&ViewBackground::of(frame), &grid);
     let chunks = projected.chunks;
     let any = |blended: bool| {
         chunks.iter().any(|chunk| match blended {
@@ -104,19 +53,6 @@ pub(crate) fn draw<S: Simd>(
     band.write(simd, &mut scratch.pixels, slot, behind);
 }
 
-impl Tile<'_> {
-    /// Whether a block's pixels are finished as soon as they are shaded.
-    fn is_plain(&self) -> bool {
-        self.frame.samples.len() == 1 && !self.blended && !self.keeps_planes()
-    }
-
-    /// Whether planes beside colour are asked for.
-    #[inline(always)]
-    pub fn keeps_planes(&self) -> bool {
-        self.frame.options.aovs != Aovs::default()
-    }
-}
-
 impl TileScratch {
     /// Finds what is visible, and shades what lets light through.
     #[inline(always)]
@@ -141,33 +77,6 @@ impl TileScratch {
                 }
             }
             transparency.blend(simd, frame, setups, grid);
-        }
-    }
-}
-
-/// Keeps distance, normal and object of the nearest layer of a block.
-pub(crate) fn keep_planes<S: Simd>(
-    simd: S,
-    pixels: &mut TilePixels,
-    setups: &TriangleSetups,
-    shaded: &Shaded<S>,
-    runs: &[Run],
-    at: usize,
-) {
-    let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
-    let old = pixels.distance[at..].first_chunk().expect("tiles are whole blocks");
-    let nearer = shaded.distance.lt(Lanes::load(simd, old)).bits() & bits;
-    let kept = LanesMask::from_bits(simd, nearer);
-    let normal = [shaded.normal.x, shaded.normal.y, shaded.normal.z];
-    let planes = pixels.normal.iter_mut().zip(normal);
-    for (plane, value) in planes.chain([(&mut pixels.distance, shaded.distance)]) {
-        let plane = plane[at..].first_chunk_mut().expect("tiles are whole blocks");
-        value.select(kept, Lanes::load(simd, plane)).store(plane);
-    }
-    for run in runs {
-        let number = setups.list[run.setup as usize].object + 1;
-        for lane in (0..BLOCK).filter(|lane| (run.bits & nearer) >> lane & 1 == 1) {
-            pixels.object[at + lane] = number;
         }
     }
 }

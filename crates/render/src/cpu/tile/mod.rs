@@ -4,5 +4,6 @@ pub(crate) mod block_pair;
 pub(crate) mod draw;
 pub(crate) mod multi_sample;
 pub(crate) mod single_sample;
+pub(crate) mod state;
 pub(crate) mod target;
 pub(crate) mod transparency;

@@ -5,8 +5,10 @@ use glanz_math::{Lanes, LanesMask, Real};
 
 use crate::cpu::block::{self, BLOCK};
 use crate::cpu::geometry::bins::TILE_PIXELS;
-use crate::cpu::shading::shade_block::{self, Shaded};
-use crate::cpu::tile::draw::{Tile, TileScratch, keep_planes};
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::shading::shade;
+use crate::cpu::shading::shade_block::Shaded;
+use crate::cpu::tile::state::{Tile, TileScratch, keep_planes};
 use crate::cpu::visibility::coverage_layers::{CoverageLayers, Weights};
 use crate::cpu::visibility::visible::Owners;
 use crate::view::samples::SUBPIXEL;
@@ -89,7 +91,7 @@ fn shade_layers<S: Simd, const C: usize>(
     layers: &CoverageLayers<C>,
     at: usize,
 ) {
-    let background = tile.frame.background();
+    let background = ViewBackground::of(tile.frame);
     let TileScratch { setups, transparency, pixels, .. } = scratch;
     let zero = Lanes::splat(simd, 0.0);
     let mut sum = [zero; 3];
@@ -99,7 +101,7 @@ fn shade_layers<S: Simd, const C: usize>(
         let runs = &layers.runs[layer.runs.clone()];
         let place = block::coordinates(simd, &tile.grid, at, layer.at);
         let mut shaded = Shaded::nothing(simd);
-        shade_block::shade(simd, tile.frame, setups, runs, place, &mut shaded);
+        shade::shade(simd, tile.frame, setups, runs, place, &mut shaded);
         let bits = LanesMask::from_bits(simd, layer.bits);
         let weights = of_channels(
             &layer.weights,

@@ -6,9 +6,11 @@ use glanz_math::Lanes;
 use super::block_pair::{self, Whole};
 use crate::cpu::block::{self, BLOCK};
 use crate::cpu::lighting::reflect::reflect_lanes;
-use crate::cpu::shading::shade_block::{self, Place, ShadeBlock, Shaded};
+use crate::cpu::shading::background::ViewBackground;
+use crate::cpu::shading::shade;
+use crate::cpu::shading::shade_block::{Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_batch;
-use crate::cpu::tile::draw::{Tile, TileScratch, keep_planes};
+use crate::cpu::tile::state::{Tile, TileScratch, keep_planes};
 use crate::cpu::tile::target::Codes;
 use crate::cpu::visibility::coverage_layers::Run;
 use crate::cpu::visibility::visible::Owners;
@@ -17,7 +19,7 @@ use glanz_math::inline::three;
 /// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
 #[inline(always)]
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
-    let background = tile.frame.background();
+    let background = ViewBackground::of(tile.frame);
     let mut owners = Owners::default();
     let mut waiting: Option<Whole> = None;
     tile.slot.for_each_block(
@@ -92,7 +94,7 @@ fn keep<S: Simd>(
     covered: u32,
     at: usize,
 ) {
-    let background = tile.frame.background();
+    let background = ViewBackground::of(tile.frame);
     if covered == 0 && !tile.blended {
         return;
     }
@@ -208,9 +210,9 @@ fn any_colors<S: Simd>(
         || {
             let place = block::coordinates(simd, &tile.grid, at, [0.5, 0.5]);
             let mut shaded = Shaded::nothing(simd);
-            shade_block::shade(simd, tile.frame, &scratch.setups, runs, place, &mut shaded);
+            shade::shade(simd, tile.frame, &scratch.setups, runs, place, &mut shaded);
             if tile.keeps_planes() {
-                scratch.pixels.touch(simd, &tile.frame.background(), &tile.grid, at);
+                scratch.pixels.touch(simd, &ViewBackground::of(tile.frame), &tile.grid, at);
                 keep_planes(simd, &mut scratch.pixels, &scratch.setups, &shaded, runs, at);
             }
             *out = shaded.rgb;

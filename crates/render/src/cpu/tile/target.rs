@@ -4,10 +4,10 @@ use fearless_simd::Simd;
 use glanz_math::{Lanes, SimdLevel, Twice};
 
 use crate::Develop;
+use crate::cpu::block::Grid;
 use crate::cpu::block::{self, BLOCK, SIDE};
 use crate::cpu::geometry::bins::{TILE_PIXELS, TILE_WIDTH};
 use crate::cpu::shading::background::ViewBackground;
-use crate::cpu::visibility::raster::Grid;
 use glanz_math::inline::inlined;
 use glanz_picture::DevelopKernel;
 

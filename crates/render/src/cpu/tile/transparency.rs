@@ -8,13 +8,15 @@
 use fearless_simd::Simd;
 use glanz_math::{Lanes, Real};
 
+use crate::cpu::block::Grid;
 use crate::cpu::block::{self, BLOCK};
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::TILE_PIXELS;
-use crate::cpu::shading::shade_block::{self, Shaded};
+use crate::cpu::shading::shade;
+use crate::cpu::shading::shade_block::Shaded;
 use crate::cpu::shading::triangle_setup::{Projected, TriangleSetups};
 use crate::cpu::visibility::coverage_layers::Run;
-use crate::cpu::visibility::raster::{Grid, cover};
+use crate::cpu::visibility::raster::cover;
 use crate::cpu::visibility::visible::{Visible, object_of, triangle};
 use crate::view::samples::SUBPIXEL;
 
@@ -193,7 +195,7 @@ impl TransparencyBuffer {
             }
             let place = [Lanes::load(simd, &px), Lanes::load(simd, &py)];
             let mut shaded = Shaded::nothing(simd);
-            shade_block::shade(simd, frame, setups, &runs[..count], place, &mut shaded);
+            shade::shade(simd, frame, setups, &runs[..count], place, &mut shaded);
             let mut lanes = [[0.0; BLOCK]; 7];
             let ([r, g, b], [x, y, z]) = (shaded.rgb, shaded.transmittance);
             for (array, value) in lanes.iter_mut().zip([r, g, b, shaded.alpha.clamp(0.0, 1.0), x, y, z]) {

@@ -5,16 +5,15 @@
 //! blocks of sixteen pixels: a row of sixteen blocks is tested at once for those that the triangle may
 //! touch, and these are tested pixel by pixel.
 
-use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
-use glanz_math::{Lanes, LanesMask, Real};
-
-use crate::cpu::block::{self, COLUMNS, DOWN, RIGHT, SIDE};
+use crate::cpu::block::{self, COLUMNS, DOWN, Grid, RIGHT, SIDE};
 use crate::cpu::geometry::bins::TILE_WIDTH;
 use crate::cpu::geometry::clip::fixed;
-use crate::cpu::geometry::process::{SMALL, Screen};
+use crate::cpu::geometry::screen::{SMALL, Screen};
 use crate::view::samples::SUBPIXEL;
+use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
+use glanz_math::{Lanes, LanesMask, Real};
 
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
@@ -24,31 +23,6 @@ pub(crate) struct Triangle {
     pub name: u32,
     /// The same, or the name of the extra triangle that it is.
     pub key: u32,
-}
-
-/// The tile's place in the picture, and which sample of each pixel is looked at.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Grid {
-    /// Left and top pixel of the tile.
-    pub origin: [usize; 2],
-    /// Columns and rows of the tile that are in the picture.
-    pub size: [usize; 2],
-    /// The sample's place in the pixel, in 1/256.
-    pub sample: [i32; 2],
-}
-
-impl Grid {
-    /// The sample of a pixel of the tile, in 1/256 pixel of the picture.
-    #[inline(always)]
-    fn fixed(&self, pixel: usize, axis: usize) -> i32 {
-        (self.origin[axis] + pixel) as i32 * SUBPIXEL + self.sample[axis]
-    }
-
-    /// The same in pixels.
-    #[inline(always)]
-    fn center(&self, pixel: usize, axis: usize) -> f32 {
-        (self.origin[axis] + pixel) as f32 + self.sample[axis] as f32 * (1.0 / SUBPIXEL as f32)
-    }
 }
 
 /// The depth of a triangle as a plane over the screen, limited to the range of its corners: at the
@@ -195,6 +169,7 @@ pub(crate) fn cover<S: Simd>(
 
 const STEPS: [f32; COLUMNS] =
     [0.0, 4.0, 8.0, 12.0, 16.0, 20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 44.0, 48.0, 52.0, 56.0, 60.0];
+
 const INDICES: [i32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
 
 /// A triangle of up to 64 pixels: edge functions of sixteen blocks, then of sixteen pixels, in 32 bits.

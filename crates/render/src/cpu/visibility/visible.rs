@@ -4,15 +4,17 @@ use fearless_simd::{Select, Simd, SimdBase, u32x16};
 use glanz_math::{Lanes, LanesMask, Real};
 use glanz_scene::AlphaMode;
 
+use crate::cpu::block::Grid;
 use crate::cpu::block::{self, BLOCK};
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::TILE_PIXELS;
 use crate::cpu::geometry::clip::EXTRA;
 use crate::cpu::geometry::micro_triangles::MicroSample;
-use crate::cpu::shading::shade_block::{self, Shaded};
+use crate::cpu::shading::shade;
+use crate::cpu::shading::shade_block::Shaded;
 use crate::cpu::shading::triangle_setup::{Projected, TriangleSetups};
 use crate::cpu::visibility::coverage_layers::Run;
-use crate::cpu::visibility::raster::{Grid, Triangle, cover};
+use crate::cpu::visibility::raster::{Triangle, cover};
 use crate::view::objects::Pass;
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
@@ -327,7 +329,7 @@ fn opaque_enough<S: Simd>(
         || {
             let at = block::coordinates(simd, grid, place, [0.5, 0.5]);
             let mut shaded = Shaded::nothing(simd);
-            shade_block::shade(simd, frame, setups, &[Run { setup, bits: 0xffff }], at, &mut shaded);
+            shade::shade(simd, frame, setups, &[Run { setup, bits: 0xffff }], at, &mut shaded);
             Lanes::splat(simd, cutoff).le(shaded.alpha).bits()
         },
     )
