@@ -48,7 +48,7 @@ use crate::prepare::source::Source;
 pub type TintSeries = Chebyshev<f32, 3>;
 
 /// A scene as plain arrays, ready to draw from any camera.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Prepared {
     /// The objects of the scene, in their order.
     pub objects: Vec<PreparedObject>,
