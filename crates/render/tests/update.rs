@@ -381,90 +381,90 @@ fn refused(scene: &Scene, change: fn(&mut Scene), told: &[Change]) -> String {
     error.to_string()
 }
 
+/// A change that an update refuses, what the update is told, and the message.
+type Refusal = (fn(&mut Scene), Change, &'static str);
+
+const REFUSALS: &[Refusal] = &[
+    (|_| (), Change::Light(99), "light 99 (counted from 0) is not there"),
+    (|_| (), Change::Material(99), "material 99 (counted from 0) is not there"),
+    (|_| (), Change::Object(99), "object 99 (counted from 0) is not there"),
+    (
+        |s| s.lights[POINT].colors = LightColors::all(Rgb([f32::NAN, 0.0, 0.0])),
+        Change::Light(POINT),
+        "light 3: colors must be finite numbers",
+    ),
+    (
+        |s| s.lights[POINT].colors = LightColors::all(Rgb([f32::NAN, 0.0, 0.0])),
+        Change::Colors,
+        "light 3: colors must be finite numbers",
+    ),
+    (
+        |s| s.lights[1].kind = LightKind::Directional { direction: DVec3::ZERO },
+        Change::Light(1),
+        "light 2: the direction must be finite and not zero",
+    ),
+    (
+        |s| s.materials[PHONG].base_color = Some(TextureUse::plain(9)),
+        Change::Material(PHONG),
+        "material 'shiny' names a texture that is not there",
+    ),
+    (
+        |s| s.materials[PHONG].base_color = Some(TextureUse::plain(9)),
+        Change::Colors,
+        "material 'shiny' names a texture that is not there",
+    ),
+    (
+        |s| s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into(),
+        Change::Material(PHONG),
+        "material 'shiny': tints must be finite numbers",
+    ),
+    (
+        |s| {
+            move_point(s, POINT);
+            s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into()
+        },
+        Change::Colors,
+        "material 'shiny': tints must be finite numbers",
+    ),
+    (
+        |s| s.objects[PHONG].transform.w_axis.x = f64::NAN,
+        Change::Object(PHONG),
+        "object '' has a transform with numbers that are not finite",
+    ),
+    (
+        |s| s.objects[PHONG].transform.w_axis.x = f64::NAN,
+        Change::Geometry,
+        "object '' has a transform with numbers that are not finite",
+    ),
+    (
+        |s| {
+            s.materials[GROUND].normal_map = Some(TextureUse::plain(1));
+            s.objects[PHONG].transform.w_axis.x = f64::NAN
+        },
+        Change::Material(GROUND),
+        "object '' has a transform with numbers that are not finite",
+    ),
+    (|s| s.objects[PHONG].mesh = 99, Change::Object(PHONG), "object '' names mesh 99, which is not there"),
+    (
+        |s| s.objects[PHONG].material = 99,
+        Change::Object(PHONG),
+        "object '' names material 99, which is not there",
+    ),
+    (|s| s.textures.clear(), Change::Textures, "material 'shiny' names a texture that is not there"),
+    (
+        |s| {
+            s.textures.clear();
+            s.render.shadows = false
+        },
+        Change::All,
+        "material 'shiny' names a texture that is not there",
+    ),
+];
+
 #[test]
 fn what_cannot_be_done_is_refused_and_changes_nothing() {
-    let cases: &[(fn(&mut Scene), Change, &str)] = &[
-        (|_| (), Change::Light(99), "light 99 (counted from 0) is not there"),
-        (|_| (), Change::Material(99), "material 99 (counted from 0) is not there"),
-        (|_| (), Change::Object(99), "object 99 (counted from 0) is not there"),
-        (
-            |s| s.lights[POINT].colors = LightColors::all(Rgb([f32::NAN, 0.0, 0.0])),
-            Change::Light(POINT),
-            "light 3: colors must be finite numbers",
-        ),
-        (
-            |s| s.lights[POINT].colors = LightColors::all(Rgb([f32::NAN, 0.0, 0.0])),
-            Change::Colors,
-            "light 3: colors must be finite numbers",
-        ),
-        (
-            |s| s.lights[1].kind = LightKind::Directional { direction: DVec3::ZERO },
-            Change::Light(1),
-            "light 2: the direction must be finite and not zero",
-        ),
-        (
-            |s| s.materials[PHONG].base_color = Some(TextureUse::plain(9)),
-            Change::Material(PHONG),
-            "material 'shiny' names a texture that is not there",
-        ),
-        (
-            |s| s.materials[PHONG].base_color = Some(TextureUse::plain(9)),
-            Change::Colors,
-            "material 'shiny' names a texture that is not there",
-        ),
-        (
-            |s| s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into(),
-            Change::Material(PHONG),
-            "material 'shiny': tints must be finite numbers",
-        ),
-        (
-            |s| {
-                move_point(s, POINT);
-                s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into()
-            },
-            Change::Colors,
-            "material 'shiny': tints must be finite numbers",
-        ),
-        (
-            |s| s.objects[PHONG].transform.w_axis.x = f64::NAN,
-            Change::Object(PHONG),
-            "object '' has a transform with numbers that are not finite",
-        ),
-        (
-            |s| s.objects[PHONG].transform.w_axis.x = f64::NAN,
-            Change::Geometry,
-            "object '' has a transform with numbers that are not finite",
-        ),
-        (
-            |s| {
-                s.materials[GROUND].normal_map = Some(TextureUse::plain(1));
-                s.objects[PHONG].transform.w_axis.x = f64::NAN
-            },
-            Change::Material(GROUND),
-            "object '' has a transform with numbers that are not finite",
-        ),
-        (
-            |s| s.objects[PHONG].mesh = 99,
-            Change::Object(PHONG),
-            "object '' names mesh 99, which is not there",
-        ),
-        (
-            |s| s.objects[PHONG].material = 99,
-            Change::Object(PHONG),
-            "object '' names material 99, which is not there",
-        ),
-        (|s| s.textures.clear(), Change::Textures, "material 'shiny' names a texture that is not there"),
-        (
-            |s| {
-                s.textures.clear();
-                s.render.shadows = false
-            },
-            Change::All,
-            "material 'shiny' names a texture that is not there",
-        ),
-    ];
     let scene = with_shadows(punctual(), true);
-    for (change, told, message) in cases {
+    for (change, told, message) in REFUSALS {
         assert_eq!(refused(&scene, *change, &[*told]), *message, "{told:?}");
     }
 }
