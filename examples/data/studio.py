@@ -1,4 +1,4 @@
-"""Makes studio.hdr, the surroundings of the examples: a dim room with a window, two soft boxes and a floor.
+"""Makes studio.hdr, the environment map of the examples: a dim room with a window, two soft boxes and a floor.
 
     python3 examples/data/studio.py examples/data/studio.hdr
 """

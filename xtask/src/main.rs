@@ -23,9 +23,9 @@ use lexopt::prelude::*;
 use workspace::Workspace;
 
 const HELP: &str = "\
-The chores of the Glanz workspace.
+The tasks of the Glanz workspace.
 
-Usage: cargo xtask <CHORE> [OPTIONS]
+Usage: cargo xtask <TASK> [OPTIONS]
 
   test      Set up what is missing and run every check
               --quick        only format, lint, tests and gold pictures on the narrowest path
@@ -107,10 +107,10 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
     }
     let task = task(name.as_deref(), &mut only, &mut flags)?;
     if only.is_some() {
-        return Err("this chore has no option '--only'".into());
+        return Err("this task has no option '--only'".into());
     }
     match flags.first() {
-        Some(flag) => Err(format!("this chore has no option '--{flag}'").into()),
+        Some(flag) => Err(format!("this task has no option '--{flag}'").into()),
         None => Ok(task),
     }
 }
@@ -142,7 +142,7 @@ fn task(
         }),
         Some("data") => Task::Data { check: take("check") },
         None | Some("help") => Task::Help,
-        Some(other) => return Err(format!("there is no chore '{other}'").into()),
+        Some(other) => return Err(format!("there is no task '{other}'").into()),
     })
 }
 
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn options_belong_to_their_chore() {
+    fn options_belong_to_their_task() {
         assert_eq!(
             parsed("test --quick"),
             Ok(Task::Test(test::Options { quick: true, ..Default::default() }))
@@ -165,12 +165,12 @@ mod tests {
         assert!(parsed("golden --only gold").is_err());
         assert_eq!(parsed("data --check"), Ok(Task::Data { check: true }));
         assert_eq!(parsed("golden --renew"), Ok(Task::Golden { renew: true }));
-        assert_eq!(parsed("test --renew"), Err("this chore has no option '--renew'".to_owned()));
+        assert_eq!(parsed("test --renew"), Err("this task has no option '--renew'".to_owned()));
     }
 
     #[test]
-    fn an_unknown_chore_is_named_in_the_error() {
-        assert_eq!(parsed("tset"), Err("there is no chore 'tset'".to_owned()));
+    fn an_unknown_task_is_named_in_the_error() {
+        assert_eq!(parsed("tset"), Err("there is no task 'tset'".to_owned()));
         assert!(parsed("test golden").is_err());
     }
 

@@ -65,8 +65,8 @@ pub struct ModelInfo {
     /// Whether it may read the tangent: only then must [`DirectionPair`](crate::DirectionPair) know it. Whether a shape with its
     /// parameters does is told by [`Shape::is_anisotropic`](crate::Shape::is_anisotropic).
     pub anisotropic: bool,
-    /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. It reflects surroundings
-    /// and not lights, and its `f_cos` is 0.
+    /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. Only environments
+    /// and areas show in it, not punctual lights: its `f_cos` is 0.
     pub delta: bool,
     /// About how many arithmetic operations one evaluation takes with the default parameters: sums, products, quotients,
     /// roots and choices as 1, a logarithm as 24, an exponential as 20. A test counts them.

@@ -37,7 +37,8 @@ fn kind(info: &ModelInfo) -> String {
     };
     let side = if info.side == Side::Transmission { ", light from the other side" } else { "" };
     let anisotropic = if info.anisotropic { ", anisotropic" } else { "" };
-    let width = if info.delta { ", a delta lobe: reflects surroundings only" } else { "" };
+    let width =
+        if info.delta { ", a delta lobe: one direction, lit by environments and areas only" } else { "" };
     format!("{part}{side}{anisotropic}{width}")
 }
 

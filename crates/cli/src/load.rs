@@ -4,10 +4,9 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use glam::DMat4;
-use glanz_render::{DebugView, ToneMap};
 use glanz_scene::file::{FileError, LoadOptions, Loaded, load, parse_str};
 use glanz_scene::read::{ReadError, ReadOptions, read_model};
-use glanz_scene::{Camera, RenderSettings, Scene, add_default_lights};
+use glanz_scene::{Camera, Scene, add_default_lights};
 
 use super::args::{CameraArgs, InputArgs};
 use super::print::failure::{Failure, Report, without_number};
@@ -21,12 +20,6 @@ const MODEL_MATERIAL: &str =
 pub struct Input {
     /// The scene.
     pub scene: Scene,
-    /// What the picture shows unless the command line says otherwise.
-    pub show: DebugView,
-    /// Tone mapping unless the command line says otherwise.
-    pub tone_map: ToneMap,
-    /// Exposure in stops unless the command line says otherwise.
-    pub ev: f32,
     /// Cameras of a model that can be chosen by name.
     pub cameras: Vec<(String, Camera)>,
     /// What was ignored or changed, in words.
@@ -101,18 +94,13 @@ impl InputArgs {
 impl Input {
     /// A scene made in code.
     pub fn of_stage(scene: Scene) -> Self {
-        let RenderSettings { show, tone_map, ev, .. } = scene.render;
         let (cameras, notes) = (Vec::new(), Vec::new());
-        Self { scene, show, tone_map, ev: ev as f32, cameras, notes, hash: 0, default_lights: true }
+        Self { scene, cameras, notes, hash: 0, default_lights: true }
     }
 
     fn of_scene(loaded: Loaded) -> Self {
-        let render = loaded.scene.render;
         Self {
             scene: loaded.scene,
-            show: render.show,
-            tone_map: render.tone_map,
-            ev: render.ev as f32,
             cameras: Vec::new(),
             notes: loaded.notes,
             hash: loaded.hash,

@@ -77,9 +77,9 @@ impl Plan {
     ) -> Result<Self, Failure> {
         let image = look.image(&input.scene, size);
         let camera = camera.resolve(input, (image.width, image.height))?;
-        let draw = look.draw_options(&image, input.show);
+        let draw = look.draw_options(&image, input.scene.render.show);
         let seen = look.color.resolve(&input.scene, draw.show)?;
-        let develop = develop.resolve(input)?;
+        let develop = develop.resolve(&input.scene.render)?;
         let options = ShotOptions {
             prepare: look.prepare_options(seen.observation),
             draw,

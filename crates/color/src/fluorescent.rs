@@ -60,7 +60,7 @@ pub fn fluorescents() -> &'static [FluorescentInfo] {
 fn measured(note: &PaperNote) -> Reradiation {
     let nm: Vec<f64> = (0..note.rows.len()).map(|i| note.first_nm + note.step_nm * i as f64).collect();
     Reradiation::from_measured(&nm, &nm, &note.rows.concat(), note.step_nm)
-        .expect("the notes are square and their values shares")
+        .expect("the notes are square and their values fractions")
 }
 
 /// A material that is made, not measured.

@@ -10,9 +10,9 @@ const BASE_LIMIT: f64 = 1.0 + 1e-9;
 
 /// A fluorescent substance in or on a base.
 ///
-/// **Formula.** Of the light that the base would reflect, the substance absorbs the share
+/// **Formula.** Of the light that the base would reflect, the substance absorbs the fraction
 /// a(λ) = `absorptance` · g(λ). What is left is the diagonal, ρ(λ) (1 − a(λ)). Of the absorbed photons
-/// the share `quantum_yield` is emitted with the spectrum of the emission band, whatever excited it
+/// the fraction `quantum_yield` is emitted with the spectrum of the emission band, whatever excited it
 /// (Kasha's rule, 1950):
 /// M\[out\]\[in\] = ρ(in) a(in) Q λ_in e(out) / Σ e(λ) λ, for out > in only. What the band would emit at
 /// wavelengths up to the exciting one is lost as heat (Stokes). Both bands are Gaussians over wavenumber,
@@ -29,7 +29,7 @@ pub struct Fluorophore {
     pub absorption_nm: f64,
     /// The full width of absorption at half its maximum, in nm: 10 to 300.
     pub absorption_fwhm_nm: f64,
-    /// The share that is absorbed at the strongest wavelength, of the light that the base would reflect:
+    /// The fraction that is absorbed at the strongest wavelength, of the light that the base would reflect:
     /// 0 to 1.
     pub absorptance: f64,
     /// The wavelength of strongest emission, in nm: 300 to 780, and at least `absorption_nm`.
@@ -109,7 +109,7 @@ impl Fluorophore {
         }))
     }
 
-    /// The share that is absorbed at each wavelength.
+    /// The fraction that is absorbed at each wavelength.
     pub fn absorption(&self) -> Spectrum {
         let (peak, width) = (self.absorption_nm, self.absorption_fwhm_nm);
         Spectrum::from_fn(|nm| self.absorptance * band(nm, peak, width))

@@ -117,7 +117,7 @@ impl Spectrum {
     ///
     /// A line between two samples is shared by both, more by the nearer one, so that power and centre
     /// of gravity are kept; a sample's value is its power over 5 nm. A line less than 5 nm outside of the
-    /// grid gives the grid's end its share, one further away is dropped.
+    /// grid gives the grid's end its part, one further away is dropped.
     ///
     /// # Errors
     ///
@@ -128,9 +128,9 @@ impl Spectrum {
             check_point(index, nm, power)?;
             let position = (nm - FIRST_NM) / STEP_NM;
             let left = position.floor();
-            for (sample, share) in [(left, left + 1.0 - position), (left + 1.0, position - left)] {
+            for (sample, fraction) in [(left, left + 1.0 - position), (left + 1.0, position - left)] {
                 if (0.0..SAMPLES as f64).contains(&sample) {
-                    spectrum.0[sample as usize] += power * share / STEP_NM;
+                    spectrum.0[sample as usize] += power * fraction / STEP_NM;
                 }
             }
         }

@@ -87,7 +87,7 @@ pub fn spectrum_of_light(rgb: Rgb) -> Spectrum {
     TABLES.daylight * spectrum_of_reflectance(unit) * f64::from(greatest)
 }
 
-/// The three spectra whose mixture in the shares of linear sRGB is the reflectance of a texel (Mallett and
+/// The three spectra whose mixture in the proportions of linear sRGB is the reflectance of a texel (Mallett and
 /// Yuksel 2019). Their sum is 1 at each wavelength.
 pub fn basis() -> &'static [Spectrum; 3] {
     upsample::mallett_yuksel_basis()

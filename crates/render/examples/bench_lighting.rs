@@ -1,4 +1,4 @@
-//! What surroundings and areas cost: frames of a scene with a 1024×512 environment and four area lights.
+//! What environments and areas cost: frames of a scene with a 1024×512 environment and four area lights.
 //!
 //!     cargo run --release -p glanz-render --example bench_lighting
 //!
@@ -24,10 +24,10 @@ const FRAMES: usize = 15;
 
 fn main() {
     for (name, environment, areas) in [
-        ("one lamp", false, 0),
-        ("one lamp, environment 1024×512", true, 0),
-        ("one lamp, 4 rectangles", false, 4),
-        ("one lamp, environment 1024×512, 4 rectangles", true, 4),
+        ("one directional light", false, 0),
+        ("one directional light, environment 1024×512", true, 0),
+        ("one directional light, 4 rectangles", false, 4),
+        ("one directional light, environment 1024×512, 4 rectangles", true, 4),
     ] {
         measure(name, &scene(environment, areas));
     }
@@ -50,7 +50,7 @@ fn measure(name: &str, scene: &Scene) {
         .collect();
     times.sort_by(f64::total_cmp);
     println!(
-        "{{\"table\":\"Surroundings and areas, 1920×1080, all threads\",\"name\":\"{name}\",\"prepare, ms\":{preparing:.0},\
+        "{{\"table\":\"Environments and areas, 1920×1080, all threads\",\"name\":\"{name}\",\"prepare, ms\":{preparing:.0},\
          \"ms\":{:.1},\"least\":{:.1},\"greatest\":{:.1}}}",
         times[FRAMES / 2],
         times[0],

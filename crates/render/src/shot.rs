@@ -76,10 +76,11 @@ impl ShotOptions {
             draw: DrawOptions {
                 samples: image.samples,
                 supersample: image.supersample,
+                show: scene.render.show,
                 ..DrawOptions::new(image.background)
             },
-            ev: 0.0,
-            tone_map: ToneMap::default(),
+            ev: scene.render.ev as f32,
+            tone_map: scene.render.tone_map,
             dither: false,
             white: scene.render.white,
             size: (image.width, image.height),

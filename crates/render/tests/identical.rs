@@ -26,8 +26,6 @@ use glanz_scene::{
 
 const WIDTH: u32 = 150;
 const HEIGHT: u32 = 101;
-/// All names that a level can have; a machine has some of them.
-const LEVELS: [&str; 6] = ["scalar", "sse2", "avx2", "avx512", "neon", "simd128"];
 
 /// A scene with what makes drawing take different ways: several objects, all lights, vertices behind
 /// the eye, textures, masks and blending.
@@ -59,7 +57,7 @@ fn scene(shading: Shading, interpolation: Interpolation) -> Scene {
     scene
 }
 
-/// A scene of what the classic models do not have: grain, coats, panes and what shines through, under surroundings,
+/// A scene of what the classic models do not have: anisotropy, coats, panes and transmittance, under an environment,
 /// surfaces that shine, a luminaire, and with shadows.
 fn matter(shading: Shading) -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
@@ -69,8 +67,8 @@ fn matter(shading: Shading) -> Scene {
     let gold = || Tint::Ior(Arc::new(glanz_color::ior("Au").unwrap()));
     let lambert = || Lobe::new(shape("lambert", &[]), Rgb([0.5, 0.2, 0.1]));
     let ward = shape("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
-    let grain =
-        Material { aniso: 0.7, ..Material::of_lobes("grain", vec![Lobe::new(ward, gold()), lambert()]) };
+    let brushed =
+        Material { aniso: 0.7, ..Material::of_lobes("brushed", vec![Lobe::new(ward, gold()), lambert()]) };
     let coated =
         Material::of_lobes("coated", vec![lambert(), Lobe::new(shape("ggx", &[("alpha", 0.3)]), gold())])
             .under_coat(&Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() })
@@ -94,7 +92,7 @@ fn matter(shading: Shading) -> Scene {
     );
     window.transmittance = Some(Transmittance::Pane(Arc::new(pane)));
     let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
-    add(&mut scene, sphere(24, 12), grain, at(-0.9, 0.1, 0.0));
+    add(&mut scene, sphere(24, 12), brushed, at(-0.9, 0.1, 0.0));
     add(&mut scene, sphere(24, 12), coated, at(0.9, 0.0, -0.4));
     add(&mut scene, rectangle([-0.5, -0.2, 0.4, 0.6], 0.8), leaf, DMat4::IDENTITY);
     add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window, DMat4::IDENTITY);

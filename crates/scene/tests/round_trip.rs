@@ -93,14 +93,42 @@ fn every_scene_of_examples_and_gold_pictures_survives() {
 }
 
 #[test]
-fn every_model_of_the_examples_survives() {
-    for entry in std::fs::read_dir(workspace().join("examples/models")).expect("the folder is there") {
-        let path = entry.expect("an entry").path();
-        let Ok(model) = read_model(&path, &ReadOptions::default()) else { continue };
-        let mut scene = Scene::default();
-        model.append_to(&mut scene, DMat4::IDENTITY, None, true);
-        assert_same(&scene, &saved_and_loaded(&scene), &path.display().to_string());
+fn models_survive() {
+    let mut triangles = 0;
+    for folder in ["examples/models", "crates/render/tests/golden/scenes"] {
+        for entry in std::fs::read_dir(workspace().join(folder)).expect("the folder is there") {
+            let path = entry.expect("an entry").path();
+            let Ok(model) = read_model(&path, &ReadOptions::default()) else { continue };
+            let mut scene = Scene::default();
+            model.append_to(&mut scene, DMat4::IDENTITY, None, true);
+            triangles += scene.meshes.iter().map(Mesh::triangle_count).sum::<usize>();
+            assert_same(&scene, &saved_and_loaded(&scene), &path.display().to_string());
+        }
     }
+    assert!(triangles > 100, "{triangles} triangles");
+}
+
+#[test]
+fn a_side_file_of_another_length_is_refused() {
+    let folder = Folder::new();
+    let mesh = Builtin::Sphere { radius: 1.0, slices: 16, stacks: 8 }.mesh().expect("in range");
+    let scene = Scene { meshes: vec![mesh], ..Scene::default() };
+    let path = folder.0.join("ball.toml");
+    save(&path, &scene).expect("it can be written");
+    let written = write(&scene, "ball-data").expect("it can be written");
+    let [(name, bytes)] = &written.files[..] else { panic!("{} files", written.files.len()) };
+    std::fs::write(folder.0.join(name), &bytes[4..]).expect("the file is there");
+    let error = load(&path, &LoadOptions::default()).expect_err("a word is missing");
+    assert!(error.message.contains("expected") && error.message.contains("bytes"), "{error}");
+}
+
+#[test]
+fn the_old_name_of_transmittance_is_read_with_a_remark() {
+    let text = "[materials.a]\ndiffuse = 0.5\nsee_through = 0.25\n";
+    let loaded = file::parse_str(text, Path::new(""), &LoadOptions::default()).expect("it is valid");
+    assert_eq!(loaded.notes, ["material 'a': 'see_through' is now 'transmittance'"]);
+    let seen = loaded.scene.materials[0].transmittance.as_ref();
+    assert_eq!(seen, Some(&Transmittance::Constant(Tint::Rgb(Rgb::gray(0.25)))));
 }
 
 #[test]

@@ -104,9 +104,9 @@ impl Subject for Broken {
         (level == "sse2").then_some(values)
     }
     fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
-        let share = if self.fault == Fault::ThinFacets { 0.99 } else { 1.0 };
+        let fraction = if self.fault == Fault::ThinFacets { 0.99 } else { 1.0 };
         let n = self.shininess;
-        Some(share * (n + 2.0) / (2.0 * PI) * libm::pow(half.z.max(0.0), n))
+        Some(fraction * (n + 2.0) / (2.0 * PI) * libm::pow(half.z.max(0.0), n))
     }
 }
 

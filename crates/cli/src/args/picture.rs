@@ -2,9 +2,9 @@
 
 use clap::{Args, ValueEnum};
 use glanz_render::{Develop, ToneMap};
+use glanz_scene::RenderSettings;
 
 use super::choices;
-use crate::load::Input;
 use crate::print::failure::Failure;
 
 /// Bits per channel of a PNG.
@@ -38,14 +38,14 @@ pub struct DevelopArgs {
 
 impl DevelopArgs {
     /// The settings, checked: those of the scene where the command line has none.
-    pub fn resolve(self, input: &Input) -> Result<Develop, Failure> {
-        let ev = self.ev.unwrap_or(input.ev);
+    pub fn resolve(self, settings: &RenderSettings) -> Result<Develop, Failure> {
+        let ev = self.ev.unwrap_or(settings.ev as f32);
         if !(-64.0..=64.0).contains(&ev) {
             return Err(Failure::Usage(format!("--ev is {ev}, but must be between -64 and 64 stops")));
         }
         Ok(Develop {
             ev,
-            tone_map: self.tone_map.unwrap_or(input.tone_map),
+            tone_map: self.tone_map.unwrap_or(settings.tone_map),
             dither: self.dither,
             to_screen: None,
         })

@@ -132,7 +132,7 @@ impl ModesArgs {
 
     /// The exposure at which differences are judged.
     fn look_ev(&self, input: &Input) -> Result<f32, Failure> {
-        Ok(self.develop.resolve(input)?.ev)
+        Ok(self.develop.resolve(&input.scene.render)?.ev)
     }
 
     /// Whether someone else looks than the standard observer.

@@ -2,7 +2,7 @@
 
 use crate::folder::{Folder, SCENE, command};
 
-/// Snapshots the failure of `glanz render` with these words on the scene of the house.
+/// Snapshots the failure of `glanz render` with these words on the usual scene.
 macro_rules! fails {
     ($($name:ident: $words:expr;)+) => {
         $(#[test]

@@ -8,6 +8,7 @@ mod comparisons;
 mod errors;
 mod folder;
 mod help;
+mod library;
 mod lobes;
 mod materials;
 mod models;

@@ -10,7 +10,7 @@ pub struct Png {
     pub width: usize,
     pub height: usize,
     bits: u8,
-    rgba: Vec<u8>,
+    pub rgba: Vec<u8>,
 }
 
 impl Png {

@@ -221,7 +221,7 @@ fn what_makes_no_sense_is_said() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
-/// The stated error of what is seen through coloured things: a green pane before a coloured room is off by 1.
+/// The stated error of transmittance: a green pane before a coloured room is off by 1.
 const THROUGH_COLOURS: f64 = 1.5;
 
 /// What the mode `reference` is for: every example, drawn small, by table and by pairs of wavelengths.

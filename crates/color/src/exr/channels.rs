@@ -7,7 +7,7 @@ use crate::units::{SPEED_OF_LIGHT, frequency_hz};
 pub(super) enum ChannelKind {
     /// A Stokes component of light, 0 to 3.
     Emissive(u8, f64),
-    /// A share of light.
+    /// A fraction of light.
     Reflective(f64),
     /// Re-radiation from the first to the second wavelength.
     Bispectral(f64, f64),

@@ -5,7 +5,7 @@
 //! the kind of value and the wavelength with a decimal comma, since a point would begin a group.
 //!
 //! * `S0.550,000000nm`: light. S1 to S3, its polarisation, are left out with a remark.
-//! * `T.550,000000nm`: the share of light that a surface gives back, or a medium lets through.
+//! * `T.550,000000nm`: the fraction of light that a surface gives back, or a medium lets through.
 //! * `T.380,000000nm.550,000000nm`: re-radiation, from an excitation to an emission; its diagonal is in `T`.
 //! * `R`, `G`, `B`: a preview for programs that know no spectra.
 //!

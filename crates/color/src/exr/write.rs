@@ -61,8 +61,8 @@ pub fn write_spectral_exr(out: impl Write + Seek, image: SpectralImage) -> Resul
 fn planes(image: SpectralImage) -> impl Iterator<Item = (String, Vec<f32>)> {
     let rgb = image.rgb.into_iter().flat_map(|rgb| ["R", "G", "B"].map(str::to_owned).into_iter().zip(rgb));
     let light = image.emissive.into_iter().map(|band| (channels::emissive(band.nm), band.values));
-    let share = image.reflective.into_iter().map(|band| (channels::reflective(band.nm), band.values));
+    let reflective = image.reflective.into_iter().map(|band| (channels::reflective(band.nm), band.values));
     let pairs = image.reradiation.into_iter();
     let pairs = pairs.map(|band| (channels::bispectral(band.in_nm, band.out_nm), band.values));
-    rgb.chain(light).chain(share).chain(pairs)
+    rgb.chain(light).chain(reflective).chain(pairs)
 }

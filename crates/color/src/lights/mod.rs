@@ -52,8 +52,8 @@ pub fn light(name: &str) -> Result<Spectrum, UnknownName> {
 
 fn mixture(parts: &[&str]) -> Result<Spectrum, UnknownName> {
     let lights = parts.iter().map(|part| single(part)).collect::<Result<Vec<_>, _>>()?;
-    let share = lights[0].integral() / lights.len() as f64;
-    Ok(lights.into_iter().map(|light| light * (share / light.integral())).fold(Spectrum::ZERO, |a, b| a + b))
+    let each = lights[0].integral() / lights.len() as f64;
+    Ok(lights.into_iter().map(|light| light * (each / light.integral())).fold(Spectrum::ZERO, |a, b| a + b))
 }
 
 /// A light that is no mixture.

@@ -3,7 +3,7 @@
 //! Lines of keywords, then fields between `BEGIN_DATA_FORMAT` and `END_DATA_FORMAT`, then a line for each
 //! sample between `BEGIN_DATA` and `END_DATA`; a file may hold several such tables. Spectral values are
 //! in fields with a wavelength in their names (`SPECTRAL_NM380`, `SPECTRAL_NM_380`, `SPEC_380`, `nm380`)
-//! or in pairs of `SPECTRAL_NM` and `SPECTRAL_DEC` (shares) or `SPECTRAL_PCT` (per cent). Other fields are
+//! or in pairs of `SPECTRAL_NM` and `SPECTRAL_DEC` (fractions) or `SPECTRAL_PCT` (per cent). Other fields are
 //! skipped; samples are named by `SAMPLE_NAME`, else `SAMPLE_ID`. Values are taken for reflectance, unless
 //! a keyword speaks of emission.
 

@@ -233,7 +233,7 @@ fn layout(
     Ok((scale, (0..count).map(column).collect()))
 }
 
-/// Brings the values of a column to shares and densities per nm, and into ascending order.
+/// Brings the values of a column to fractions and densities per nm, and into ascending order.
 fn settle_column(spectrum: &mut NamedSpectrum, column: &Column, scale: Scale, falling: bool) {
     if falling {
         spectrum.nm.reverse();
@@ -242,7 +242,7 @@ fn settle_column(spectrum: &mut NamedSpectrum, column: &Column, scale: Scale, fa
     if column.is_percent() {
         spectrum.values.iter_mut().for_each(|value| *value /= 100.0);
         if spectrum.quantity == Quantity::Unknown {
-            note(&mut spectrum.notes, "values in per cent, given as shares");
+            note(&mut spectrum.notes, "values in per cent, given as fractions");
         }
     }
     if scale == Scale::Unknown {
@@ -274,7 +274,7 @@ fn drop_empty(spectra: &mut Vec<NamedSpectrum>, file: &str) -> Result<(), ReadEr
     Ok(())
 }
 
-/// Shares of a table in per cent, said or seen.
+/// Fractions of a table in per cent, said or seen.
 fn finish(spectra: &mut [NamedSpectrum], percent: bool) {
     if percent {
         spectra.iter_mut().flat_map(|spectrum| &mut spectrum.values).for_each(|value| *value /= 100.0);

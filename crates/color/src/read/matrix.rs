@@ -2,7 +2,7 @@
 //!
 //! The first line holds a word, or nothing, and then the wavelengths of excitation; each line after it a
 //! wavelength of emission and then the values. Separators and comments are as for spectra. The unit of
-//! wavelength may stand in the first field (nm if none does), as may `%`. Values are shares of the incident light per
+//! wavelength may stand in the first field (nm if none does), as may `%`. Values are fractions of the incident light per
 //! emission band, whose width is the step of the lines.
 
 use super::csv::stem;
@@ -48,7 +48,7 @@ pub fn read_matrix_csv(bytes: &[u8], file: &str) -> Result<NamedReradiation, Rea
     Ok(matrix)
 }
 
-/// Takes the width of a band from the emission, and brings per cent to shares.
+/// Takes the width of a band from the emission, and brings per cent to fractions.
 fn settle(matrix: &mut NamedReradiation, table: &Table<'_>, percent: bool) -> Result<(), ReadError> {
     let Some((band, even)) = step(&matrix.out_nm) else {
         let found = format!("{}", matrix.out_nm.len());

@@ -8,11 +8,11 @@ pub enum Quantity {
     /// The file does not say.
     #[default]
     Unknown,
-    /// The share of light that comes back: 0 to 1, more with fluorescence.
+    /// The fraction of light that comes back: 0 to 1, more with fluorescence.
     Reflectance,
-    /// The share of light that passes.
+    /// The fraction of light that passes.
     Transmittance,
-    /// The share of light that stays.
+    /// The fraction of light that stays.
     Absorptance,
     /// Light of some unit; see the spectrum's `unit`.
     Light,
@@ -40,7 +40,7 @@ impl Quantity {
         }
     }
 
-    /// Whether the values are shares of light, so that per cent can be told from them.
+    /// Whether the values are fractions of light, so that per cent can be told from them.
     pub fn is_ratio(self) -> bool {
         matches!(self, Self::Reflectance | Self::Transmittance | Self::Absorptance)
     }
@@ -57,7 +57,7 @@ pub struct NamedSpectrum {
     pub name: String,
     /// The wavelengths in nm, ascending, at least one.
     pub nm: Vec<f64>,
-    /// A value for each wavelength; shares of light from 0 to 1, not in per cent.
+    /// A value for each wavelength; fractions of light from 0 to 1, not in per cent.
     pub values: Vec<f64>,
     /// What the values are.
     pub quantity: Quantity,
@@ -71,8 +71,8 @@ pub struct NamedSpectrum {
 impl NamedSpectrum {
     /// The spectrum on the grid, and in words what lay outside of it or was missing.
     ///
-    /// Beyond its ends a share of light is held, any other spectrum is 0, unless `outside` says otherwise.
-    /// Values below 0 are noise, and become 0, down to −0.02 of the greatest value, or of 1 for shares of
+    /// Beyond its ends a fraction of light is held, any other spectrum is 0, unless `outside` says otherwise.
+    /// Values below 0 are noise, and become 0, down to −0.02 of the greatest value, or of 1 for fractions of
     /// light.
     ///
     /// # Errors
@@ -111,7 +111,7 @@ impl NamedSpectrum {
         self.resampled(&self.values, Some(Outside::Zero))
     }
 
-    /// What noise is measured by: the greatest value; for shares of light at least the white, 1.
+    /// What noise is measured by: the greatest value; for fractions of light at least the white, 1.
     fn scale(&self) -> f64 {
         let white = if self.quantity.is_ratio() { 1.0 } else { 0.0 };
         self.values.iter().copied().fold(white, f64::max)
@@ -165,11 +165,11 @@ pub(super) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
     }
 }
 
-/// Shares of light beyond this are in per cent: even fluorescent materials hardly give back twice the
+/// Fractions of light beyond this are in per cent: even fluorescent materials hardly give back twice the
 /// light of a wavelength, and a table in per cent stays below it only for black.
 const GREATEST_SHARE: f64 = 2.0;
 
-/// Turns per cent to shares where a file has shares of light that exceed 2, and says so. All spectra
+/// Turns per cent to fractions where a file has fractions of light that exceed 2, and says so. All spectra
 /// of a file are judged together, for a black sample in per cent looks like a grey one.
 pub(super) fn settle_percent(spectra: &mut [NamedSpectrum]) {
     let judged = |spectrum: &NamedSpectrum| spectrum.quantity.is_ratio() && spectrum.unit.is_empty();
@@ -180,6 +180,6 @@ pub(super) fn settle_percent(spectra: &mut [NamedSpectrum]) {
     }
     for spectrum in spectra.iter_mut().filter(|spectrum| judged(spectrum)) {
         spectrum.values.iter_mut().for_each(|value| *value /= 100.0);
-        note(&mut spectrum.notes, format!("shares of light up to {greatest} taken as per cent"));
+        note(&mut spectrum.notes, format!("fractions of light up to {greatest} taken as per cent"));
     }
 }

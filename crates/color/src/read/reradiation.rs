@@ -11,7 +11,7 @@ pub struct NamedReradiation {
     pub out_nm: Vec<f64>,
     /// The wavelengths of excitation in nm, ascending.
     pub in_nm: Vec<f64>,
-    /// A row for each wavelength of emission, in it a value for each of excitation: the share of the
+    /// A row for each wavelength of emission, in it a value for each of excitation: the fraction of the
     /// incident light that leaves within the band of emission.
     pub values: Vec<f64>,
     /// The width of the band of emission that a value stands for, in nm.

@@ -115,7 +115,7 @@ fn a_csv_may_hold_a_spectrum_in_each_row() {
 fn per_cent_is_told_from_shares_for_all_spectra_of_a_file() {
     let table = spectra("nm,black reflectance,white reflectance\n400,1,90\n410,1,95\n");
     assert_eq!((table[0].values[0], table[1].values[1]), (0.01, 0.95));
-    assert_eq!(table[0].notes, ["shares of light up to 95 taken as per cent"]);
+    assert_eq!(table[0].notes, ["fractions of light up to 95 taken as per cent"]);
     assert_eq!(spectra("nm,lamp\n400,90\n410,95\n")[0].values, [90.0, 95.0]);
 }
 

@@ -16,7 +16,7 @@ impl<'a> Axis<'a> {
         Self { nm }
     }
 
-    /// Weights on the line between neighbours: never negative, and what is measured as a share of light
+    /// Weights on the line between neighbours: never negative, and what is measured as a fraction of light
     /// is given to all of the light between, once.
     pub(super) fn linear(&self, nm: f64) -> Weights {
         match self.place(nm) {

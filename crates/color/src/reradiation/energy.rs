@@ -11,20 +11,20 @@ const SUM_TOLERANCE: f64 = 0.01;
 /// instrument's bands reach 0.071.
 const UP_CONVERSION_NOISE: f64 = 0.1;
 
-/// What the conservation of energy says of a re-radiation matrix. Shares are of the light that comes in.
+/// What the conservation of energy says of a re-radiation matrix. Fractions are of the light that comes in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyReport {
-    /// The greatest share of energy that leaves: the greatest sum of a column.
+    /// The greatest fraction of energy that leaves: the greatest sum of a column.
     pub max_column_sum: f64,
     /// The wavelength of incidence at which it is reached, in nm.
     pub at_nm: f64,
-    /// The greatest share of photons that leave: the greatest of Σ M\[out\]\[in\] λ_out / λ_in, since a
+    /// The greatest fraction of photons that leave: the greatest of Σ M\[out\]\[in\] λ_out / λ_in, since a
     /// photon's energy is h c / λ. With emission at longer wavelengths it is the stricter bound: each
     /// photon that comes in gives at most one.
     pub max_photon_sum: f64,
     /// The wavelength of incidence at which it is reached, in nm.
     pub photons_at_nm: f64,
-    /// The greatest share of energy that leaves at shorter wavelengths than it came in. Fluorescence
+    /// The greatest fraction of energy that leaves at shorter wavelengths than it came in. Fluorescence
     /// gives none (Stokes); measurements show noise.
     pub up_conversion: f64,
     /// Whether both sums are at most 1.01, up-conversion is at most 0.1, and no entry is negative or

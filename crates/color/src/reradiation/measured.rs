@@ -1,6 +1,6 @@
 //! Re-radiation as an instrument measures it, carried over to the grid.
 //!
-//! An instrument with bands of width b gives for every pair of wavelengths the share of the light that
+//! An instrument with bands of width b gives for every pair of wavelengths the fraction of the light that
 //! leaves within b around `out`. Two things of different kinds are in such a matrix, and they are
 //! resampled differently:
 //!
@@ -73,7 +73,7 @@ pub enum MeasuredError {
     },
     /// A value that no material has.
     #[error(
-        "expected values from -0.1 to 2, as shares of the incident light, \
+        "expected values from -0.1 to 2, as fractions of the incident light, \
          found {found} at an emission of {out_nm} nm, excitation {in_nm} nm"
     )]
     Value {

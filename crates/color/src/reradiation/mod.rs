@@ -1,9 +1,9 @@
 //! Re-radiation: light that comes back at another wavelength than it came in.
 //!
-//! A Donaldson matrix M\[out\]\[in\] says what share of the light that comes in at one wavelength goes
+//! A Donaldson matrix M\[out\]\[in\] says what fraction of the light that comes in at one wavelength goes
 //! out at another. L(out) = Σ M\[out\]\[in\] E(in) then holds for spectra of any scale, with one rule
-//! that all of this module keeps: an entry is *per emission band*, the share of the light around `in`
-//! that leaves within the band of 5 nm around `out`. So the sum of a column is a share of energy, and a
+//! that all of this module keeps: an entry is *per emission band*, the fraction of the light around `in`
+//! that leaves within the band of 5 nm around `out`. So the sum of a column is a fraction of energy, and a
 //! matrix of other bands must be resampled, not only read at other wavelengths (see `measured`).
 
 mod axis;

@@ -58,7 +58,7 @@ fn heat_map(page: &mut Page, name: &str, matrix: &Reradiation) {
         page,
         96.0,
         name,
-        "Re-radiation: share of the light of each wavelength that leaves at each other, per 5 nm",
+        "Re-radiation: fraction of the light of each wavelength that leaves at each other, per 5 nm",
     );
     let axis = |label: &str| Axis::exact(label, (FIRST_NM, LAST_NM), 5);
     let (x, y) = (axis("wavelength of incidence in nm"), axis(""));

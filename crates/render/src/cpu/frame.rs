@@ -27,7 +27,7 @@ pub(crate) struct ObjectView {
     /// The anchor along right, up and away from the eye.
     pub anchor: [f32; 3],
     pub polygons: Option<PolygonView>,
-    /// Whether [`ShadeBlock::simple`](super::group::ShadeBlock::simple) gives its colours.
+    /// Whether [`ShadeBlock::simple`](ShadeBlock::simple) gives its colours.
     pub simple: bool,
 }
 

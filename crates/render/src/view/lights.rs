@@ -48,7 +48,7 @@ pub struct ViewCone {
 /// What a luminaire sends into each direction.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewLuminaire<'a> {
-    /// Shares of the greatest intensity.
+    /// Fractions of the greatest intensity.
     pub intensities: &'a IntensityGrid,
     /// Rows: C 0°, C 90°, γ 0°.
     pub frame: [[f32; 3]; 3],

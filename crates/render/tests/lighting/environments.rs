@@ -1,4 +1,4 @@
-//! Surroundings.
+//! Environments.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ fn map(value: impl Fn(DVec3) -> f64) -> Arc<EnvironmentMap> {
     Arc::new(EnvironmentMap { width, height, pixels: (0..width * height).map(pixel).collect() })
 }
 
-fn surroundings(map: Option<Arc<EnvironmentMap>>) -> Light {
+fn environment(map: Option<Arc<EnvironmentMap>>) -> Light {
     white(LightKind::Environment { map, rotation: DMat3::IDENTITY })
 }
 
@@ -69,7 +69,7 @@ fn errors_of_a_room_with_a_window_are_as_stated() {
         let mut worst = [Worst::default(), Worst::default()];
         for degrees in VIEWS {
             let mut scene = surface(&shape, degrees);
-            scene.lights.push(surroundings(Some(Arc::clone(&map))));
+            scene.lights.push(environment(Some(Arc::clone(&map))));
             let (got, expected) = (value(&scene), by_sum(&map, &shape, degrees));
             let error = (got - expected) / map.mean()[0];
             let flat = usize::from(degrees > 60.0);
@@ -85,13 +85,13 @@ fn errors_of_a_room_with_a_window_are_as_stated() {
 }
 
 #[test]
-fn uniform_surroundings_are_the_white_furnace() {
+fn uniform_environments_are_the_white_furnace() {
     for (name, shape) in lobes() {
         for degrees in VIEWS {
             let expected = glanz_bsdf::albedo(&shape, degrees.to_radians().cos());
             for map in [None, Some(map(|_| 1.0))] {
                 let mut scene = surface(&shape, degrees);
-                scene.lights.push(surroundings(map));
+                scene.lights.push(environment(map));
                 let got = value(&scene);
                 assert!((got - expected).abs() < 2e-3, "{name}, {degrees}°: {got} for {expected}");
             }
@@ -104,7 +104,7 @@ fn a_mirror_shows_what_is_there() {
     let ramp = |d: DVec3| 0.5 + 0.4 * d.x + 0.05 * d.y;
     for degrees in VIEWS {
         let mut scene = surface(&shape("mirror", &[]), degrees);
-        scene.lights.push(surroundings(Some(map(ramp))));
+        scene.lights.push(environment(Some(map(ramp))));
         let (sin, cos) = degrees.to_radians().sin_cos();
         let (got, expected) = (value(&scene), ramp(DVec3::new(-sin, 0.0, cos)));
         assert!((got - expected).abs() < 1e-3, "{degrees}°: {got} for {expected}");
@@ -116,7 +116,7 @@ fn refraction_bends_the_line_of_sight() {
     let ramp = |d: DVec3| 0.5 + 0.4 * d.x;
     for (degrees, eta) in [(0.0_f64, 1.5), (40.0, 1.5), (70.0, 1.33)] {
         let mut scene = surface(&shape("refraction", &[("eta", eta)]), degrees);
-        scene.lights.push(surroundings(Some(map(ramp))));
+        scene.lights.push(environment(Some(map(ramp))));
         let sin = degrees.to_radians().sin() / eta;
         let (got, expected) = (value(&scene), ramp(DVec3::new(-sin, 0.0, -(1.0 - sin * sin).sqrt())));
         assert!((got - expected).abs() < 1e-3, "{degrees}°, {eta}: {got} for {expected}");
@@ -124,10 +124,10 @@ fn refraction_bends_the_line_of_sight() {
 }
 
 #[test]
-fn the_background_shows_the_surroundings_in_their_direction() {
+fn the_background_shows_the_environment_in_their_direction() {
     let ramp = |d: DVec3| 0.5 + 0.3 * d.x + 0.1 * d.y - 0.05 * d.z;
     let mut scene = empty(common::camera(5.0, 60.0));
-    scene.lights.push(surroundings(Some(map(ramp))));
+    scene.lights.push(environment(Some(map(ramp))));
     scene.image.background = Background::Environment;
     let mut options = transparent();
     options.background = Background::Environment;
@@ -142,10 +142,10 @@ fn the_background_shows_the_surroundings_in_their_direction() {
 }
 
 #[test]
-fn turning_the_surroundings_turns_what_is_seen() {
+fn turning_the_environment_turns_what_is_seen() {
     let ramp = |d: DVec3| 0.5 + 0.4 * d.x;
     let mut scene = surface(&shape("mirror", &[]), 40.0);
-    let mut light = surroundings(Some(map(ramp)));
+    let mut light = environment(Some(map(ramp)));
     let LightKind::Environment { rotation, .. } = &mut light.kind else { unreachable!() };
     *rotation = DMat3::from_rotation_z(90.0_f64.to_radians());
     scene.lights.push(light);

@@ -9,9 +9,9 @@
 mod common;
 
 mod areas;
+mod environments;
 mod panes;
 mod shadows;
-mod environments;
 
 use common::{add, empty, picture, rectangle, transparent};
 use glam::{DMat4, DVec3};

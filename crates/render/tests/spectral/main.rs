@@ -162,10 +162,10 @@ fn a_metal_reflects_by_fresnels_law_at_every_wavelength() {
         let direction = DVec3::new(-libm::sin(angle), 0.0, -libm::cos(angle));
         scene.lights[0].kind = LightKind::Directional { direction };
         let cosine = libm::cos(0.5 * angle);
-        let share = Spectrum(core::array::from_fn(|i| fresnel_conductor(cosine, gold.eta[i], gold.k[i])));
+        let fraction = Spectrum(core::array::from_fn(|i| fresnel_conductor(cosine, gold.eta[i], gold.k[i])));
         // (n + 2)/2 · (R·V) · cosθ for n = 1, where R·V = cosθ.
         let lobe = 1.5 * libm::cos(angle) * libm::cos(angle);
-        let expected = xyz(&(unit("D65") * share)).map(|v| v * lobe);
+        let expected = xyz(&(unit("D65") * fraction)).map(|v| v * lobe);
         let frame = seen(&scene, ColorMode::Spectral, 4);
         assert_near(frame.pixel(1, 1), expected, 1e-5, &format!("gold at {degrees}°"));
     }

@@ -121,20 +121,20 @@ fn texels_mix_three_spectra_and_show_their_own_rgb_under_daylight() {
     let frame = seen(&scene, ColorMode::Spectral, 4);
     let texel = code(3, 2).map(glanz_color::srgb_decode_u8);
     let [r, g, b] = rgb_spectra::basis();
-    let share = *r * f64::from(texel[0]) + *g * f64::from(texel[1]) + *b * f64::from(texel[2]);
-    assert_near(frame.pixel(3, 2), xyz(&(unit("A") * share)), 5e-6, "a texel under A");
+    let fraction = *r * f64::from(texel[0]) + *g * f64::from(texel[1]) + *b * f64::from(texel[2]);
+    assert_near(frame.pixel(3, 2), xyz(&(unit("A") * fraction)), 5e-6, "a texel under A");
 }
 
 #[test]
 fn meyers_samples_are_four_products_and_their_weights() {
     let scene = faced(matte(patch("orange")), &unit("A"));
     let light = sample(&unit("A"));
-    let share = sample(&reflectance("orange").unwrap());
+    let fraction = sample(&reflectance("orange").unwrap());
     let scale = rgb_spectra::luminance_of_equal_energy();
-    let products = core::array::from_fn(|i| light[i] * share[i]);
+    let products = core::array::from_fn(|i| light[i] * fraction[i]);
     let published = MeyerSamples::published().xyz(products).map(|v| v * scale);
     assert_near(seen(&scene, ColorMode::Meyer, 4).pixel(1, 1), published, ROUNDING, "published");
-    let adapted = MeyerSamples::adapted(&unit("A")).xyz(share).map(|v| v * scale);
+    let adapted = MeyerSamples::adapted(&unit("A")).xyz(fraction).map(|v| v * scale);
     assert_near(seen(&scene, ColorMode::MeyerAdapted, 4).pixel(1, 1), adapted, ROUNDING, "adapted");
 }
 
@@ -144,11 +144,11 @@ fn adapted_weights_are_each_lights_own() {
     let mut other = scene.lights[0].clone();
     other.colors = glanz_scene::LightColors::all(LightColor::Spectrum(Arc::new(unit("D75"))));
     scene.lights.push(other);
-    let share = sample(&reflectance("cyan").unwrap());
+    let fraction = sample(&reflectance("cyan").unwrap());
     let scale = rgb_spectra::luminance_of_equal_energy();
     let mut expected = [0.0; 3];
     for source in ["A", "D75"] {
-        let xyz = MeyerSamples::adapted(&unit(source)).xyz(share);
+        let xyz = MeyerSamples::adapted(&unit(source)).xyz(fraction);
         expected.iter_mut().zip(xyz).for_each(|(sum, v)| *sum += v * scale);
     }
     assert_near(seen(&scene, ColorMode::MeyerAdapted, 4).pixel(1, 1), expected, ROUNDING, "two lights");

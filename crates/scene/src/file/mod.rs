@@ -108,13 +108,18 @@ fn read_text(path: &Path) -> Result<String, String> {
 
 fn parse(path: &Path, text: &str, base: &Path, options: &LoadOptions) -> Result<Loaded, FileError> {
     let mut source = Source::new(path, text);
+    check_length(path, text)?;
+    let sets = sets::collect(&mut source, &options.sets);
+    let result = sets.and_then(|sets| understand(text, &sets, base, options.allow_outside));
+    result.map_err(|problem| source.error(problem))
+}
+
+fn check_length(path: &Path, text: &str) -> Result<(), FileError> {
     if text.len() as u64 > MAX_BYTES {
         let message = format!("expected a scene of at most {MAX_BYTES} bytes, found {}", text.len());
         return Err(FileError::whole(path, message));
     }
-    let sets = sets::collect(&mut source, &options.sets);
-    let result = sets.and_then(|sets| understand(text, &sets, base, options.allow_outside));
-    result.map_err(|problem| source.error(problem))
+    Ok(())
 }
 
 /// The document with its overrides, not yet understood.
@@ -128,6 +133,7 @@ fn read_document<'i>(text: &'i str, sets: &'i [sets::Override]) -> Result<Spanne
 
 /// That a text is a scene file as far as can be told without the files that it names.
 fn check_text(text: &str) -> Result<(), FileError> {
+    check_length(Path::new("scene"), text)?;
     let source = Source::new(Path::new("scene"), text);
     read_table(text, &[]).map(drop).map_err(|problem| source.error(problem))
 }

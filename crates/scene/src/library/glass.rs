@@ -31,7 +31,7 @@ const ENTRIES: &[Entry] = &[
     Entry {
         name: "glass-solid",
         title: "body of crown glass, one boundary",
-        source: "index of N-BK7 (Schott 2017); what is seen through it are the surroundings, bent by 1.52 at all \
+        source: "index of N-BK7 (Schott 2017); it shows the environment, bent by 1.52 at all \
                  wavelengths",
         toml: r#"
 lobes = [

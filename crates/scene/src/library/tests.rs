@@ -67,10 +67,10 @@ fn no_material_but_those_of_tables_gives_back_more_light_than_it_gets() {
         for lobe in info.material().lobes {
             // Tints by Fresnel's law and what lies under them are bounded by the shapes' own laws.
             if let Tint::Rgb(rgb) = lobe.tint {
-                sum.iter_mut().zip(rgb.0).for_each(|(sum, share)| *sum += f64::from(share));
+                sum.iter_mut().zip(rgb.0).for_each(|(sum, fraction)| *sum += f64::from(fraction));
             }
         }
-        assert!(sum.iter().all(|share| *share <= 1.0), "{}: {sum:?}", info.name);
+        assert!(sum.iter().all(|fraction| *fraction <= 1.0), "{}: {sum:?}", info.name);
     }
 }
 

@@ -114,7 +114,7 @@ impl Luminaire {
     }
 
     /// The intensity relative to the greatest, 0 to 1, along unit vectors given in [`Self::frame`].
-    pub fn share(&self, local: DVec3) -> f64 {
+    pub fn fraction(&self, local: DVec3) -> f64 {
         let max = self.profile.max();
         if max <= 0.0 {
             return 0.0;
@@ -180,7 +180,7 @@ mod tests {
         let quarter = profile(&[0.0, 90.0, 360.0], &[0.0, 90.0], &[1.0, 0.5, 1.0, 2.0, 1.0, 0.5]);
         let lamp = Luminaire { profile: Arc::new(quarter), axis: DVec3::NEG_Y, c0: DVec3::X };
         for (local, expected) in [(DVec3::Z, 0.5), (DVec3::X, 0.25), (DVec3::Y, 1.0), (DVec3::NEG_Z, 0.0)] {
-            assert!((lamp.share(local) - expected).abs() < ROUNDING, "{local}");
+            assert!((lamp.fraction(local) - expected).abs() < ROUNDING, "{local}");
         }
     }
 }

@@ -5,7 +5,7 @@
 //! only by what it holds, and it follows references only inside the folder of [`ReadOptions::root`].
 //!
 //! Beside models there are textures, sensors, the profiles of luminaires (LM-63, EULUMDAT) and pictures of
-//! surroundings (Radiance HDR, OpenEXR), each with a function of its own.
+//! environments (Radiance HDR, OpenEXR), each with a function of its own.
 //!
 //! What a reader left out or could only approximate is told in [`Model::notes`].
 

@@ -163,13 +163,13 @@ fn print_times(mut times: Vec<f64>, sphere: &str, triangles: usize, lights: usiz
 /// Stops where the picture is not the one that everybody draws.
 fn check(picture: &[[u8; 4]], slices: u32) {
     let covered = picture.iter().filter(|pixel| **pixel != BACKGROUND).count() as f32;
-    let share = covered / (PI * (SILHOUETTE * HEIGHT as f32 / 2.0).powi(2));
+    let fraction = covered / (PI * (SILHOUETTE * HEIGHT as f32 / 2.0).powi(2));
     // A polygon with this many corners covers less than the circle around it.
     let corner = 2.0 * PI / slices as f32;
     let expected = corner.sin() / corner;
     assert!(
-        (expected - 0.02..1.01).contains(&share),
-        "the sphere covers {share:.3} of its circle; {expected:.3} was expected"
+        (expected - 0.02..1.01).contains(&fraction),
+        "the sphere covers {fraction:.3} of its circle; {expected:.3} was expected"
     );
 }
 

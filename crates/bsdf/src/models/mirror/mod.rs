@@ -4,7 +4,7 @@
 //!
 //! **Laws** trivially reciprocal and within its energy as a delta lobe.
 //!
-//! **Notes** It reflects surroundings, not lights.
+//! **Notes** It reflects environment maps and area lights, not punctual lights.
 
 use glanz_math::Real;
 

@@ -8,7 +8,7 @@
 //! **Limits** η = 1 lets light pass as if there were no surface. For η < 1 nothing passes beyond the angle of total
 //! reflection.
 //!
-//! **Notes** It refracts surroundings, not lights.
+//! **Notes** It refracts environment maps, not other lights.
 
 use glanz_math::Real;
 

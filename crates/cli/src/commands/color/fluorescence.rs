@@ -183,7 +183,7 @@ fn table(material: &FluorescentSource, rows: &[Row], energy: &EnergyReport) -> S
     let mut line = |line: String| writeln!(text, "{}", line.trim_end()).expect("a string takes everything");
     let verdict = if energy.ok { "possible" } else { "NOT possible" };
     line(format!(
-        "energy {verdict}: of light at {} nm {} leaves, the greatest share; of photons at {} nm {}; \
+        "energy {verdict}: of light at {} nm {} leaves, the greatest fraction; of photons at {} nm {}; \
          at shorter wavelengths {}",
         energy.at_nm,
         number(energy.max_column_sum),

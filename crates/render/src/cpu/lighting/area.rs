@@ -111,7 +111,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &V
     }
 }
 
-/// The share of a lobe that the light fills.
+/// The fraction of a lobe that the light fills.
 #[inline(always)]
 fn seen_through<R: Real>(
     outline: &Outline<R>,

@@ -30,12 +30,12 @@ pub(crate) fn add<R: Real>(
         }
         let pair = sum.typical_pair(lobe);
         let seen = seen(sum, environment, number, to_map, lobe, integrals);
-        let mut share = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+        let mut fraction = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
         if lobe.shape.info().delta {
-            share = layered(lobe, share, &pair);
+            fraction = layered(lobe, fraction, &pair);
         }
         for (basis, seen) in seen.into_iter().enumerate() {
-            sum.add(row + basis, k, seen * share, &pair);
+            sum.add(row + basis, k, seen * fraction, &pair);
         }
     }
 }

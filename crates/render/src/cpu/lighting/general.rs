@@ -157,7 +157,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// How much of a lobe there is at the point.
     #[inline(always)]
-    fn share(&self, lobe: &DirectLobe) -> Option<R> {
+    fn fraction(&self, lobe: &DirectLobe) -> Option<R> {
         let metal = self.point.metal;
         match lobe.metalness {
             Metalness::Any => None,
@@ -187,8 +187,8 @@ impl<'a, R: Real> LightSum<'a, R> {
             Some((mix, texel)) if lobe.textured => mixed(&mix.tints[entry], texel),
             _ => literal(value, &material.tints[entry]),
         };
-        let value = match self.share(lobe) {
-            Some(share) => value * share,
+        let value = match self.fraction(lobe) {
+            Some(fraction) => value * fraction,
             None => value,
         };
         let reflected = &mut self.reflected;

@@ -215,8 +215,8 @@ pub(crate) fn arrive<R: Real>(light: &ViewLight, point: &ShadingPoint<R>) -> Inc
                 (a, b) => a.or(b),
             };
             if let Some(luminaire) = luminaire {
-                let share = luminaire.intensities.at(turned(&luminaire.frame, -wi));
-                attenuation = Some(attenuation.map_or(share, |attenuation| attenuation * share));
+                let fraction = luminaire.intensities.at(turned(&luminaire.frame, -wi));
+                attenuation = Some(attenuation.map_or(fraction, |attenuation| attenuation * fraction));
             }
             Incident { wi, attenuation, cone, distance: Some(squared * inverse) }
         }

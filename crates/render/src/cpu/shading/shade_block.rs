@@ -23,7 +23,7 @@ use glanz_math::inline::three;
 pub(crate) struct Shaded<S: Simd> {
     pub rgb: [Lanes<S>; 3],
     pub alpha: Lanes<S>,
-    /// The share of what is behind that is seen nevertheless.
+    /// The fraction of what is behind that is seen nevertheless.
     pub transmittance: [Lanes<S>; 3],
     pub distance: Lanes<S>,
     pub normal: Vec3<Lanes<S>>,
@@ -362,7 +362,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         }
         series.at(cosine).map(
             #[inline(always)]
-            |share| share.clamp(0.0, 1.0),
+            |fraction| fraction.clamp(0.0, 1.0),
         )
     }
 

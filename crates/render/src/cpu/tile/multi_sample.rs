@@ -54,7 +54,7 @@ fn find_layers<S: Simd, const C: usize>(
     let frame = tile.frame;
     let TileScratch { visible, setups, transparency, .. } = scratch;
     let samples = frame.samples.len();
-    let share = Lanes::splat(simd, 1.0 / samples as f32);
+    let fraction = Lanes::splat(simd, 1.0 / samples as f32);
     let mut owners = Owners::default();
     layers.clear();
     for (sample, position) in frame.samples.iter().enumerate() {
@@ -66,9 +66,9 @@ fn find_layers<S: Simd, const C: usize>(
         for (channel, weights) in weights.iter_mut().enumerate() {
             match tile.blended {
                 true => {
-                    (Lanes::load(simd, transparency.transmittance(channel, place)) * share).store(weights)
+                    (Lanes::load(simd, transparency.transmittance(channel, place)) * fraction).store(weights)
                 }
-                false => share.store(weights),
+                false => fraction.store(weights),
             }
         }
         match frame.options.supersample {

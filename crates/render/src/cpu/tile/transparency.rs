@@ -3,7 +3,7 @@
 //! Each is shaded once per pixel, like any other surface, but laid over what is behind it sample by
 //! sample, from the nearest to the farthest (Porter and Duff 1984): so two triangles that share the
 //! samples of a pixel join without a seam, and the order in which triangles come does not matter. What
-//! is left for the opaque surfaces of a sample is the share of light that all in front let through.
+//! is left for the opaque surfaces of a sample is the fraction of light that all in front let through.
 
 use fearless_simd::Simd;
 use glanz_math::{Lanes, Real};
@@ -43,7 +43,7 @@ struct Hit {
 #[derive(Debug, Default)]
 pub(crate) struct TransparencyBuffer {
     pieces: Vec<Piece>,
-    /// Colour and opacity of each piece, and the share that it lets through nevertheless, per channel.
+    /// Colour and opacity of each piece, and the fraction that it lets through nevertheless, per channel.
     colors: Vec<[f32; 7]>,
     hits: Vec<Hit>,
     sorted: Vec<Hit>,
@@ -148,22 +148,22 @@ impl TransparencyBuffer {
     pub fn blend<S: Simd>(&mut self, simd: S, frame: &FrameView, setups: &TriangleSetups, grid: &Grid) {
         self.shade(simd, frame, setups, grid);
         self.sort();
-        let share = 1.0 / frame.samples.len() as f32;
+        let fraction = 1.0 / frame.samples.len() as f32;
         for hits in self.sorted.chunk_by(|a, b| a.place == b.place && a.sample == b.sample) {
             let mut transmittance = [1.0f32; 3];
             let place = hits[0].place as usize;
             for hit in hits {
                 let [r, g, b, alpha, passed @ ..] = self.colors[hit.piece as usize];
                 for (c, color) in [r, g, b].into_iter().enumerate() {
-                    self.light[c][place] += color * (transmittance[c] * alpha) * share;
+                    self.light[c][place] += color * (transmittance[c] * alpha) * fraction;
                 }
                 let before = most(transmittance);
                 for (transmittance, passed) in transmittance.iter_mut().zip(passed) {
                     *transmittance *= 1.0 - alpha + alpha * passed;
                 }
                 self.light[3][place] += match passed {
-                    [0.0, 0.0, 0.0] => before * alpha * share,
-                    _ => (before - most(transmittance)) * share,
+                    [0.0, 0.0, 0.0] => before * alpha * fraction,
+                    _ => (before - most(transmittance)) * fraction,
                 };
             }
             let [r, g, b] = transmittance;

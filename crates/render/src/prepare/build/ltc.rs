@@ -30,7 +30,7 @@ const GRAZING: f64 = 0.02;
 /// A point of the lobe.
 struct LobeSample {
     direction: Vec3<f64>,
-    /// Its share of the integral.
+    /// Its fraction of the integral.
     weight: f64,
     value: f64,
     pair: DirectionPair<f64>,
@@ -135,10 +135,10 @@ fn spread(points: &[LobeSample], [sin, cos]: [f64; 2], total: f64) -> [f64; 3] {
     let (mut across, mut along) = (0.0, 0.0);
     for LobeSample { direction: d, weight, value, .. } in points {
         let (x, z) = (d.x * cos - d.z * sin, d.x * sin + d.z * cos);
-        let share = weight * value / total;
+        let fraction = weight * value / total;
         // The cosine lobe itself has mean squares of a quarter.
-        along += share * x * x / (z * z + x * x);
-        across += share * d.y * d.y / (z * z + d.y * d.y);
+        along += fraction * x * x / (z * z + x * x);
+        across += fraction * d.y * d.y / (z * z + d.y * d.y);
     }
     let width = |mean: f64| 0.5 * libm::log((mean / (0.5 - mean).max(0.05)).max(1e-9));
     [width(along), width(across), 0.0]

@@ -14,7 +14,7 @@ use glanz_math::{GaussLegendre, PI, Vec3};
 
 use crate::prepare::data::environment_map::EnvironmentMap;
 
-/// Share of a lobe that is left out where it is faintest.
+/// Fraction of a lobe that is left out where it is faintest.
 const LEFT_OUT: f64 = 0.003;
 
 /// Pixels of the environment from the inner to the outer edge of each ring around the middle, at least: the further
@@ -52,9 +52,9 @@ impl Profile {
             (weights[i] * libm::sin(a) + weights[i + 1] * libm::sin(b)) * (b - a)
         };
         let total: f64 = (0..STEPS).map(ring).sum();
-        let holds = |share: f64| {
+        let holds = |fraction: f64| {
             let (mut sum, mut last) = (0.0, 1);
-            while last < STEPS && sum < total * share {
+            while last < STEPS && sum < total * fraction {
                 sum += ring(last - 1);
                 last += 1;
             }
@@ -67,7 +67,7 @@ impl Profile {
     }
 
     /// How much of the lobe is between two angles.
-    fn share(&self, from: f64, to: f64) -> f64 {
+    fn fraction(&self, from: f64, to: f64) -> f64 {
         let rule = GaussLegendre::new(16);
         rule.integrate(from, to, |angle| self.at(libm::cos(angle)) * libm::sin(angle))
     }
@@ -100,7 +100,7 @@ struct Ring<'a> {
     from: f64,
     to: f64,
     /// How much of the lobe is in it.
-    share: f64,
+    fraction: f64,
     level: &'a PyramidLevel,
 }
 
@@ -145,7 +145,7 @@ pub(crate) fn blurred(Pyramid(levels): &Pyramid, shape: &Shape) -> Arc<Environme
         let mut sum = [0.0; 3];
         for ring in &rings {
             let mean = mean(ring, &profile, middle);
-            sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += ring.share * mean);
+            sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += ring.fraction * mean);
         }
         sum.map(|sum| sum as f32)
     }))
@@ -158,11 +158,11 @@ fn rings<'a>(profile: &Profile, levels: &'a [PyramidLevel]) -> Vec<Ring<'a>> {
     while from < profile.end {
         let fine = |level: &&PyramidLevel| PI / (level.map.size()[1] as f64) <= (to - from) / ACROSS;
         let level = levels.iter().rev().find(fine).unwrap_or(&levels[0]);
-        rings.push(Ring { from, to, share: profile.share(from, to), level });
+        rings.push(Ring { from, to, fraction: profile.fraction(from, to), level });
         (from, to) = (to, (2.0 * to).min(profile.end));
     }
-    let total: f64 = rings.iter().map(|ring| ring.share).sum();
-    rings.iter_mut().for_each(|ring| ring.share /= total);
+    let total: f64 = rings.iter().map(|ring| ring.fraction).sum();
+    rings.iter_mut().for_each(|ring| ring.fraction /= total);
     rings
 }
 

@@ -139,7 +139,7 @@ impl Sampling {
             basis.map_or(weight, |b| weight * self.basis[b][i])
         };
         Response(match surface {
-            Surface::Reflectance(share) => three_rows(count, |c, i| weight(c, i) * share[i]),
+            Surface::Reflectance(fraction) => three_rows(count, |c, i| weight(c, i) * fraction[i]),
             Surface::Matrix(rows) => {
                 let mut response = three_rows(count, |_, _| 0.0);
                 for (out, row) in rows.iter().enumerate() {
@@ -265,14 +265,14 @@ fn sampled(matrix: &Reradiation, nm: &[f64], band_nm: Option<f64>) -> Vec<Row> {
 /// What a surface does with the light at the nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Surface {
-    /// A share at each node.
+    /// A fraction at each node.
     Reflectance(Row),
     /// What comes out at each node (the row) of what goes in at each.
     Matrix(Vec<Row>),
 }
 
 impl Surface {
-    /// What is left of it where each node leaves a share: of light on its way in and on its way out half each.
+    /// What is left of it where each node leaves a fraction: of light on its way in and on its way out half each.
     pub fn dimmed(self, left: &[f64]) -> Self {
         match self {
             Self::Reflectance(row) => Self::Reflectance(row.iter().zip(left).map(|(s, l)| s * l).collect()),
@@ -284,7 +284,7 @@ impl Surface {
         }
     }
 
-    /// Another share for each; a matrix, which has none, stays as it is.
+    /// Another fraction for each; a matrix, which has none, stays as it is.
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         match self {
             Self::Reflectance(row) => Self::Reflectance(row.into_iter().map(f).collect()),
@@ -294,7 +294,7 @@ impl Surface {
 
     /// What it does not reflect; a matrix stays as it is.
     pub fn complement(self) -> Self {
-        self.map(|share| 1.0 - share)
+        self.map(|fraction| 1.0 - fraction)
     }
 }
 

@@ -130,14 +130,14 @@ impl<'a> Table<'a> {
         let white = self.sampling.white();
         let everything = Surface::Reflectance(vec![1.0; white.len()]);
         let whole = self.sampling.response(&everything, None).under(&white);
-        let share = |cosine| {
+        let fraction = |cosine| {
             let seen = self
                 .sampling
                 .response(&self.sampling.transmittance(transmittance, cosine), None)
                 .under(&white);
             core::array::from_fn(|c| if whole[c] == 0.0 { 0.0 } else { seen[c] / whole[c] })
         };
-        TintSeries::fit(&tint_series::nodes().map(share).collect::<Vec<_>>())
+        TintSeries::fit(&tint_series::nodes().map(fraction).collect::<Vec<_>>())
     }
 
     fn directed(&self) -> impl Iterator<Item = &LightRows> {

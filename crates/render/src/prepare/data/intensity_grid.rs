@@ -8,7 +8,7 @@ const STEP_DEG: f64 = 1.0;
 const COLUMNS: usize = 361;
 const ROWS: usize = 181;
 
-/// Shares of the greatest intensity on a grid of planes C and angles γ.
+/// Fractions of the greatest intensity on a grid of planes C and angles γ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IntensityGrid {
     /// By planes C, each from γ = 0° to 180° in steps of 1°.
@@ -19,14 +19,14 @@ impl IntensityGrid {
     /// Those of a profile.
     pub fn of(profile: &Profile) -> Self {
         let max = profile.max();
-        let share = |c: usize, gamma: usize| match max > 0.0 {
+        let fraction = |c: usize, gamma: usize| match max > 0.0 {
             true => (profile.at(c as f64 * STEP_DEG, gamma as f64 * STEP_DEG) / max) as f32,
             false => 0.0,
         };
-        Self { values: (0..COLUMNS * ROWS).map(|i| share(i / ROWS, i % ROWS)).collect() }
+        Self { values: (0..COLUMNS * ROWS).map(|i| fraction(i / ROWS, i % ROWS)).collect() }
     }
 
-    /// The share along a unit vector in the luminaire's frame.
+    /// The fraction along a unit vector in the luminaire's frame.
     #[inline(always)]
     pub fn at<R: Real>(&self, local: Vec3<R>) -> R {
         let degrees = local.x.lit(180.0 / PI);

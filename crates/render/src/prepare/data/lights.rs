@@ -65,7 +65,7 @@ pub struct EnvironmentLight {
 /// Intensities over directions, and how they are turned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreparedLuminaire {
-    /// Shares of the greatest intensity.
+    /// Fractions of the greatest intensity.
     pub intensities: Arc<IntensityGrid>,
     /// The directions of C 0°, C 90° and γ 0°.
     pub frame: [[f64; 3]; 3],

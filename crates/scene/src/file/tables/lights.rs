@@ -105,7 +105,7 @@ pub(crate) struct LightTable {
     pub luminous_intensity_cd: Option<At<Amount>>,
     /// The same in W/sr between 300 and 780 nm.
     pub radiant_intensity_w_sr: Option<At<Amount>>,
-    /// How bright the surroundings are that ambient light comes from, or an environment where its picture
+    /// How bright the environment is that ambient light comes from, or an environment where its picture
     /// is 1, or a rectangle, disk or sphere, in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
     /// What a rectangle, disk or sphere sends in all, from both sides if it has two, in lm.
@@ -168,7 +168,7 @@ names! {
         Disk = "disk",
         /// From a sphere that shines evenly.
         Sphere = "sphere",
-        /// From surroundings at infinite distance.
+        /// From an environment at infinite distance.
         Environment = "environment",
     } default Ambient
 }

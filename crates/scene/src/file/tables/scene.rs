@@ -60,6 +60,6 @@ pub(crate) struct AmbientTable {
     pub color: Option<At<ColorValue>>,
     /// Its spectrum, in place of `color`: the name of a light source, or a table.
     pub spectrum: Option<At<SpectrumValue>>,
-    /// How bright the surroundings are that it comes from, in cd/m², in place of the classic unit.
+    /// How bright the environment is that it comes from, in cd/m², in place of the classic unit.
     pub luminance_cd_m2: Option<At<Amount>>,
 }

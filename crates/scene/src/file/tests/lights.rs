@@ -1,4 +1,4 @@
-//! Surfaces, surroundings and luminaires in scene files.
+//! Areas, environments and luminaires in scene files.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

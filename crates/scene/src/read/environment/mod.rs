@@ -1,4 +1,4 @@
-//! Pictures of surroundings: Radiance HDR and OpenEXR in equirectangular projection.
+//! Pictures of environments: Radiance HDR and OpenEXR in equirectangular projection.
 
 mod exr;
 mod radiance;
@@ -23,7 +23,7 @@ const MAX_BYTES: u64 = 16_384 * 8192 * PIXEL;
 /// The most that a channel may be; sums of squares of it must fit into `f32`.
 const MAX_VALUE: f32 = 1e12;
 
-/// Reads a Radiance HDR or OpenEXR picture as surroundings; its first bytes tell which. `file` is its name
+/// Reads a Radiance HDR or OpenEXR picture as an environment; its first bytes tell which. `file` is its name
 /// for messages. Sides and memory are limited by `max_texture_side` and `max_texture_bytes` of `options`,
 /// and to 16384×8192 pixels.
 ///

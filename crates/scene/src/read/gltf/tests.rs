@@ -379,10 +379,11 @@ fn lobes_of_metal_and_dielectric_are_weighed_by_the_texture() {
     change(&mut document, &[(path, pbr), ("/materials/0/extensions", json!({}))]);
     let model = read_bytes(&glb(&document, &binary), Format::Gltf).unwrap();
     let material = &model.materials[0];
-    let shares: Vec<_> = material.lobes.iter().map(|lobe| (lobe.shape.info().name, lobe.metalness)).collect();
+    let fractions: Vec<_> =
+        material.lobes.iter().map(|lobe| (lobe.shape.info().name, lobe.metalness)).collect();
     let (metal, rest) = (Metalness::Metal { factor: 0.75 }, Metalness::Dielectric { factor: 0.75 });
     assert_eq!(
-        shares,
+        fractions,
         [("ambient", Metalness::Any), ("lambert", rest), ("ggx", rest), ("ggx", metal), ("ggx", metal)]
     );
     let map = material.metal_rough_map.unwrap();

@@ -169,7 +169,7 @@ fn the_flux_of_a_lambertian_luminaire_is_pi_times_its_intensity() {
     let axis = Luminaire::AXIS;
     let lamp = Luminaire { profile: profile.into(), axis, c0: Luminaire::c0_for(axis) };
     let slant = glam::DVec3::new(0.0, libm::sin(PI / 3.0), libm::cos(PI / 3.0));
-    assert!((lamp.share(slant) - 0.5).abs() < ROUNDING);
+    assert!((lamp.fraction(slant) - 0.5).abs() < ROUNDING);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::read::{ReadOptions, read_environment};
 use crate::{Background, EnvironmentMap, LightKind};
 
 impl LightTable {
-    /// The surroundings.
+    /// The environment.
     pub(super) fn environment(&self, builder: &mut Builder) -> Result<LightKind, Problem> {
         let map = self.file.as_ref().map(|file| builder.environment_map(file)).transpose()?;
         let rotation = match (&self.rotate_deg, &self.rotation) {

@@ -40,7 +40,7 @@ fn value(material: &Material, v: Direction, l: Direction) -> Color {
         if !matches!(lobe.shape.info().term, LightTerm::Diffuse | LightTerm::Specular) {
             continue;
         }
-        let share = match lobe.metalness {
+        let fraction = match lobe.metalness {
             Metalness::Any => 1.0,
             Metalness::Metal { factor } => factor,
             Metalness::Dielectric { factor } => 1.0 - factor,
@@ -55,7 +55,7 @@ fn value(material: &Material, v: Direction, l: Direction) -> Color {
             }
             other => panic!("{other:?}"),
         };
-        let scale = lobe.shape.f_cos(&pair) * layers * share;
+        let scale = lobe.shape.f_cos(&pair) * layers * fraction;
         (0..3).for_each(|c| sum[c] += scale * tint[c]);
     }
     sum
