@@ -49,7 +49,7 @@ fn weld(mesh: &Mesh) -> Vec<u32> {
     points
 }
 
-/// Volumes below this share of what their parts sum up to are none: a sheet with two sides encloses what rounding
+/// Volumes below this fraction of what their parts sum up to are none: a sheet with two sides encloses what rounding
 /// leaves, of a sign that changes as it is turned.
 const ROUNDING: f64 = 1e-9;
 

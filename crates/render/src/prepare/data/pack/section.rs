@@ -106,7 +106,7 @@ sections! {
         width and height or radius(2)";
     Luminaires: Words 1, "first of Intensities";
     LuminaireFrames: Floats 9, "of each luminaire: directions of C 0°, C 90° and γ 0°(3 · 3)";
-    Intensities: Floats 1, "share of the greatest intensity; 361 planes C of 181 angles γ";
+    Intensities: Floats 1, "fraction of the greatest intensity; 361 planes C of 181 angles γ";
     Environments: Words 1, "one of Maps; none for 1 everywhere";
     EnvironmentValues: Floats 63, "of each environment: irradiance polynomial(18 · 3), columns of the rotation(3 · 3)";
     EnvironmentTint: Floats 9, "of the first environment, seen directly: channels of each of three spectra(3 · 3)";
