@@ -118,6 +118,9 @@ fn main() {
     if only.is_empty() || only == "tables" {
         tables(if quick { 20 } else { 100 });
     }
+    if only.is_empty() || only == "updates" {
+        updates(if quick { 5 } else { 31 });
+    }
     if only.is_empty() || only == "models" {
         models(quick, level);
     }
@@ -238,6 +241,95 @@ fn tables(times: usize) {
         spent[times / 2],
         spent[0],
         spent[times - 1]
+    );
+}
+
+/// Four large spheres and a small one: 1 003 000 triangles and one point light.
+fn scene_of_a_million() -> Scene {
+    let mut scene = sphere_scene(500, 251, 1, Shading::Phong);
+    let large = scene.objects.remove(0);
+    let small = Builtin::Sphere { radius: 0.2, slices: 50, stacks: 31 };
+    scene.meshes.push(small.mesh().expect("a sphere"));
+    scene.objects = (0..5)
+        .map(|i| Object {
+            mesh: usize::from(i == SMALL),
+            transform: DMat4::from_translation(DVec3::new(2.5 * i as f64, 0.0, 0.0)),
+            ..large.clone()
+        })
+        .collect();
+    scene
+}
+
+/// The small sphere among the objects of [`scene_of_a_million`].
+const SMALL: usize = 4;
+
+/// What changes of a scene of a million triangles cost, beside preparing all of it, and preparing the object alone.
+fn updates(times: usize) {
+    let mut scene = scene_of_a_million();
+    let mut prepared = prepare(&scene, &PrepareOptions::default()).expect("a sound scene");
+    print_update("prepare", &mut (0..times).map(|_| time_preparing(&scene)).collect::<Vec<_>>());
+    let only = |number: usize| Scene { objects: vec![scene.objects[number].clone()], ..scene.clone() };
+    let (large, small) = (only(0), only(SMALL));
+    print_update(
+        "prepare one of 250 000",
+        &mut (0..times).map(|_| time_preparing(&large)).collect::<Vec<_>>(),
+    );
+    print_update("prepare one of 3 000", &mut (0..times).map(|_| time_preparing(&small)).collect::<Vec<_>>());
+    let changes = [
+        ("moved lamp", Change::Light(0)),
+        ("changed roughness", Change::Material(0)),
+        ("moved object of 250 000", Change::Object(0)),
+        ("moved object of 3 000", Change::Object(SMALL)),
+    ];
+    for (name, change) in changes {
+        let mut spent: Vec<f64> = (0..times)
+            .map(|i| {
+                vary(&mut scene, change, i);
+                let start = Instant::now();
+                prepared.update(&scene, &[change]).expect("a sound scene");
+                start.elapsed().as_secs_f64() * 1e3
+            })
+            .collect();
+        print_update(name, &mut spent);
+    }
+}
+
+/// Changes what the change names, otherwise each time.
+fn vary(scene: &mut Scene, change: Change, i: usize) {
+    let step = 1.0 + i as f64;
+    match change {
+        Change::Light(number) => {
+            let position = DVec3::new(step, 3.0, 3.0);
+            scene.lights[number].kind = LightKind::Point { position, attenuation: Attenuation::NONE };
+        }
+        Change::Material(number) => {
+            let highlight =
+                scene.materials[number].lobes.iter_mut().find(|lobe| lobe.shape.info().name == "phong");
+            let shape = Shape::named("phong", &[("shininess", 10.0 + step)]).expect("a shininess in range");
+            highlight.expect("a highlight").shape = shape;
+        }
+        Change::Object(number) => {
+            scene.objects[number].transform = DMat4::from_translation(DVec3::new(0.0, 0.1 * step, 0.0));
+        }
+        other => unreachable!("{other:?} is not measured"),
+    }
+}
+
+/// Milliseconds of preparing all of a scene.
+fn time_preparing(scene: &Scene) -> f64 {
+    let start = Instant::now();
+    std::hint::black_box(prepare(scene, &PrepareOptions::default()).expect("a sound scene"));
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+fn print_update(name: &str, spent: &mut [f64]) {
+    spent.sort_by(f64::total_cmp);
+    println!(
+        "{{\"table\":\"Updates of a scene of 1 003 000 triangles in 5 objects, ms\",\"name\":\"{name}\",\
+         \"median\":{:.4},\"min\":{:.4},\"max\":{:.4}}}",
+        spent[spent.len() / 2],
+        spent[0],
+        spent[spent.len() - 1]
     );
 }
 

@@ -7,7 +7,7 @@ use glanz_scene::{Light, Material, Mesh, Scene, White};
 use super::options::PrepareOptions;
 
 /// Lights, materials and options of the last preparation.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Source {
     pub colors: Arc<Colors>,
     pub options: PrepareOptions,
@@ -18,7 +18,7 @@ pub(crate) struct Source {
 }
 
 /// Everything that the tint table depends on but the options.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Colors {
     pub lights: Vec<Light>,
     pub materials: Vec<Material>,
@@ -27,9 +27,11 @@ pub(crate) struct Colors {
 }
 
 /// What an object's vertices were made of.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ObjectSource {
     pub mesh: usize,
+    /// How many vertices the scene's mesh has.
+    pub vertices: usize,
     /// The mesh with normals or tangents that the scene's lacks.
     pub completed: Option<Arc<Mesh>>,
     /// Of the linear part of the transform.

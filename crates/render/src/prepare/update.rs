@@ -9,9 +9,9 @@ use super::build::bvh::{bvh, is_opaque};
 use super::build::objects::{add_objects, move_object, needs_tangents};
 use super::build::{check, lights, textures};
 use super::color::fill::{fill_material, fill_table};
-use super::data::Prepared;
+use super::data::{Prepared, PreparedObject};
 use super::options::{PrepareError, PrepareOptions};
-use super::source::Colors;
+use super::source::{Colors, ObjectSource};
 use super::{Observation, ObservationError};
 
 /// What of a scene has changed since it was prepared or updated.
@@ -25,7 +25,7 @@ pub enum Change {
     Material(usize),
     /// Where the object of this number is. If its mesh, material or shading changed, that is [`Change::Geometry`].
     Object(usize),
-    /// The colours of lights and materials, and the white.
+    /// All lights and materials, most often their colours, and the white. How many there are, too, which costs more.
     Colors,
     /// Meshes and objects: how many, of what, shaded how.
     Geometry,
@@ -45,7 +45,7 @@ impl Prepared {
     pub fn update(&mut self, scene: &Scene, changes: &[Change]) -> Result<(), PrepareError> {
         let mut casters_moved = false;
         let result = changes.iter().try_for_each(|change| self.apply(scene, *change, &mut casters_moved));
-        let casts = scene.render.shadows;
+        let casts = if result.is_ok() { scene.render.shadows } else { self.bvh.is_some() };
         if casters_moved || casts != self.bvh.is_some() {
             self.bvh = casts.then(|| Arc::new(bvh(self)));
         }
@@ -57,15 +57,9 @@ impl Prepared {
             Change::Camera => Ok(()),
             Change::Light(number) => self.update_light(scene, number),
             Change::Material(number) => self.update_material(scene, number, casters_moved),
-            Change::Object(number) => {
-                *casters_moved = true;
-                self.update_object(scene, number)
-            }
-            Change::Colors => self.update_colors(scene),
-            Change::Geometry => {
-                *casters_moved = true;
-                self.update_geometry(scene)
-            }
+            Change::Object(number) => self.update_object(scene, number, casters_moved),
+            Change::Colors => self.update_colors(scene, casters_moved),
+            Change::Geometry => self.update_geometry(scene, casters_moved),
             Change::Textures => {
                 check::check(scene)?;
                 self.textures = textures(scene);
@@ -80,30 +74,36 @@ impl Prepared {
     }
 
     fn update_light(&mut self, scene: &Scene, number: usize) -> Result<(), PrepareError> {
-        let colors = &self.source.colors;
-        let (Some(new), Some(old)) = (scene.lights.get(number), colors.lights.get(number)) else {
-            return Err(missing("light", number));
-        };
-        if scene.lights.len() != colors.lights.len() || !has_same_rows(new, old) {
+        let new = scene.lights.get(number).ok_or_else(|| missing("light", number))?;
+        let old = self.source.colors.lights.get(number).filter(|old| has_same_rows(new, old));
+        let Some(old) = old.filter(|_| scene.lights.len() == self.source.colors.lights.len()) else {
             return self.apply(scene, Change::All, &mut false);
+        };
+        let recolored = new.colors != old.colors;
+        let same_map = self.place_light(number, new)?;
+        Arc::make_mut(&mut self.source.colors).lights[number] = new.clone();
+        if !same_map {
+            self.forget_integrals();
         }
+        if recolored || !same_map { fill_table(self) } else { Ok(()) }
+    }
+
+    /// Gives a light its new geometry, and says whether its environment map is the one that it had.
+    fn place_light(&mut self, number: usize, new: &Light) -> Result<bool, PrepareError> {
+        let lights = &self.source.colors.lights;
         let directed = |light: &&Light| light.kind != LightKind::Ambient;
-        let place = colors.lights[..number].iter().filter(directed).count();
-        let (recolored, same_map) = (new.colors != old.colors, has_same_map(new, old));
-        let unchanged = same_map && new.luminaire == old.luminaire;
-        if let Some(light) = lights::prepare_one(number, new, self.lights.get(place).filter(|_| unchanged))? {
+        let place = lights[..number].iter().filter(directed).count();
+        let (same_map, old) = (has_same_map(new, &lights[number]), &lights[number]);
+        let before = self.lights.get(place).filter(|_| same_map && new.luminaire == old.luminaire);
+        if let Some(light) = lights::prepare_one(number, new, before)? {
             self.lights[place] = light;
         }
-        Arc::make_mut(&mut self.source.colors).lights[number] = new.clone();
-        match (recolored, same_map) {
-            (false, true) => Ok(()),
-            (_, true) => fill_table(self),
-            (_, false) => {
-                // What lobes made of the old map is of no use.
-                self.materials.iter_mut().for_each(|material| material.integrals.clear());
-                fill_table(self)
-            }
-        }
+        Ok(same_map)
+    }
+
+    /// What lobes made of an environment map is of no use once there is another.
+    fn forget_integrals(&mut self) {
+        self.materials.iter_mut().for_each(|material| material.integrals.clear());
     }
 
     fn update_material(
@@ -112,10 +112,27 @@ impl Prepared {
         number: usize,
         casters_moved: &mut bool,
     ) -> Result<(), PrepareError> {
-        let Some(new) = scene.materials.get(number).filter(|_| number < self.materials.len()) else {
-            return Err(missing("material", number));
-        };
-        check::check(scene)?;
+        let new = scene.materials.get(number).ok_or_else(|| missing("material", number))?;
+        if scene.materials.len() != self.materials.len() {
+            return self.apply(scene, Change::All, &mut false);
+        }
+        check::check_material(scene, new)?;
+        if needs_tangents(new) != needs_tangents(&self.source.colors.materials[number]) {
+            return self.or_as_before(|own| {
+                own.fill_from(new, number, casters_moved)?;
+                own.update_geometry(scene, casters_moved)
+            });
+        }
+        self.fill_from(new, number, casters_moved)
+    }
+
+    /// Prepares a material anew; it stays as it was where that fails.
+    fn fill_from(
+        &mut self,
+        new: &Material,
+        number: usize,
+        casters_moved: &mut bool,
+    ) -> Result<(), PrepareError> {
         let colors = Arc::make_mut(&mut self.source.colors);
         let old = core::mem::replace(&mut colors.materials[number], new.clone());
         let was_opaque = is_opaque(&self.materials[number]);
@@ -124,47 +141,83 @@ impl Prepared {
             return Err(error);
         }
         *casters_moved |= was_opaque != is_opaque(&self.materials[number]);
-        if needs_tangents(new) != needs_tangents(&old) {
-            self.update_geometry(scene)?;
-        }
         Ok(())
     }
 
-    fn update_object(&mut self, scene: &Scene, number: usize) -> Result<(), PrepareError> {
-        let known = self.objects.get(number).zip(self.source.objects.get(number));
-        let Some((object, (own, source))) = scene.objects.get(number).zip(known) else {
-            return Err(missing("object", number));
-        };
+    fn update_object(
+        &mut self,
+        scene: &Scene,
+        number: usize,
+        casters_moved: &mut bool,
+    ) -> Result<(), PrepareError> {
+        let object = scene.objects.get(number).ok_or_else(|| missing("object", number))?;
         let options = &self.source.options;
-        let same = object.mesh == source.mesh
-            && object.mesh < scene.meshes.len()
-            && object.material == own.material
-            && own.shading == options.shading.or(object.shading).unwrap_or(scene.render.shading)
-            && own.interpolation
-                == options.interpolation.or(object.interpolation).unwrap_or(scene.render.interpolation);
-        if same && move_object(self, scene, number)? {
+        let is_same = |own: &PreparedObject, source: &ObjectSource| {
+            let mesh = scene.meshes.get(object.mesh);
+            object.mesh == source.mesh
+                && mesh.is_some_and(|mesh| mesh.positions.len() == source.vertices)
+                && object.material == own.material
+                && own.shading == options.shading.or(object.shading).unwrap_or(scene.render.shading)
+                && own.interpolation
+                    == options.interpolation.or(object.interpolation).unwrap_or(scene.render.interpolation)
+        };
+        let mut known = self.objects.get(number).zip(self.source.objects.get(number)).into_iter();
+        let same_count = scene.objects.len() == self.objects.len();
+        if same_count && known.any(|(own, source)| is_same(own, source)) && move_object(self, scene, number)?
+        {
+            *casters_moved = true;
             return Ok(());
         }
-        self.update_geometry(scene)
+        self.update_geometry(scene, casters_moved)
     }
 
-    fn update_colors(&mut self, scene: &Scene) -> Result<(), PrepareError> {
+    fn update_colors(&mut self, scene: &Scene, casters_moved: &mut bool) -> Result<(), PrepareError> {
         let colors = &self.source.colors;
         let same_lights = scene.lights.len() == colors.lights.len()
             && scene.lights.iter().zip(&colors.lights).all(|(new, old)| has_same_rows(new, old));
         if !same_lights || scene.materials.len() != colors.materials.len() {
             return self.apply(scene, Change::All, &mut false);
         }
-        lights::check_colors(&scene.lights)?;
+        scene.materials.iter().try_for_each(|material| check::check_material(scene, material))?;
+        let mut old = scene.materials.iter().zip(&colors.materials);
+        let same_tangents = old.all(|(new, old)| needs_tangents(new) == needs_tangents(old));
+        let was_opaque: Vec<bool> = self.materials.iter().map(is_opaque).collect();
+        self.or_as_before(|own| {
+            own.refill_from(scene)?;
+            *casters_moved |= own.materials.iter().map(is_opaque).ne(was_opaque);
+            if same_tangents { Ok(()) } else { own.update_geometry(scene, casters_moved) }
+        })
+    }
+
+    /// Takes over all lights and materials of a scene that has as many of the same kinds.
+    fn refill_from(&mut self, scene: &Scene) -> Result<(), PrepareError> {
+        let mut same_maps = true;
+        for (number, light) in scene.lights.iter().enumerate() {
+            same_maps &= self.place_light(number, light)?;
+        }
+        if !same_maps {
+            self.forget_integrals();
+        }
         self.refill(Colors::of(scene))
     }
 
-    fn update_geometry(&mut self, scene: &Scene) -> Result<(), PrepareError> {
+    fn update_geometry(&mut self, scene: &Scene, casters_moved: &mut bool) -> Result<(), PrepareError> {
+        if scene.materials.len() != self.materials.len() {
+            return self.apply(scene, Change::All, &mut false);
+        }
         check::check(scene)?;
-        let mut next = self.clone();
-        add_objects(&mut next, scene)?;
-        *self = next;
+        self.or_as_before(|own| add_objects(own, scene))?;
+        *casters_moved = true;
         Ok(())
+    }
+
+    /// Does something that may fail halfway; everything is as before where it does. What is shared is not copied.
+    fn or_as_before(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<(), PrepareError>,
+    ) -> Result<(), PrepareError> {
+        let before = self.clone();
+        change(self).inspect_err(|_| *self = before)
     }
 
     /// Fills the table from other colours; they stay as they were where that fails.

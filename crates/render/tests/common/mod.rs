@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(dead_code, reason = "each test program uses a part of this")]
 
+pub mod everything;
+
 use glam::{DMat4, DVec3, Vec2, Vec3};
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;

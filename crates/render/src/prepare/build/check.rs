@@ -1,6 +1,6 @@
 //! What must hold of a scene before it is prepared.
 
-use glanz_scene::{Background, LightKind, Scene};
+use glanz_scene::{Background, LightKind, Material, Scene};
 
 use crate::prepare::PrepareError;
 
@@ -30,12 +30,15 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
             return fail(format!("object '{}' names material {number}, which is not there", object.name));
         }
     }
-    for material in &scene.materials {
-        let maps =
-            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
-        if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
-            return fail(format!("material '{}' names a texture that is not there", material.name));
-        }
+    scene.materials.iter().try_for_each(|material| check_material(scene, material))
+}
+
+/// Every texture of a material must be there.
+pub(crate) fn check_material(scene: &Scene, material: &Material) -> Result<(), PrepareError> {
+    let maps = [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
+    if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
+        let what = format!("material '{}' names a texture that is not there", material.name);
+        return Err(PrepareError::Scene { what });
     }
     Ok(())
 }

@@ -13,7 +13,7 @@ const MOST_TRIANGLES: usize = 4_000_000;
 /// orientation. Back faces of such a mesh are never seen from outside its box.
 pub(crate) fn is_closed(mesh: &Mesh, placed: &Placed) -> bool {
     let triangles = mesh.triangle_count();
-    if !(4..=MOST_TRIANGLES).contains(&triangles) || !signed_volume(mesh, placed) {
+    if !(4..=MOST_TRIANGLES).contains(&triangles) || !has_positive_volume(mesh, placed) {
         return false;
     }
     let points = weld(mesh);
@@ -49,14 +49,39 @@ fn weld(mesh: &Mesh) -> Vec<u32> {
     points
 }
 
+/// Volumes below this fraction of what their parts sum up to are none: a sheet with two sides encloses what rounding
+/// leaves, of a sign that changes as it is turned.
+const ROUNDING: f64 = 1e-9;
+
 /// Whether the volume that the facets enclose, counted with their orientation, is positive.
-fn signed_volume(mesh: &Mesh, placed: &Placed) -> bool {
-    let volume: f64 = mesh
-        .triangles()
-        .map(|t| {
-            let [a, b, c] = t.map(|v| placed.position(mesh.positions[v as usize]));
-            a.dot(b.cross(c))
-        })
-        .sum();
-    if placed.mirrored { volume < 0.0 } else { volume > 0.0 }
+fn has_positive_volume(mesh: &Mesh, placed: &Placed) -> bool {
+    let (mut volume, mut all) = (0.0, 0.0);
+    for t in mesh.triangles() {
+        let [a, b, c] = t.map(|v| placed.position(mesh.positions[v as usize]));
+        volume += a.dot(b.cross(c));
+        all += a.length() * b.length() * c.length();
+    }
+    if placed.mirrored { -volume > ROUNDING * all } else { volume > ROUNDING * all }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat4, DVec3, Vec3};
+
+    use super::*;
+
+    #[test]
+    fn a_sheet_with_two_sides_is_not_closed_however_it_is_turned() {
+        let corner = |[x, y]: [f32; 2]| Vec3::new(x, y, 0.0);
+        // Split along one diagonal in front and along the other behind, so that each edge has two facets.
+        let mesh = Mesh {
+            positions: [[-0.7, -0.3], [0.9, -0.4], [0.8, 0.6], [-0.5, 0.7]].map(corner).to_vec(),
+            corners: vec![0, 1, 2, 0, 2, 3, 3, 1, 0, 3, 2, 1],
+            ..Mesh::default()
+        };
+        for i in 0..100 {
+            let turned = DMat4::from_axis_angle(DVec3::new(0.36, 0.48, 0.8), 0.1 * f64::from(i));
+            assert!(!is_closed(&mesh, &Placed::new(&mesh, turned)), "{i}");
+        }
+    }
 }

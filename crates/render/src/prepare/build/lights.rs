@@ -47,11 +47,7 @@ pub(crate) fn prepare_one(
     Ok(Some(PreparedLight { shape, luminaire, space: light.space }))
 }
 
-/// The colours of all lights must be finite.
-pub(crate) fn check_colors(lights: &[Light]) -> Result<(), PrepareError> {
-    lights.iter().enumerate().try_for_each(|(number, light)| check_colors_of(number, light))
-}
-
+/// The colours of a light must be finite.
 fn check_colors_of(number: usize, light: &Light) -> Result<(), PrepareError> {
     let colors = [&light.colors.ambient, &light.colors.diffuse, &light.colors.specular];
     match colors.iter().all(|color| color.is_finite()) {

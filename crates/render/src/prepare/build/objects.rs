@@ -55,7 +55,8 @@ fn add_object(prepared: &mut Prepared, scene: &Scene, object: &Object) -> Result
         Cow::Owned(mesh) => Some(Arc::new(mesh)),
         Cow::Borrowed(_) => None,
     };
-    prepared.source.objects.push(ObjectSource { mesh: object.mesh, completed, determinant });
+    let vertices = scene.meshes[object.mesh].positions.len();
+    prepared.source.objects.push(ObjectSource { mesh: object.mesh, vertices, completed, determinant });
     Ok(())
 }
 

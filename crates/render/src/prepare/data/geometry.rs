@@ -36,7 +36,7 @@ pub struct Cluster {
 }
 
 /// All vertices and triangles. Positions are relative to their object's anchor, along world axes.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Geometry {
     /// The clusters, object after object.
     pub clusters: Vec<Cluster>,

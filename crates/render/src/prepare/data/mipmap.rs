@@ -7,7 +7,7 @@ use glanz_scene::{Texture, TextureFilter, Wrap};
 ///
 /// Levels are kept as 8-bit codes (sRGB for colours) and decoded by table, so that a texture takes
 /// four bytes per texel; averages are made in linear light.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Mipmap {
     /// The levels, the finest first, down to 1×1.
     pub levels: Vec<MipLevel>,
@@ -20,7 +20,7 @@ pub struct Mipmap {
 }
 
 /// One level.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MipLevel {
     /// Texels in a row.
     pub width: usize,

@@ -9,7 +9,7 @@
 //! | [`textures`](Prepared::textures) | mip levels of 8-bit codes with a table to decode them |
 //! | [`bvh`](Prepared::bvh) | the triangles that cast shadows, nodes and leaves in order |
 //!
-//! [`Prepared::pack`] lays all of it out in two pools of `u32` and `f32`, for upload.
+//! [`Prepared::pack`] lays all of it out in two pools of `u32` and `f32`, for upload; [`Section`] has the layout.
 
 pub(crate) mod bvh;
 pub(crate) mod environment_map;
@@ -22,6 +22,7 @@ pub(crate) mod ltc;
 pub(crate) mod materials;
 pub(crate) mod mipmap;
 pub(crate) mod objects;
+pub mod pack;
 pub(crate) mod tint_coordinate;
 
 use std::sync::Arc;
@@ -40,6 +41,7 @@ pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use mipmap::{MipLevel, Mipmap};
 pub use objects::{Attributes, Facets, Polygons, PreparedObject};
+pub use pack::{NO_RECORD, Packed, Pool, Section, Span};
 pub use tint_coordinate::TintCoordinate;
 
 use crate::prepare::source::Source;
@@ -48,7 +50,7 @@ use crate::prepare::source::Source;
 pub type TintSeries = Chebyshev<f32, 3>;
 
 /// A scene as plain arrays, ready to draw from any camera.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Prepared {
     /// The objects of the scene, in their order.
     pub objects: Vec<PreparedObject>,

@@ -16,7 +16,7 @@ pub struct Attributes {
 }
 
 /// An object of the scene.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PreparedObject {
     /// Index in [`Prepared::materials`](super::Prepared::materials).
     pub material: usize,
@@ -44,7 +44,7 @@ pub struct PreparedObject {
 }
 
 /// Centroids, normals and attribute means of an object's facets.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Facets {
     /// Area centroids, relative to the object's anchor.
     pub centroids: Vec<[f32; 3]>,
@@ -55,7 +55,7 @@ pub struct Facets {
 }
 
 /// The corners of an object's facets, in order.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Polygons {
     /// Where each facet's corners begin, with a last entry for the end.
     pub starts: Vec<u32>,

@@ -1,0 +1,169 @@
+//! Materials, lobes and the tint table.
+
+use glanz_bsdf::LayerWeight;
+use glanz_math::Chebyshev;
+use glanz_scene::{AlphaMode, Metalness, TextureUse};
+
+use super::{NO_RECORD, Packer, Section};
+use crate::prepare::data::{
+    AreaIntegral, DirectLobe, LobeIntegrals, LtcTable, MixTints, PreparedMaterial, TintCoordinate,
+};
+
+/// The least cosine of a sheen's albedo, and the terms of its series: those of the model.
+const LEAST_SHEEN_COSINE: f64 = 0.002;
+const SHEEN_TERMS: usize = 13;
+
+impl Packer {
+    pub(super) fn material(&mut self, material: &PreparedMaterial) {
+        let first_lobe = self.next(Section::Lobes);
+        material.lobes.iter().for_each(|lobe| self.lobe(lobe));
+        let spot_ambient = material.spot_ambient.as_flattened().as_flattened();
+        let [mix_tints, mix_spot, mix] = material.mix.as_ref().map_or([NO_RECORD; 3], |mix| self.mix(mix));
+        let transmittance = material.transmittance.as_slice();
+        let (alpha_mode, _) = alpha_mode(material);
+        let record = [
+            first_lobe,
+            material.lobes.len() as u32,
+            self.floats(Section::Tints, material.tints.as_flattened()),
+            or_none(&material.series, |series| self.series(series)),
+            or_none(spot_ambient, |rows| self.floats(Section::SpotAmbient, rows)),
+            or_none(&material.integrals, |integrals| self.integrals(integrals)),
+            mix_tints,
+            mix_spot,
+            mix,
+            or_none(transmittance, |series| self.series(series)),
+            self.texture_use(material.base_color),
+            self.texture_use(material.normal_map),
+            self.texture_use(material.emission_map),
+            self.texture_use(material.metal_rough_map),
+            flags(material),
+            alpha_mode,
+        ];
+        self.words(Section::Materials, &record);
+        self.material_values(material);
+    }
+
+    fn material_values(&mut self, material: &PreparedMaterial) {
+        let aniso = material.aniso.map(|x| x as f32);
+        let alpha = [material.alpha, alpha_mode(material).1];
+        let values = [material.ambient.as_flattened(), &material.emission, &aniso, &alpha].concat();
+        self.floats(Section::MaterialValues, &values);
+    }
+
+    fn lobe(&mut self, lobe: &DirectLobe) {
+        let params: Vec<f32> = lobe.shape.params().iter().map(|value| *value as f32).collect();
+        let first_param = self.floats(Section::Params, &params);
+        let first_layer = self.next(Section::Layers);
+        lobe.layers.iter().for_each(|layer| self.layer(layer));
+        let (coordinate, eta) = match lobe.coordinate {
+            TintCoordinate::None => (0, 0.0),
+            TintCoordinate::HalfAngle => (1, 0.0),
+            TintCoordinate::CoatPath { eta } => (2, eta),
+        };
+        let (metalness, factor) = match lobe.metalness {
+            Metalness::Any => (0, 0.0),
+            Metalness::Metal { factor } => (1, factor),
+            Metalness::Dielectric { factor } => (2, factor),
+        };
+        let record = [
+            lobe.shape.id(),
+            first_param,
+            params.len() as u32,
+            lobe.term as u32,
+            u32::from(lobe.textured),
+            coordinate,
+            metalness,
+            first_layer,
+            lobe.layers.len() as u32,
+        ];
+        self.words(Section::Lobes, &record);
+        self.floats(Section::LobeValues, &[eta as f32, factor as f32]);
+    }
+
+    fn layer(&mut self, layer: &LayerWeight) {
+        let (kind, angle, series, values) = match layer {
+            LayerWeight::Constant(value) => (0, 0, NO_RECORD, [*value, 0.0]),
+            LayerWeight::Schlick { angle, at_zero, at_grazing } => {
+                (1, *angle as u32, NO_RECORD, [*at_zero, *at_grazing])
+            }
+            LayerWeight::Series { angle, factor } => (2, *angle as u32, self.scalar_series(factor), [0.0; 2]),
+            LayerWeight::Coat { transmittance, gain } => {
+                (3, 0, self.scalar_series(transmittance), [*gain, 0.0])
+            }
+            LayerWeight::Sheen { strength, albedo } => {
+                let flattest = libm::sqrt(LEAST_SHEEN_COSINE);
+                let at = |x: f64| {
+                    let root = flattest + (1.0 - flattest) * x;
+                    albedo.at(root * root)
+                };
+                let series = self.scalar_series(&Chebyshev::interpolate(SHEEN_TERMS, at));
+                (4, 0, series, [*strength, 0.0])
+            }
+        };
+        self.words(Section::Layers, &[kind, angle, series]);
+        self.floats(Section::LayerValues, &values.map(|value| value as f32));
+    }
+
+    /// The numbers of the first entry, of the first light and of the values that no light has a part in.
+    fn mix(&mut self, mix: &MixTints) -> [u32; 3] {
+        let spots = mix.spot_ambient.as_flattened().as_flattened();
+        [
+            self.floats(Section::MixTints, mix.tints.as_flattened().as_flattened()),
+            or_none(spots, |rows| self.floats(Section::MixSpotAmbient, rows)),
+            self.floats(Section::MixValues, [mix.ambient, mix.emission].as_flattened().as_flattened()),
+        ]
+    }
+
+    fn integrals(&mut self, integrals: &[LobeIntegrals]) -> u32 {
+        let first = self.next(Section::Integrals);
+        for lobe in integrals {
+            let [sine, cosine] = &lobe.middle;
+            let series = [&lobe.albedo, sine, cosine].map(|series| self.scalar_series(series));
+            let (area, ltc) = match &lobe.area {
+                AreaIntegral::Cosine => (0, NO_RECORD),
+                AreaIntegral::Ltc(table) => (1, self.once(table, Self::ltc)),
+                AreaIntegral::Points => (2, NO_RECORD),
+                AreaIntegral::Mirror => (3, NO_RECORD),
+            };
+            let maps = lobe.prefiltered.iter();
+            let maps: Vec<u32> =
+                maps.map(|map| map.as_ref().map_or(NO_RECORD, |map| self.map(map))).collect();
+            let prefiltered = self.words(Section::Prefiltered, &maps);
+            let [albedo, sine, cosine] = series;
+            let record = [albedo, sine, cosine, area, ltc, prefiltered, maps.len() as u32];
+            self.words(Section::Integrals, &record);
+        }
+        first
+    }
+
+    fn ltc(&mut self, table: &LtcTable) -> u32 {
+        self.floats(Section::LtcRows, table.inverses.as_flattened())
+    }
+
+    fn texture_use(&mut self, used: Option<TextureUse>) -> u32 {
+        let Some(TextureUse { texture, transform, scale }) = used else { return NO_RECORD };
+        self.floats(Section::TextureUseValues, &[transform.as_flattened(), &[scale]].concat());
+        self.words(Section::TextureUses, &[texture as u32])
+    }
+}
+
+/// The number of the first record of what is not empty.
+fn or_none<T>(values: &[T], pack: impl FnOnce(&[T]) -> u32) -> u32 {
+    if values.is_empty() { NO_RECORD } else { pack(values) }
+}
+
+fn flags(material: &PreparedMaterial) -> u32 {
+    u32::from(material.two_sided)
+        | u32::from(material.cull_back) << 1
+        | u32::from(material.anisotropic) << 2
+        | u32::from(material.transmits) << 3
+}
+
+/// What alpha means, and the cutoff of masks.
+fn alpha_mode(material: &PreparedMaterial) -> (u32, f32) {
+    match material.alpha_mode {
+        AlphaMode::Opaque => (0, 0.0),
+        AlphaMode::Mask { cutoff } => (1, cutoff),
+        AlphaMode::Blend => (2, 0.0),
+    }
+}

@@ -1,0 +1,192 @@
+//! A small scene with all that a scene can have: every kind of light, lobes of every sort, textures, attributes,
+//! objects with facets and polygons.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DVec3, Vec4};
+use glanz_bsdf::Shape;
+use glanz_color::{Ior, Rgb, Spectrum};
+use glanz_scene::{
+    AlphaMode, AreaShape, Attenuation, Builtin, Coat, EnvironmentMap, Interpolation, LightKind, Lobe,
+    Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse, Tint,
+    Transmittance,
+};
+
+use super::{add, builtin, camera, empty, light, rectangle, shiny, sphere};
+
+/// Numbers of the materials and objects of [`everything`]; each object has its own.
+pub const METAL: usize = 0;
+pub const COATED: usize = 1;
+pub const WINDOW: usize = 2;
+pub const TEXTURED: usize = 3;
+pub const GROUND: usize = 4;
+pub const GLASS: usize = 5;
+pub const PHONG: usize = 6;
+
+/// Numbers of its lights.
+pub const AMBIENT: usize = 0;
+pub const DIRECTIONAL: usize = 1;
+pub const POINT: usize = 2;
+pub const SPOT: usize = 3;
+pub const LUMINAIRE: usize = 4;
+/// The lights from this one on are not punctual; [`punctual`] has none of them.
+pub const ENVIRONMENT: usize = 5;
+pub const RECTANGLE: usize = 6;
+pub const BALL: usize = 7;
+
+/// The scene without environments and areas, which is much faster to prepare.
+pub fn punctual() -> Scene {
+    let mut scene = everything();
+    scene.lights.truncate(ENVIRONMENT);
+    scene
+}
+
+pub fn everything() -> Scene {
+    let mut scene = empty(camera(3.0, 50.0));
+    scene.textures.extend([texture(true), texture(false)]);
+    add_lamps(&mut scene);
+    add_fields(&mut scene);
+    let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
+    add(&mut scene, sphere(12, 6), metal(), at(-0.9, 0.1, 0.0));
+    add(&mut scene, sphere(10, 6), coated(), at(0.9, 0.0, -0.4));
+    add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window(), DMat4::IDENTITY);
+    add(&mut scene, rectangle([-1.0, 0.2, 0.2, 0.9], 1.1), textured(), DMat4::from_rotation_y(0.1));
+    let ground =
+        Material::of_lobes("ground", vec![matte(), Lobe::new(of("oren-nayar", &[]), Rgb::gray(0.3))]);
+    let place = at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0));
+    add(&mut scene, builtin(Builtin::Plane), ground, place);
+    let glass = Material { alpha: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) };
+    add(&mut scene, colored(sphere(8, 6)), glass, at(0.3, -0.2, 0.7));
+    add(&mut scene, sphere(24, 13), shiny("phong", 12.0), at(0.0, 0.9, -0.5));
+    scene.objects[COATED].shading = Some(Shading::Flat);
+    scene.objects[GLASS].shading = Some(Shading::Gouraud);
+    scene.objects[GLASS].interpolation = Some(Interpolation::Scanline);
+    scene
+}
+
+fn of(name: &str, set: &[(&str, f64)]) -> Shape {
+    Shape::named(name, set).unwrap()
+}
+
+fn matte() -> Lobe {
+    Lobe::new(of("lambert", &[]), Rgb([0.5, 0.2, 0.1]))
+}
+
+fn gold() -> Tint {
+    Tint::Ior(Arc::new(glanz_color::ior("Au").unwrap()))
+}
+
+/// Anisotropic, with a tint that depends on the angle.
+fn metal() -> Material {
+    let ward = of("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
+    Material { aniso: 0.7, ..Material::of_lobes("metal", vec![Lobe::new(ward, gold()), matte()]) }
+}
+
+/// Below layers.
+fn coated() -> Material {
+    let coat = Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() };
+    let lobes = vec![matte(), Lobe::new(of("ggx", &[("alpha", 0.3)]), gold())];
+    Material::of_lobes("coated", lobes).under_coat(&coat).unwrap()
+}
+
+/// With a mirror and a transmittance.
+fn window() -> Material {
+    let absorption = glanz_color::rgb_spectra::spectrum_of_reflectance(Rgb([0.1, 0.6, 0.9])) * 200.0;
+    let pane = Arc::new(Pane { ior: Ior::constant(1.5), thickness: 0.003, absorption });
+    let mirror = Lobe::new(of("mirror", &[]), Tint::Pane(pane.clone()));
+    Material { transmittance: Some(Transmittance::Pane(pane)), ..Material::of_lobes("window", vec![mirror]) }
+}
+
+/// With all four maps, which leaves holes.
+fn textured() -> Material {
+    let scaled = TextureUse { scale: 0.5, ..TextureUse::plain(1) };
+    Material {
+        base_color: Some(TextureUse {
+            transform: [[2.0, 0.0, 0.1], [0.0, 3.0, 0.2]],
+            ..TextureUse::plain(0)
+        }),
+        normal_map: Some(scaled),
+        emission_map: Some(TextureUse::plain(0)),
+        metal_rough_map: Some(TextureUse::plain(1)),
+        alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
+        two_sided: true,
+        ..shiny("blinn-phong", 4.0)
+    }
+}
+
+fn add_lamps(scene: &mut Scene) {
+    let position = DVec3::new(1.5, 2.0, 2.0);
+    let attenuation = Attenuation { constant: 0.2, linear: 0.1, quadratic: 0.1 };
+    let spot = LightKind::Spot {
+        position: -position,
+        direction: position,
+        cutoff: 0.5,
+        exponent: 3.0,
+        smooth_edge: Some((0.9, 0.8)),
+        attenuation: Attenuation::NONE,
+    };
+    let kinds = [
+        LightKind::Ambient,
+        LightKind::Directional { direction: DVec3::new(0.3, -1.0, -0.6) },
+        LightKind::Point { position, attenuation },
+        spot,
+    ];
+    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.5, 0.6, 0.7]))));
+    let position = DVec3::new(0.0, 2.0, 2.0);
+    let mut lamp = light(LightKind::Point { position, attenuation: Attenuation::PHYSICAL }, Rgb::WHITE);
+    let profile = Arc::new(Profile {
+        c_deg: vec![0.0],
+        gamma_deg: vec![0.0, 40.0, 90.0, 180.0],
+        candela: vec![1.0, 3.0, 0.5, 0.0],
+    });
+    let axis = Luminaire::AXIS;
+    lamp.luminaire = Some(Luminaire { profile, axis, c0: Luminaire::c0_for(axis) });
+    scene.lights.push(lamp);
+}
+
+fn add_fields(scene: &mut Scene) {
+    let area = |shape, position: DVec3| LightKind::Area {
+        shape,
+        position,
+        direction: -position,
+        up: DVec3::Y,
+        two_sided: false,
+    };
+    let kinds = [
+        LightKind::Environment { map: Some(environment_map(0.2)), rotation: DMat3::from_rotation_y(0.4) },
+        area(AreaShape::Rectangle { width: 1.0, height: 0.4 }, DVec3::new(-1.0, 2.0, 1.5)),
+        area(AreaShape::Sphere { radius: 0.3 }, DVec3::new(2.0, 1.0, 1.0)),
+    ];
+    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.8, 0.9, 0.7]))));
+}
+
+/// A map of 16×8 pixels, whose blue is mostly `blue`.
+pub fn environment_map(blue: f32) -> Arc<EnvironmentMap> {
+    let pixel = |i: usize| {
+        [(i % 7) as f32 * 0.1, (i % 16) as f32 * 0.04, if i.is_multiple_of(50) { 4.0 } else { blue }]
+    };
+    Arc::new(EnvironmentMap { width: 16, height: 8, pixels: (0..128).map(pixel).collect() })
+}
+
+/// A texture of 16×16 texels with holes.
+pub fn texture(srgb: bool) -> Texture {
+    let texel = |i: u32| {
+        let (x, y) = (i % 16, i / 16);
+        [(x * 16) as u8, (y * 16) as u8, (x * y) as u8, if (x ^ y) & 3 == 0 { 0 } else { 255 }]
+    };
+    Texture {
+        width: 16,
+        height: 16,
+        rgba: (0..256).flat_map(texel).collect(),
+        srgb,
+        filter: TextureFilter::Trilinear,
+        ..Texture::default()
+    }
+}
+
+fn colored(mut mesh: Mesh) -> Mesh {
+    mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.5).extend(0.5 + 0.5 * p.x.abs())).collect();
+    assert!(mesh.colors.iter().all(|c| c.cmple(Vec4::ONE).all()));
+    mesh
+}
