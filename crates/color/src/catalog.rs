@@ -1,7 +1,10 @@
 //! Spectra by name, of whatever kind: lights, measured reflectances, and metals and glasses by their reflectance.
 
-use crate::names::plain;
-use crate::{IorKind, Spectrum, UnknownName, ior, iors, light, lights, reflectance, reflectances};
+use crate::lights::{light, lights};
+use crate::names::{UnknownName, plain};
+use crate::spectra::Spectrum;
+use crate::surfaces::ior::{IorKind, ior, iors};
+use crate::surfaces::reflectances::{reflectance, reflectances};
 
 /// What a spectrum is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

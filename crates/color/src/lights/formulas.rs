@@ -2,9 +2,8 @@
 
 use std::sync::LazyLock;
 
-use crate::resample::Outside;
-use crate::spectrum::Spectrum;
-use crate::table::Table;
+use crate::spectra::table::Table;
+use crate::spectra::{Outside, Spectrum};
 
 /// The wavelength at which most relative spectra are 1, in nm.
 pub(super) const UNIT_NM: f64 = 560.0;

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::spectrum::{FIRST_NM, LAST_NM};
+use crate::spectra::{FIRST_NM, LAST_NM};
 
 /// What is known about a light.
 #[derive(Clone, Debug, PartialEq)]

@@ -18,9 +18,8 @@ use std::sync::LazyLock;
 
 use crate::names::{UnknownName, plain};
 use crate::observers::photopic;
-use crate::resample::Outside;
-use crate::spectrum::{FIRST_NM, LAST_NM, Spectrum};
-use crate::table::Table;
+use crate::spectra::table::Table;
+use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum};
 
 pub use list::{LightInfo, lights};
 

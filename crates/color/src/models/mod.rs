@@ -9,6 +9,7 @@
 //! typed conversion takes the nearest colour of the cube, component by component; [`convert`] refuses.
 
 mod cie;
+pub(crate) mod cones;
 mod device;
 mod info;
 mod oklab;

@@ -1,8 +1,8 @@
 //! RGB spaces as data: primaries, white, transfer.
 
 use super::transfer::Transfer;
-use crate::Matrix3;
-use crate::adaptation::{BRADFORD, adaptation_matrix};
+use crate::algebra::Matrix3;
+use crate::models::cones::{BRADFORD, adaptation_matrix};
 
 /// The chromaticity x, y of D65 as IEC 61966-2-1 and ITU-R BT.709, BT.2020 give it.
 pub const D65_XY: [f64; 2] = [0.3127, 0.3290];

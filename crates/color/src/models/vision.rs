@@ -3,8 +3,8 @@
 use super::Xyz;
 use super::info::{Channel, ColorModel, ModelInfo};
 use super::space::D65_XYZ;
-use crate::Matrix3;
-use crate::adaptation::HUNT_POINTER_ESTEVEZ_D65;
+use crate::algebra::Matrix3;
+use crate::models::cones::HUNT_POINTER_ESTEVEZ_D65;
 
 const CONES_TO_XYZ: Matrix3 = HUNT_POINTER_ESTEVEZ_D65.inverse();
 

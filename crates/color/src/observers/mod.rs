@@ -11,9 +11,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::names::{UnknownName, plain};
-use crate::resample::Outside;
-use crate::spectrum::Spectrum;
-use crate::table::Table;
+use crate::spectra::table::Table;
+use crate::spectra::{Outside, Spectrum};
 
 pub use list::{ObserverInfo, observers};
 

@@ -3,12 +3,13 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use glanz_color::{Ior, Spectrum};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use super::sampled::{IorTable, PaneTintTable, Sampled};
+use super::sampled::Sampled;
 use super::values::{Amount, At, Color, Number};
 use crate::Polarization;
 
@@ -77,8 +78,8 @@ pub(crate) enum IorValue {
 
 impl<'de> Deserialize<'de> for IorValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Ior;
-        impl<'de> Visitor<'de> for Ior {
+        struct Form;
+        impl<'de> Visitor<'de> for Form {
             type Value = IorValue;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(
@@ -105,8 +106,44 @@ impl<'de> Deserialize<'de> for IorValue {
                 Ok(IorValue::Table(Box::new(table)))
             }
         }
-        deserializer.deserialize_any(Ior)
+        deserializer.deserialize_any(Form)
     }
+}
+
+/// An index of refraction by its samples.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct IorTable {
+    /// A name for people.
+    #[serde(default)]
+    pub name: String,
+    /// The real part.
+    pub eta: Sampled,
+    /// The extinction coefficient; 0 by default.
+    pub k: Option<Sampled>,
+    /// Where the numbers come from.
+    #[serde(default)]
+    pub source: String,
+}
+
+impl IorTable {
+    /// The index.
+    pub fn ior(&self) -> Ior {
+        let k = self.k.as_ref().map_or(Spectrum::ZERO, |k| k.0);
+        Ior { name: self.name.clone(), eta: self.eta.0, k, source: self.source.clone() }
+    }
+}
+
+/// A pane by its numbers: what both of its sides reflect, or what it lets through.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PaneTintTable {
+    /// Its index of refraction.
+    pub ior: IorValue,
+    /// Its thickness in m.
+    pub thickness_m: Number,
+    /// Its absorption in 1/m; 0 by default.
+    pub absorption: Option<Sampled>,
 }
 
 /// A colour: RGB, or a function of wavelength.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use glanz_color::{Ior, Observer, ObserverKind, SAMPLES, Spectrum};
+use glanz_color::{Observer, ObserverKind, SAMPLES, Spectrum};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -52,42 +52,6 @@ impl JsonSchema for Sampled {
             "anyOf": [number, { "type": "array", "items": number, "minItems": SAMPLES, "maxItems": SAMPLES }]
         })
     }
-}
-
-/// An index of refraction by its samples.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct IorTable {
-    /// A name for people.
-    #[serde(default)]
-    pub name: String,
-    /// The real part.
-    pub eta: Sampled,
-    /// The extinction coefficient; 0 by default.
-    pub k: Option<Sampled>,
-    /// Where the numbers come from.
-    #[serde(default)]
-    pub source: String,
-}
-
-impl IorTable {
-    /// The index.
-    pub fn ior(&self) -> Ior {
-        let k = self.k.as_ref().map_or(Spectrum::ZERO, |k| k.0);
-        Ior { name: self.name.clone(), eta: self.eta.0, k, source: self.source.clone() }
-    }
-}
-
-/// A pane by its numbers: what both of its sides reflect, or what it lets through.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct PaneTintTable {
-    /// Its index of refraction.
-    pub ior: super::colors::IorValue,
-    /// Its thickness in m.
-    pub thickness_m: Number,
-    /// Its absorption in 1/m; 0 by default.
-    pub absorption: Option<Sampled>,
 }
 
 /// What a coat over a lobe absorbs.

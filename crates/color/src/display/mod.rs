@@ -1,0 +1,6 @@
+//! Colours as displays show them: linear RGB, the transfer of sRGB, tone mapping, mixing.
+
+pub mod mixing;
+pub(crate) mod rgb;
+pub(crate) mod srgb;
+pub(crate) mod tone_map;

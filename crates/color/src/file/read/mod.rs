@@ -1,0 +1,116 @@
+//! Readers of spectra and of re-radiation matrices.
+//!
+//! | format | reader | written by |
+//! |---|---|---|
+//! | text tables: CSV, TSV, blanks | [`read_csv`] | [`write_csv`](crate::write::write_csv) |
+//! | IES TM-27-14 `.spdx` | [`read_spdx`] | [`write_spdx`](crate::write::write_spdx) |
+//! | CGATS.17 `.txt` | [`read_cgats`] | – |
+//! | CxF3 `.cxf` | [`read_cxf`] | – |
+//! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
+//! | text tables of re-radiation | [`read_matrix_csv`] | [`write_matrix_csv`](crate::write::write_matrix_csv) |
+//! | spectral OpenEXR | module `exr`, feature `exr` | module `exr` |
+//!
+//! All take bytes and a file's name for messages, and open nothing themselves. A reader is total: it
+//! returns what the file holds or one error that names file, place and what was expected. Its memory and
+//! time are bounded by the size of the file, which is at most 16 MiB, never by a number that the file
+//! claims. What a reader had to assume stands in the `notes` of what it returns.
+
+mod bfc;
+mod cgats;
+mod csv;
+mod cxf;
+pub(crate) mod error;
+mod matrix;
+pub(crate) mod named;
+mod power;
+pub(crate) mod reradiation;
+mod spdx;
+#[cfg(test)]
+mod tests;
+mod text;
+mod units;
+mod xml;
+
+pub use bfc::read_bfc;
+pub use cgats::read_cgats;
+pub use csv::read_csv;
+pub use cxf::read_cxf;
+pub use error::{Place, ReadError};
+pub use matrix::read_matrix_csv;
+pub use named::{NamedSpectrum, Quantity};
+pub use power::{PowerUnit, Radiometry};
+pub use reradiation::NamedReradiation;
+pub use spdx::read_spdx;
+
+/// The beginning of a file in which its format shows.
+const SNIFFED: usize = 4096;
+
+/// Reads spectra in whichever format the bytes are: `.spdx`, CxF3, CGATS or a text table.
+///
+/// # Errors
+///
+/// [`ReadError`] of that format's reader.
+pub fn read_spectra(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let text = text::decode(bytes, file)?;
+    if text.trim_start().starts_with('<') {
+        let mut end = text.len().min(SNIFFED);
+        while !text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let head = &text[..end];
+        return match (head.contains(spdx::ROOT), head.contains(cxf::ROOT)) {
+            (true, _) => read_spdx(bytes, file),
+            (_, true) => read_cxf(bytes, file),
+            _ => {
+                let expected = "an element 'IESTM2714' or 'CxF' in XML, or a text table";
+                Err(ReadError::malformed(file, Place::File, expected, error::excerpt(head)))
+            }
+        };
+    }
+    if cgats::is_cgats(&text) { read_cgats(bytes, file) } else { read_csv(bytes, file) }
+}
+
+/// Reads a re-radiation matrix in whichever format the bytes are: `.BFC`, a text table, or a bispectral
+/// OpenEXR picture, of which the pixel in the middle is taken (with the feature `exr`).
+///
+/// # Errors
+///
+/// [`ReadError`] of that format's reader.
+pub fn read_reradiation(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
+    #[cfg(feature = "exr")]
+    if bytes.starts_with(&EXR_MAGIC) {
+        return read_middle(bytes, file);
+    }
+    if is_bfc(bytes) { read_bfc(bytes, file) } else { read_matrix_csv(bytes, file) }
+}
+
+/// Whether the bytes are a re-radiation matrix of the BFC-450, by what stands at their beginning.
+pub fn is_bfc(bytes: &[u8]) -> bool {
+    bytes[..bytes.len().min(SNIFFED)].windows(7).any(|part| part == b"BFC-450")
+}
+
+/// How an OpenEXR file begins.
+#[cfg(feature = "exr")]
+const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
+/// The most bytes that a bispectral picture may take in memory.
+#[cfg(feature = "exr")]
+const MAX_MATRIX_PICTURE: u64 = 1 << 30;
+
+/// The matrix of the pixel in the middle of a bispectral picture.
+#[cfg(feature = "exr")]
+fn read_middle(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
+    let image = crate::file::exr::read_spectral_exr(bytes, file, MAX_MATRIX_PICTURE)?;
+    let (x, y) = (image.width / 2, image.height / 2);
+    let mut matrix = image.reradiation_at(x, y).ok_or_else(|| {
+        ReadError::malformed(
+            file,
+            Place::File,
+            "channels of re-radiation such as T.380,000000nm.550,000000nm",
+            "a picture without them",
+        )
+    })?;
+    matrix.name = file.rsplit(['/', '\\']).next().unwrap_or(file).to_owned();
+    matrix.notes.push(format!("the matrix of pixel {x}, {y} of {}x{} is taken", image.width, image.height));
+    Ok(matrix)
+}

@@ -1,0 +1,185 @@
+//! What a file of spectra holds: named spectra, as they were measured.
+
+use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum, TableError};
+
+/// What the values of a spectrum are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantity {
+    /// The file does not say.
+    #[default]
+    Unknown,
+    /// The fraction of light that comes back: 0 to 1, more with fluorescence.
+    Reflectance,
+    /// The fraction of light that passes.
+    Transmittance,
+    /// The fraction of light that stays.
+    Absorptance,
+    /// Light of some unit; see the spectrum's `unit`.
+    Light,
+    /// Light without a unit.
+    Relative,
+}
+
+impl Quantity {
+    /// The quantity that a header's text names.
+    pub(super) fn of(text: &str) -> Self {
+        let lower = text.to_lowercase();
+        let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+        if has(&["reflect", "radiance factor"]) {
+            Self::Reflectance
+        } else if has(&["transmi"]) {
+            Self::Transmittance
+        } else if has(&["absorptance"]) {
+            Self::Absorptance
+        } else if has(&["radiance", "flux", "power", "intensity", "exitance", "w/", "w m", "w.m", "w·m"]) {
+            Self::Light
+        } else if has(&["relative"]) {
+            Self::Relative
+        } else {
+            Self::Unknown
+        }
+    }
+
+    /// Whether the values are fractions of light, so that per cent can be told from them.
+    pub fn is_ratio(self) -> bool {
+        matches!(self, Self::Reflectance | Self::Transmittance | Self::Absorptance)
+    }
+}
+
+/// How far below 0 noise reaches, as a part of the greatest value: instruments that subtract their dark
+/// signal give up to about a hundredth.
+const NOISE: f64 = 0.02;
+
+/// A spectrum of a file, at the wavelengths at which it was measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NamedSpectrum {
+    /// Its name in the file, or one made from the file's name.
+    pub name: String,
+    /// The wavelengths in nm, ascending, at least one.
+    pub nm: Vec<f64>,
+    /// A value for each wavelength; fractions of light from 0 to 1, not in per cent.
+    pub values: Vec<f64>,
+    /// What the values are.
+    pub quantity: Quantity,
+    /// The unit as the file gives it; empty if it does not. Values are not converted to another unit, save
+    /// that densities per THz become densities per nm.
+    pub unit: String,
+    /// What the reader had to assume or left out, in words.
+    pub notes: Vec<String>,
+}
+
+impl NamedSpectrum {
+    /// The spectrum on the grid, and in words what lay outside of it or was missing.
+    ///
+    /// Beyond its ends a fraction of light is held, any other spectrum is 0, unless `outside` says otherwise.
+    /// Values below 0 are noise, and become 0, down to −0.02 of the greatest value, or of 1 for fractions of
+    /// light.
+    ///
+    /// # Errors
+    ///
+    /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
+    pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
+        let least = -NOISE * self.scale();
+        let below = || self.nm.iter().zip(&self.values).filter(|(_, value)| **value < 0.0);
+        if let Some((&nm, &value)) = below().find(|(_, value)| **value < least) {
+            return Err(TableError::Negative { nm, value, least });
+        }
+        let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
+        if count == 0 {
+            return self.resampled(&self.values, outside);
+        }
+        let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
+        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
+        let name = &self.name;
+        notes.push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
+        Ok((spectrum, notes))
+    }
+
+    /// The curve on the grid as the weights of a sensor's channel, and what lay outside of it or was missing.
+    ///
+    /// Beyond its ends it is 0. Values below 0 are kept: matching functions of real primaries have them.
+    ///
+    /// # Errors
+    ///
+    /// [`TableError`] where there is but one wavelength, or a value is no number, or none lies above 0.
+    pub fn to_sensitivity(&self) -> Result<(Spectrum, Vec<String>), TableError> {
+        if let (Some(&nm), Some(&value)) = (self.nm.first(), self.values.first())
+            && !self.values.iter().any(|value| *value > 0.0)
+        {
+            return Err(TableError::NoSensitivity { nm, value });
+        }
+        self.resampled(&self.values, Some(Outside::Zero))
+    }
+
+    /// What noise is measured by: the greatest value; for fractions of light at least the white, 1.
+    fn scale(&self) -> f64 {
+        let white = if self.quantity.is_ratio() { 1.0 } else { 0.0 };
+        self.values.iter().copied().fold(white, f64::max)
+    }
+
+    fn resampled(
+        &self,
+        values: &[f64],
+        outside: Option<Outside>,
+    ) -> Result<(Spectrum, Vec<String>), TableError> {
+        let by_quantity = if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero };
+        let outside = outside.unwrap_or(by_quantity);
+        let spectrum = Spectrum::from_table(&self.nm, values, outside)?;
+        Ok((spectrum, self.coverage(outside)))
+    }
+
+    /// What of the grid the spectrum does not cover, and what of the spectrum the grid does not.
+    fn coverage(&self, outside: Outside) -> Vec<String> {
+        let (Some(&first), Some(&last)) = (self.nm.first(), self.nm.last()) else { return Vec::new() };
+        let mut notes = Vec::new();
+        let taken = match outside {
+            Outside::Zero => "zero",
+            Outside::Hold => "the value at its end",
+        };
+        if first > FIRST_NM {
+            notes.push(format!(
+                "'{}' begins at {first} nm: {taken} is taken from {FIRST_NM} nm on",
+                self.name
+            ));
+        }
+        if last < LAST_NM {
+            notes.push(format!("'{}' ends at {last} nm: {taken} is taken up to {LAST_NM} nm", self.name));
+        }
+        let beyond = self.nm.iter().filter(|nm| !(FIRST_NM..=LAST_NM).contains(*nm)).count();
+        if beyond > 0 {
+            let of = self.nm.len();
+            notes.push(format!("{beyond} of {of} values of '{}' lie outside of 300 to 780 nm", self.name));
+        }
+        notes
+    }
+}
+
+/// At most this many remarks are kept of a file.
+const MOST_NOTES: usize = 16;
+
+/// Adds a remark, if it is new and there are not too many.
+pub(super) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
+    let text = text.into();
+    if notes.len() < MOST_NOTES && !notes.contains(&text) {
+        notes.push(text);
+    }
+}
+
+/// Fractions of light beyond this are in per cent: even fluorescent materials hardly give back twice the
+/// light of a wavelength, and a table in per cent stays below it only for black.
+const GREATEST_SHARE: f64 = 2.0;
+
+/// Turns per cent to fractions where a file has fractions of light that exceed 2, and says so. All spectra
+/// of a file are judged together, for a black sample in per cent looks like a grey one.
+pub(super) fn settle_percent(spectra: &mut [NamedSpectrum]) {
+    let judged = |spectrum: &NamedSpectrum| spectrum.quantity.is_ratio() && spectrum.unit.is_empty();
+    let values = spectra.iter().filter(|spectrum| judged(spectrum)).flat_map(|spectrum| &spectrum.values);
+    let greatest = values.copied().fold(0.0, f64::max);
+    if greatest <= GREATEST_SHARE {
+        return;
+    }
+    for spectrum in spectra.iter_mut().filter(|spectrum| judged(spectrum)) {
+        spectrum.values.iter_mut().for_each(|value| *value /= 100.0);
+        note(&mut spectrum.notes, format!("fractions of light up to {greatest} taken as per cent"));
+    }
+}

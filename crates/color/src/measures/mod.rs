@@ -1,0 +1,10 @@
+//! Colorimetry and photometry: the numbers that are made of spectra and XYZ.
+
+pub mod adaptation;
+pub mod chromaticity;
+pub mod colorimetry;
+pub mod cri;
+pub mod difference;
+pub mod dominant;
+pub mod photometry;
+pub mod temperature;
