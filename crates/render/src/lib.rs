@@ -1,4 +1,4 @@
-//! From a scene to linear frames: [`prepare`], [`view`], back ends.
+//! From a scene to linear frames: [`prepare`](mod@prepare), [`view`], back ends.
 //!
 //! [`prepare()`] turns a `Scene` into plain arrays ([`Prepared`]): geometry, lobe shapes, lights and the tint table, in
 //! which all work with wavelengths is done. [`view`] makes of these what every back end needs per frame. A

@@ -59,7 +59,7 @@ fn scene(shading: Shading, interpolation: Interpolation) -> Scene {
 
 /// A scene of what the classic models do not have: anisotropy, coats, panes and transmittance, under an environment,
 /// surfaces that shine, a luminaire, and with shadows.
-fn matter(shading: Shading) -> Scene {
+fn general_materials(shading: Shading) -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
     scene.render.shading = shading;
     scene.render.shadows = true;
@@ -199,11 +199,11 @@ fn variants() -> Vec<(String, Scene, DrawOptions)> {
     }
     let surrounded = DrawOptions { background: Background::Environment, ..base };
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-        variants.push((format!("matter, {shading:?}"), matter(shading), surrounded));
+        variants.push((format!("matter, {shading:?}"), general_materials(shading), surrounded));
     }
     for (samples, supersample) in [(4, false), (2, true)] {
         let options = DrawOptions { samples, supersample, ..surrounded };
-        variants.push((format!("matter, {samples} samples"), matter(Shading::Phong), options));
+        variants.push((format!("matter, {samples} samples"), general_materials(Shading::Phong), options));
     }
     let scene = scene(Shading::Phong, Interpolation::Perspective);
     let transparent = Background::Transparent;

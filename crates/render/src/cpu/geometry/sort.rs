@@ -33,7 +33,10 @@ struct Boxes<S: Simd> {
 }
 
 /// Culls and sorts the triangles of cluster `number`.
-#[expect(clippy::too_many_arguments, reason = "a cluster on its way from one array to the next")]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the outputs of projection, in and out, without a struct between"
+)]
 #[inline(always)]
 pub(crate) fn sort<S: Simd>(
     simd: S,

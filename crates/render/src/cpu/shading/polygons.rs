@@ -104,7 +104,7 @@ fn project(camera: &ViewCamera, p: Vec3<f32>) -> Option<[f32; 2]> {
     ])
 }
 
-#[expect(clippy::too_many_arguments, reason = "a corner is where everything meets")]
+#[expect(clippy::too_many_arguments, reason = "a corner takes a value from each stage of the frame")]
 fn corner(
     polygons: &Polygons,
     i: usize,
