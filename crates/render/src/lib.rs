@@ -2,7 +2,7 @@
 //!
 //! [`prepare()`] turns a `Scene` into plain arrays ([`Prepared`]): geometry, lobe shapes, lights and the tint table, in
 //! which all work with wavelengths is done. [`view`] makes of these what every back end needs per frame. A
-//! [`Backend`] turns both into a [`Frame`](glanz_picture::Frame) of linear channels; the CPU's is [`cpu::Renderer`].
+//! [`Backend`] turns both into a [`Frame`] of linear channels; the CPU's is [`cpu::Renderer`].
 
 mod backend;
 pub mod cpu;
