@@ -104,7 +104,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &V
                         if below { Vec3::new(v.x, v.y, -v.z) } else { v }
                     },
                 );
-                seen_through(&outline, map, sum.cos_o, local) * integrals.albedo.at(sum.cos_o).max(zero)
+                transmitted_light(&outline, map, sum.cos_o, local) * integrals.albedo.at(sum.cos_o).max(zero)
             }
         };
         sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));
@@ -113,7 +113,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &V
 
 /// The fraction of a lobe that the light fills.
 #[inline(always)]
-fn seen_through<R: Real>(
+fn transmitted_light<R: Real>(
     outline: &Outline<R>,
     map: Option<&LtcTable>,
     cos_o: R,
