@@ -45,6 +45,13 @@ pub struct ParamInfo {
     pub default: f64,
 }
 
+impl ParamInfo {
+    /// Whether the value is a number within the range, whose ends belong to it.
+    pub fn accepts(&self, value: f64) -> bool {
+        (self.min..=self.max).contains(&value)
+    }
+}
+
 /// All that is known of a model without evaluating it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelInfo {
@@ -73,6 +80,31 @@ pub struct ModelInfo {
     pub operations: u32,
     /// Laws that it breaks, each with the reason.
     pub exempt: &'static [(Law, &'static str)],
+}
+
+impl ModelInfo {
+    /// The place of the parameter called `name` in [`ModelInfo::params`], after a look at the value meant for it.
+    pub(crate) fn place(&self, name: &str, value: f64) -> Result<usize, ParamError> {
+        let Some(index) = self.params.iter().position(|param| param.name == name) else {
+            let known = self.params.iter().map(|param| param.name).collect::<Vec<_>>().join(", ");
+            let known = if known.is_empty() { "none".to_owned() } else { known };
+            return Err(ParamError::UnknownParam { model: self.name, name: name.to_owned(), known });
+        };
+        let ParamInfo { name, min, max, .. } = self.params[index];
+        match self.params[index].accepts(value) {
+            true => Ok(index),
+            false => Err(ParamError::OutOfRange { model: self.name, name, value, min, max }),
+        }
+    }
+
+    /// The values of all parameters: those in `set`, of several of one name the last, and the defaults for the others.
+    pub(crate) fn values(&self, set: &[(&str, f64)]) -> Result<Vec<f64>, ParamError> {
+        let mut values: Vec<f64> = self.params.iter().map(|param| param.default).collect();
+        for (name, value) in set {
+            values[self.place(name, *value)?] = *value;
+        }
+        Ok(values)
+    }
 }
 
 /// Why a shape cannot be made.

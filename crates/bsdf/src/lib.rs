@@ -48,23 +48,58 @@ use glanz_math::{Real, Vec3};
 
 /// A reflection or transmission model.
 ///
-/// ```
-/// use glanz_bsdf::{DirectionPair, Model, models::lambert::Lambert};
+/// A model is a value: its parameters are read by [`Model::get`], and [`Model::with`] makes another model, so that numbers
+/// derived from them always belong to them.
 ///
-/// let pair = DirectionPair::isotropic(1.0_f64, 0.5, 0.5);
-/// assert_eq!(Lambert.f_cos(&pair), 0.5 / std::f64::consts::PI);
-/// assert_eq!(Lambert::INFO.name, "lambert");
+/// ```
+/// use glanz_bsdf::{DirectionPair, Model, models::phong_normalized::PhongNormalized};
+///
+/// let pair = DirectionPair::isotropic(1.0_f64, 1.0, 1.0);
+/// let phong = PhongNormalized::with_params(&[("shininess", 50.0)])?;
+/// // (n+2)/(2π) along the normal.
+/// assert_eq!(phong.f_cos(&pair), 52.0 / (2.0 * std::f64::consts::PI));
+/// let wide = phong.with("shininess", 6.0)?;
+/// assert_eq!(wide.get("shininess"), Some(6.0));
+/// assert_eq!(wide.f_cos(&pair), 8.0 / (2.0 * std::f64::consts::PI));
+/// assert_eq!(PhongNormalized::INFO.name, "phong-normalized");
+/// # Ok::<(), glanz_bsdf::ParamError>(())
 /// ```
 pub trait Model: Sized {
     /// Its name, parameters and laws.
     const INFO: ModelInfo;
 
-    /// The model from its parameters, in the order of `INFO.params` and already checked against
-    /// their ranges.
+    /// The model from its parameters, in the order of `INFO.params` and already checked against their ranges:
+    /// [`Model::with_params`] checks them.
     fn from_params(values: &[f64]) -> Self;
 
     /// The parameter values, in the order of `INFO.params`.
     fn params(&self) -> Vec<f64>;
+
+    /// The model with the parameters in `set` and the defaults for the others.
+    ///
+    /// # Errors
+    ///
+    /// [`ParamError`] where the model has no such parameter or a value is out of its range.
+    fn with_params(set: &[(&str, f64)]) -> Result<Self, ParamError> {
+        Ok(Self::from_params(&Self::INFO.values(set)?))
+    }
+
+    /// The parameter called `name`; none if the model has no such parameter.
+    fn get(&self, name: &str) -> Option<f64> {
+        let index = Self::INFO.params.iter().position(|param| param.name == name)?;
+        self.params().get(index).copied()
+    }
+
+    /// The same model with another value of one parameter: what has been derived from the parameters is derived again.
+    ///
+    /// # Errors
+    ///
+    /// [`ParamError`] where the model has no such parameter or the value is out of its range.
+    fn with(&self, name: &str, value: f64) -> Result<Self, ParamError> {
+        let mut values = self.params();
+        values[Self::INFO.place(name, value)?] = value;
+        Ok(Self::from_params(&values))
+    }
 
     /// The BSDF times the incident cosine, in 1/sr. Zero where the light is on the wrong side of the surface
     /// (see [`ModelInfo::side`]); the viewer is above it.

@@ -45,6 +45,42 @@ macro_rules! models {
                 }
             }
 
+            /// The parameter called `name`; none if the model has no such parameter. See [`Model::get`].
+            pub fn get(&self, name: &str) -> Option<f64> {
+                match self {
+                    $(Self::$model(model) => model.get(name),)+
+                }
+            }
+
+            /// The same shape with another value of one parameter: what has been derived from the parameters is derived
+            /// again. See [`Model::with`].
+            ///
+            /// ```
+            /// use glanz_bsdf::{DirectionPair, Shape};
+            ///
+            /// let smooth = Shape::named("ggx", &[("alpha", 0.1), ("multiscatter", 0.0)])?;
+            /// let rough = smooth.with("alpha", 0.5)?;
+            /// assert_eq!(rough.get("alpha"), Some(0.5));
+            /// let peak = |shape: &Shape| shape.f_cos(&DirectionPair::isotropic(1.0_f64, 1.0, 1.0));
+            /// // 1/(4π α²) along the normal.
+            /// assert!((peak(&smooth) / peak(&rough) - 25.0).abs() < 1e-12);
+            /// let error = rough.with("alpha", 7.0).unwrap_err();
+            /// assert_eq!(
+            ///     error.to_string(),
+            ///     "parameter 'alpha' of model 'ggx' is 7, but must be between 0.001 and 1"
+            /// );
+            /// # Ok::<(), glanz_bsdf::ParamError>(())
+            /// ```
+            ///
+            /// # Errors
+            ///
+            /// [`ParamError`] where the model has no such parameter or the value is out of its range.
+            pub fn with(&self, name: &str, value: f64) -> Result<Self, ParamError> {
+                Ok(match self {
+                    $(Self::$model(model) => Self::$model(model.with(name, value)?),)+
+                })
+            }
+
             /// See [`Model::eta`].
             pub fn eta(&self) -> f64 {
                 match self {
@@ -198,30 +234,13 @@ impl Shape {
     }
 
     /// The shape called `name`, with the parameters in `set` and the defaults for the others.
+    ///
+    /// # Errors
+    ///
+    /// [`ParamError`] where there is no such model or parameter, or a value is out of its range.
     pub fn named(name: &str, set: &[(&str, f64)]) -> Result<Self, ParamError> {
         let info = info_named(name)?;
-        for (key, _) in set {
-            if !info.params.iter().any(|p| p.name == *key) {
-                let known = info.params.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-                let known = if known.is_empty() { "none".to_owned() } else { known };
-                return Err(ParamError::UnknownParam { model: info.name, name: (*key).to_owned(), known });
-            }
-        }
-        let mut values = Vec::with_capacity(info.params.len());
-        for param in info.params {
-            let value = set.iter().rfind(|(key, _)| *key == param.name).map_or(param.default, |(_, v)| *v);
-            if !(param.min..=param.max).contains(&value) {
-                return Err(ParamError::OutOfRange {
-                    model: info.name,
-                    name: param.name,
-                    value,
-                    min: param.min,
-                    max: param.max,
-                });
-            }
-            values.push(value);
-        }
-        Ok(Self::build(info.name, &values).expect("a name from the list builds"))
+        Ok(Self::build(info.name, &info.values(set)?).expect("a name from the list builds"))
     }
 }
 

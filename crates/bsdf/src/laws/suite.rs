@@ -3,11 +3,13 @@
 //! An exempt model must be found to break the law in fact, so that an exemption that is no longer needed is found. Where
 //! a law says nothing of a model, the test is that its verdict is "not applicable", with the reason.
 
+use glanz_math::Vec3;
+
 use super::limits::{NEVER_LAMBERT, NEVER_NARROW, REFRACTED};
 use super::normalization::NO_FACETS;
 use super::subject::{NO_DIRECTION, SINGLE_DIRECTION};
 use super::{Finding, Law, Verdict, judge};
-use crate::{LightTerm, ModelInfo, ParamInfo, Shape};
+use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamError, ParamInfo, Shape};
 
 /// Corners of the box of parameters that are tried.
 const CORNERS: usize = 8;
@@ -20,6 +22,10 @@ macro_rules! suite {
         #[test]
         fn says_what_it_is() {
             suite::says_what_it_is(&<$model>::INFO);
+        }
+        #[test]
+        fn derives_all_again_when_a_parameter_is_set() {
+            suite::sets_parameters::<$model>();
         }
         #[test]
         fn is_reciprocal_unless_it_is_exempt() {
@@ -99,7 +105,7 @@ pub(crate) fn keeps(law: Law, info: &ModelInfo) {
 fn silent(law: Law, info: &ModelInfo) -> Option<&'static str> {
     let directional = matches!(law, Law::Reciprocity | Law::Energy | Law::Side | Law::Limits);
     let without_direction = matches!(info.term, LightTerm::Ambient | LightTerm::Emission);
-    let facets = || default(info).distribution(glanz_math::Vec3::new(0.0, 0.0, 1.0)).is_some();
+    let facets = || default(info).distribution(Vec3::new(0.0, 0.0, 1.0)).is_some();
     match law {
         Law::Positivity => None,
         Law::Normalization => (!facets()).then_some(NO_FACETS),
@@ -150,6 +156,62 @@ fn shapes(info: &ModelInfo) -> Vec<Shape> {
         Shape::named(info.name, &set).expect("parameters within their ranges")
     };
     (0..lists.len()).filter(|i| !repeated(*i)).map(|i| shape(&lists[i])).collect()
+}
+
+/// Asserts that a model made by setting one parameter of another is in every value the one that is built from the start, and
+/// that a value out of range is an error that names the parameter and its range.
+pub(crate) fn sets_parameters<M: Model + PartialEq + core::fmt::Debug>() {
+    let info = &M::INFO;
+    for start in shapes(info) {
+        let model = M::from_params(&start.params());
+        for (i, param) in info.params.iter().enumerate() {
+            for fraction in [0.0, 0.3, 1.0] {
+                let value = param.min + fraction * (param.max - param.min);
+                let mut values = start.params();
+                values[i] = value;
+                let names = info.params.iter().map(|param| param.name);
+                let named: Vec<_> = names.zip(values.iter().copied()).collect();
+                let (set, built) = (model.with(param.name, value).unwrap(), M::with_params(&named).unwrap());
+                assert_eq!((set.get(param.name), set.params()), (Some(value), values));
+                assert_eq!(set, built);
+                let (set_shape, shape) =
+                    (start.with(param.name, value).unwrap(), Shape::named(info.name, &named).unwrap());
+                assert_eq!((set_shape.get(param.name), &set_shape), (Some(value), &shape));
+                gives_the_same(&set, &shape);
+            }
+            for value in [param.min - 1.0, param.max * 1.01 + 1.0, f64::NAN] {
+                let error = model.with(param.name, value).unwrap_err();
+                let text = error.to_string();
+                for part in [param.name.to_owned(), param.min.to_string(), param.max.to_string()] {
+                    assert!(text.contains(&part), "{text}");
+                }
+                assert_eq!(start.with(param.name, value).unwrap_err().to_string(), text);
+                assert!(matches!(error, ParamError::OutOfRange { .. }));
+            }
+        }
+        assert_eq!((model.get("no such parameter"), start.get("no such parameter")), (None, None));
+        assert!(matches!(model.with("no such parameter", 0.0), Err(ParamError::UnknownParam { .. })));
+    }
+}
+
+/// Asserts that a model and a shape are the same functions, to the last bit.
+fn gives_the_same<M: Model>(model: &M, shape: &Shape) {
+    for pair in pairs() {
+        let (a, b): (f64, f64) = (model.f_cos(&pair), shape.f_cos(&pair));
+        assert_eq!(a.to_bits(), b.to_bits(), "{:?}", shape.params());
+        assert_eq!(model.tint_cosine(&pair).to_bits(), shape.tint_cosine(&pair).to_bits());
+        assert_eq!(model.shadowing(&pair), shape.shadowing(&pair));
+    }
+    let up = Vec3::from_angles(0.3, 1.0);
+    assert_eq!(model.distribution(up), shape.distribution(up));
+    assert_eq!((model.eta(), model.is_anisotropic()), (shape.eta(), shape.is_anisotropic()));
+}
+
+/// Pairs in the lobes of models, reflected and transmitted.
+fn pairs() -> Vec<DirectionPair<f64>> {
+    let wo = Vec3::from_angles(0.7, 0.3);
+    let to = |theta, phi| DirectionPair::new(wo, Vec3::from_angles(theta, phi));
+    vec![to(0.65, 3.4), to(0.2, 1.0), to(1.5, 3.5), to(2.7, 3.4), to(2.44, 3.44), to(0.7, 0.3)]
 }
 
 /// Asserts that the description is complete and that parameters are kept as they are given.

@@ -136,10 +136,10 @@ impl Distribution for BeckmannDistribution {
         let inverse = zero.one() / half.up2.max(zero.lit(1e-12));
         let tan2 = (half.length2 - half.up2) * inverse;
         // D has |H|⁴ above, (wo·h)(wi·h) / (wo·h + η wi·h)² has it below.
-        let d = exp_of_minus(tan2 * zero.lit(1.0 / lobe.square)) * inverse.sqr() * zero.lit(lobe.scale);
+        let d = exp_of_minus(tan2 * zero.lit(1.0 / lobe.square())) * inverse.sqr() * zero.lit(lobe.scale());
         let down = -pair.cos_i;
-        let g1_o = beckmann_g1_over_cosine(pair.cos_o, lobe.square);
-        d * half.product * g1_o * (beckmann_g1_over_cosine(down, lobe.square) * down)
+        let g1_o = beckmann_g1_over_cosine(pair.cos_o, lobe.square());
+        d * half.product * g1_o * (beckmann_g1_over_cosine(down, lobe.square()) * down)
     }
 }
 
@@ -228,13 +228,13 @@ impl Distribution for GgxDistribution {
         pair: &DirectionPair<R>,
     ) -> R {
         let zero = pair.cos_o.zero();
-        let w = pair.alpha_scale.max(zero.lit(LEAST_ALPHA / lobe.alpha));
-        let width2 = w.sqr() * zero.lit(lobe.square);
+        let w = pair.alpha_scale.max(zero.lit(LEAST_ALPHA / lobe.alpha()));
+        let width2 = w.sqr() * zero.lit(lobe.square());
         let q = zero.one() / ((half.length2 - half.up2) + width2 * half.up2).max(zero.lit(1e-15));
         // 2 cosθ / (cosθ + √(cos²θ + α² sin²θ)) is G1.
         let down = -pair.cos_i;
         let masked = ggx_g1_denominator(pair.cos_o, width2) * ggx_g1_denominator(down, width2);
-        q.sqr() * width2 * half.product * down * zero.lit(lobe.scale) / masked
+        q.sqr() * width2 * half.product * down * zero.lit(lobe.scale()) / masked
     }
 }
 

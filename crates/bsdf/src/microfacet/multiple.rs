@@ -10,9 +10,9 @@ use crate::{DirectionPair, Model, ModelInfo};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmithMultiple<D: Distribution> {
     /// The width along the tangent.
-    pub alpha: f64,
+    alpha: f64,
     /// The width along the bitangent; 0 means as `alpha`.
-    pub alpha_y: f64,
+    alpha_y: f64,
     compensation: Compensation<D>,
 }
 

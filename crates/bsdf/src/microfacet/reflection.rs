@@ -10,11 +10,11 @@ use crate::{DirectionPair, Model, ModelInfo};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smith<D: Distribution> {
     /// The width along the tangent.
-    pub alpha: f64,
+    alpha: f64,
     /// The width along the bitangent; 0 means as `alpha`.
-    pub alpha_y: f64,
+    alpha_y: f64,
     /// The weight of the multiple-scattering compensation.
-    pub multiscatter: f64,
+    multiscatter: f64,
     /// (αx², αy²) and their inverses.
     squares: (f64, f64),
     inverse2: (f64, f64),

@@ -12,16 +12,36 @@ use crate::{DirectionPair, Model, ModelInfo};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmithTransmission<D> {
     /// The width of the distribution.
-    pub alpha: f64,
+    alpha: f64,
     /// The index of refraction below over the index above.
-    pub eta: f64,
+    eta: f64,
     /// The index that is computed with.
     effective_eta: f64,
     /// α².
-    pub square: f64,
+    square: f64,
     /// The constant factor, [`Distribution::transmission_scale`].
-    pub scale: f64,
+    scale: f64,
     distribution: PhantomData<D>,
+}
+
+impl<D> SmithTransmission<D> {
+    /// The width α.
+    #[inline(always)]
+    pub fn alpha(&self) -> f64 {
+        self.alpha
+    }
+
+    /// α².
+    #[inline(always)]
+    pub fn square(&self) -> f64 {
+        self.square
+    }
+
+    /// The constant factor, [`Distribution::transmission_scale`] of α².
+    #[inline(always)]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
 }
 
 impl<D: Distribution> Model for SmithTransmission<D> {

@@ -17,7 +17,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AshikhminShirleyDiffuse {
     /// The reflectance of the coat along the normal.
-    pub rs: f64,
+    rs: f64,
 }
 
 impl Model for AshikhminShirleyDiffuse {

@@ -18,7 +18,7 @@ use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhong {
     /// The exponent n.
-    pub shininess: f64,
+    shininess: f64,
 }
 
 impl Model for BlinnPhong {

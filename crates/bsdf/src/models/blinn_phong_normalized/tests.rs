@@ -29,7 +29,7 @@ fn has_the_albedo_of_an_independent_quadrature() {
 fn is_the_classic_lobe_times_cosine_and_factor() {
     // n = 2: (4·6)/(8π(1/2 + 2)) = 1.2/π.
     let pair = DirectionPair::isotropic(0.9f64, 0.7, 0.5);
-    let classic = BlinnPhong { shininess: 2.0 }.f_cos(&pair);
+    let classic = BlinnPhong::from_params(&[2.0]).f_cos(&pair);
     assert!((lobe(2.0).f_cos(&pair) / (classic * 0.7 * 1.2) - 1.0).abs() < 1e-12);
 }
 

@@ -33,11 +33,11 @@ pub const M: ParamInfo = ParamInfo {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CookTorrance {
     /// The slope m.
-    pub m: f64,
+    m: f64,
     /// The second slope.
-    pub m2: f64,
+    m2: f64,
     /// The weight of the second slope.
-    pub weight2: f64,
+    weight2: f64,
     /// weight / (π m²) and 1/m² of each slope.
     terms: [(f64, f64); 2],
 }

@@ -22,7 +22,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CookTorranceGaussian {
     /// The spread m in radians.
-    pub m: f64,
+    m: f64,
     /// The constant c.
     scale: f64,
 }

@@ -18,7 +18,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GgxThinTransmission {
     /// The width of the distribution.
-    pub alpha: f64,
+    alpha: f64,
     reflection: Ggx,
 }
 

@@ -19,7 +19,7 @@ use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, ParamInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Minnaert {
     /// The exponent.
-    pub k: f64,
+    k: f64,
 }
 
 impl Model for Minnaert {

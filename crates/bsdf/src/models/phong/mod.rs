@@ -30,7 +30,7 @@ pub(crate) const SHININESS: ParamInfo = ParamInfo {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
     /// The exponent n.
-    pub shininess: f64,
+    shininess: f64,
 }
 
 impl Model for Phong {

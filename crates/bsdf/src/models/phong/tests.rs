@@ -24,14 +24,14 @@ fn has_the_values_of_the_classic_term() {
         (7.0, 95.0, 0.0),
     ];
     for (shininess, degrees, expected) in cases {
-        let value = Phong { shininess }.f_cos(&beside_the_mirror(degrees)) * PI;
+        let value = Phong::from_params(&[shininess]).f_cos(&beside_the_mirror(degrees)) * PI;
         assert!((value - expected).abs() < 1e-12, "n = {shininess}, {degrees}°: {value}");
     }
 }
 
 #[test]
 fn has_its_peak_in_the_mirror_direction() {
-    let lobe = Phong { shininess: 50.0 };
+    let lobe = Phong::from_params(&[50.0]);
     let peak = lobe.f_cos(&beside_the_mirror(0.0));
     assert!((peak * PI - 1.0).abs() < 1e-12);
     assert!([-20.0, -1.0, 1.0, 20.0].iter().all(|d| lobe.f_cos(&beside_the_mirror(*d)) < peak));
@@ -40,7 +40,7 @@ fn has_its_peak_in_the_mirror_direction() {
 #[test]
 fn has_no_cosine_of_the_light() {
     // Grazing light gives the full highlight in its mirror direction, to the last bit before night.
-    let lobe = Phong { shininess: 20.0 };
+    let lobe = Phong::from_params(&[20.0]);
     let grazing = DirectionPair::isotropic(1e-6, 1e-6, 2e-12 - 1.0);
     assert!((lobe.f_cos(&grazing) * PI - 1.0f64).abs() < 1e-9);
     assert_eq!(lobe.f_cos(&DirectionPair::isotropic(1e-6, -1e-6, -1.0)), 0.0);
@@ -48,6 +48,6 @@ fn has_no_cosine_of_the_light() {
 
 #[test]
 fn with_exponent_0_is_the_same_on_the_whole_lit_side() {
-    let lobe = Phong { shininess: 0.0 };
+    let lobe = Phong::from_params(&[0.0]);
     assert_eq!(lobe.f_cos(&beside_the_mirror(0.0)), lobe.f_cos(&beside_the_mirror(-115.0)));
 }

@@ -16,7 +16,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhongNormalized {
     /// The exponent n.
-    pub shininess: f64,
+    shininess: f64,
     /// (n+2)/(2π).
     scale: f64,
 }

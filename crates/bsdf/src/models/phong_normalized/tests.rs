@@ -31,7 +31,7 @@ fn with_exponent_0_is_lambert() {
 #[test]
 fn is_the_classic_lobe_times_cosine_and_factor() {
     let pair = DirectionPair::isotropic(0.9f64, 0.7, 0.5);
-    let classic = crate::models::phong::Phong { shininess: 8.0 }.f_cos(&pair);
+    let classic = crate::models::phong::Phong::from_params(&[8.0]).f_cos(&pair);
     let value = PhongNormalized::from_params(&[8.0]).f_cos(&pair);
     assert!((value / (classic * 0.7 * 5.0) - 1.0).abs() < 1e-12);
 }

@@ -28,7 +28,7 @@ pub const ETA: ParamInfo = ParamInfo {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refraction {
     /// The index below over the index above.
-    pub eta: f64,
+    eta: f64,
 }
 
 impl Model for Refraction {
