@@ -10,6 +10,7 @@
 //! the C library of a platform and nothing is contracted to a fused multiply-add.
 
 mod chebyshev;
+mod exponent;
 pub mod inline;
 mod lanes;
 mod level;
@@ -21,6 +22,7 @@ mod twice;
 mod vec3;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
+pub use exponent::Exponent;
 pub use lanes::{Lanes, LanesMask};
 pub use level::{LevelError, SimdLevel, narrowest};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};

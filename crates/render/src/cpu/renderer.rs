@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 use glanz_math::{SimdLevel, at_level};
 
 use crate::cpu::frame::FrameView;
-use crate::cpu::geometry::bins::{TILE_HEIGHT, TILE_WIDTH};
+use crate::cpu::geometry::bins::{TILE_HEIGHT, columns};
 use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::geometry::process;
 use crate::cpu::geometry::screen::Screen;
@@ -133,7 +133,7 @@ impl Renderer {
         self.tiles.resize_with(threads() + 1, Mutex::default);
         let projected =
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
-        let columns = frame.camera.width.div_ceil(TILE_WIDTH);
+        let columns = columns(frame.camera.width);
         let level = self.level;
         let mut tasks: Vec<_> = bands.into_iter().enumerate().collect();
         // From the middle of the picture outwards: there is most to do there, and what comes last should be short.
@@ -143,8 +143,10 @@ impl Renderer {
             // No two threads have the same number, so none ever waits here.
             let own = self.tiles[thread_number().min(self.tiles.len() - 1)].lock();
             let mut scratch = own.unwrap_or_else(PoisonError::into_inner);
-            for column in 0..columns {
-                draw_tile(level, frame, &projected, TilePlace { column, row }, &mut scratch, &mut band);
+            let mut column = 0;
+            while column < columns {
+                let place = TilePlace { column, row };
+                column += draw_tile(level, frame, &projected, place, &mut scratch, &mut band);
             }
         });
     }
@@ -162,7 +164,7 @@ fn process(
     at_level!(level, simd => process::process(simd, frame, range, screen, lit, output));
 }
 
-/// One dispatch per tile.
+/// One dispatch per tile; gives how many are done.
 fn draw_tile(
     level: SimdLevel,
     frame: &FrameView,
@@ -170,8 +172,8 @@ fn draw_tile(
     place: TilePlace,
     scratch: &mut TileScratch,
     band: &mut Band,
-) {
-    at_level!(level, simd => draw::draw(simd, frame, projected, place, scratch, band));
+) -> usize {
+    at_level!(level, simd => draw::draw(simd, frame, projected, place, scratch, band))
 }
 
 /// What the channels of a frame will be.

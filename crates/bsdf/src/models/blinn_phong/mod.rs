@@ -9,7 +9,7 @@
 //! seen along the normal; towards grazing angles it stays narrow across the plane of incidence, where Phong's stays
 //! round.
 
-use glanz_math::{PI, Real};
+use glanz_math::{Exponent, PI, Real};
 
 use crate::models::phong::SHININESS;
 use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
@@ -18,7 +18,7 @@ use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhong {
     /// The exponent n.
-    shininess: f64,
+    shininess: Exponent,
 }
 
 impl Model for BlinnPhong {
@@ -32,7 +32,7 @@ impl Model for BlinnPhong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 57,
+        operations: 16,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (
@@ -43,11 +43,11 @@ impl Model for BlinnPhong {
     };
 
     fn from_params(values: &[f64]) -> Self {
-        Self { shininess: values[0] }
+        Self { shininess: Exponent::new(values[0]) }
     }
 
     fn params(&self) -> Vec<f64> {
-        vec![self.shininess]
+        vec![self.shininess.n()]
     }
 
     #[inline(always)]
@@ -55,7 +55,7 @@ impl Model for BlinnPhong {
         let zero = pair.cos_i.zero();
         // Rounding may leave more than 1 for the mirror direction near the horizon, which a power of 10⁵ makes infinite.
         let cosine = pair.cos_half().min(zero.one());
-        let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
+        let value = cosine.power(&self.shininess) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }
 }

@@ -7,7 +7,7 @@
 //! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cos²θo: it darkens towards grazing angles even
 //! more than the normalised Phong lobe.
 
-use glanz_math::{PI, Real};
+use glanz_math::{Exponent, PI, Real};
 
 use crate::models::phong::SHININESS;
 use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
@@ -16,7 +16,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlinnPhongNormalized {
     /// The exponent n.
-    shininess: f64,
+    shininess: Exponent,
     /// (n+2)(n+4) / (8π (2^(−n/2) + n)).
     scale: f64,
 }
@@ -32,18 +32,18 @@ impl Model for BlinnPhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 58,
+        operations: 17,
         exempt: &[],
     };
 
     fn from_params(values: &[f64]) -> Self {
         let n = values[0];
         let scale = (n + 2.0) * (n + 4.0) / (8.0 * PI * (libm::exp2(-0.5 * n) + n));
-        Self { shininess: n, scale }
+        Self { shininess: Exponent::new(n), scale }
     }
 
     fn params(&self) -> Vec<f64> {
-        vec![self.shininess]
+        vec![self.shininess.n()]
     }
 
     #[inline(always)]
@@ -51,7 +51,7 @@ impl Model for BlinnPhongNormalized {
         let zero = pair.cos_i.zero();
         // Rounding may leave more than 1 for the mirror direction near the horizon, which a power of 10⁵ makes infinite.
         let cosine = pair.cos_half().min(zero.one());
-        let value = cosine.pow(zero.lit(self.shininess)) * pair.cos_i * zero.lit(self.scale);
+        let value = cosine.power(&self.shininess) * pair.cos_i * zero.lit(self.scale);
         value.select(zero.lt(pair.cos_i), zero)
     }
 }

@@ -12,7 +12,7 @@
 //! that raw kind. Here a lobe is normalised as the paper's classic one, where (n+2)/(2π) goes with max|C| = 1, so
 //! that a tint is its greatest albedo: [`Lafortune::raw_tint`] gives the tint of a raw lobe.
 
-use glanz_math::{PI, Real};
+use glanz_math::{Exponent, PI, Real};
 
 use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
@@ -22,7 +22,7 @@ pub struct Lafortune {
     cx: f64,
     cy: f64,
     cz: f64,
-    n: f64,
+    n: Exponent,
     /// C / max|C|.
     direction: [f64; 3],
     /// (n+2)/(2π), or 0 for a lobe without direction.
@@ -62,7 +62,7 @@ impl Model for Lafortune {
         side: Side::Reflection,
         anisotropic: true,
         delta: false,
-        operations: 59,
+        operations: 17,
         exempt: &[],
     };
 
@@ -74,11 +74,11 @@ impl Model for Lafortune {
         } else {
             ([0.0; 3], 0.0)
         };
-        Self { cx, cy, cz, n, direction, height }
+        Self { cx, cy, cz, n: Exponent::new(n), direction, height }
     }
 
     fn params(&self) -> Vec<f64> {
-        vec![self.cx, self.cy, self.cz, self.n]
+        vec![self.cx, self.cy, self.cz, self.n.n()]
     }
 
     #[inline(always)]
@@ -88,7 +88,7 @@ impl Model for Lafortune {
         let cosine = pair.tangent_o.0 * pair.tangent_i.0 * x
             + pair.tangent_o.1 * pair.tangent_i.1 * y
             + pair.cos_o * pair.cos_i * z;
-        let power = cosine.max(zero).pow(zero.lit(self.n));
+        let power = cosine.power(&self.n);
         pair.cos_i.max(zero) * power * zero.lit(self.height)
     }
 }
@@ -98,7 +98,7 @@ impl Lafortune {
     /// max|C|ⁿ.
     pub fn raw_tint(&self) -> f64 {
         let greatest = self.cx.abs().max(self.cy.abs()).max(self.cz.abs());
-        2.0 * PI / (self.n + 2.0) * libm::pow(greatest, self.n)
+        2.0 * PI / (self.n.n() + 2.0) * libm::pow(greatest, self.n.n())
     }
 }
 

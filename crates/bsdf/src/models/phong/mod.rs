@@ -12,7 +12,7 @@
 //! towards grazing light. The factor 1/π is such that a unit light (π inside Glanz) and a unit tint give the
 //! classic (R·V)ⁿ.
 
-use glanz_math::{PI, Real};
+use glanz_math::{Exponent, PI, Real};
 
 use crate::{DirectionPair, Law, LightTerm, Model, ModelInfo, ParamInfo, Side};
 
@@ -30,7 +30,7 @@ pub(crate) const SHININESS: ParamInfo = ParamInfo {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phong {
     /// The exponent n.
-    shininess: f64,
+    shininess: Exponent,
 }
 
 impl Model for Phong {
@@ -44,7 +44,7 @@ impl Model for Phong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 52,
+        operations: 11,
         exempt: &[
             (Law::Reciprocity, "f = (R·wo)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (Law::Energy, "for n < 1 the albedo seen along the normal is 2/(n+1), more than 1"),
@@ -52,11 +52,11 @@ impl Model for Phong {
     };
 
     fn from_params(values: &[f64]) -> Self {
-        Self { shininess: values[0] }
+        Self { shininess: Exponent::new(values[0]) }
     }
 
     fn params(&self) -> Vec<f64> {
-        vec![self.shininess]
+        vec![self.shininess.n()]
     }
 
     #[inline(always)]
@@ -64,11 +64,11 @@ impl Model for Phong {
         let zero = pair.cos_i.zero();
         // Below 0 it counts as 0.
         let cosine = pair.cos_mirror();
-        // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.
-        if self.shininess >= 1.0 && !R::any(zero.lt(cosine)) {
+        // A shortcut that changes no bit.
+        if !R::any(zero.lit(self.shininess.dark_up_to()).lt(cosine)) {
             return zero;
         }
-        let value = cosine.pow(zero.lit(self.shininess)) * zero.lit(1.0 / PI);
+        let value = cosine.power(&self.shininess) * zero.lit(1.0 / PI);
         value.select(zero.lt(pair.cos_i), zero)
     }
 }

@@ -7,7 +7,7 @@
 //! **Limits** n = 0 is Lambert's law; towards n → ∞ the albedo is cosθo, not 1, so a mirror of this kind darkens
 //! towards grazing angles. Part of the lobe is below the horizon there and is lost as well.
 
-use glanz_math::{PI, Real};
+use glanz_math::{Exponent, PI, Real};
 
 use crate::models::phong::SHININESS;
 use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
@@ -16,7 +16,7 @@ use crate::{DirectionPair, LightTerm, Model, ModelInfo, Side};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhongNormalized {
     /// The exponent n.
-    shininess: f64,
+    shininess: Exponent,
     /// (n+2)/(2π).
     scale: f64,
 }
@@ -32,17 +32,17 @@ impl Model for PhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 53,
+        operations: 12,
         exempt: &[],
     };
 
     fn from_params(values: &[f64]) -> Self {
         let shininess = values[0];
-        Self { shininess, scale: (shininess + 2.0) / (2.0 * PI) }
+        Self { shininess: Exponent::new(shininess), scale: (shininess + 2.0) / (2.0 * PI) }
     }
 
     fn params(&self) -> Vec<f64> {
-        vec![self.shininess]
+        vec![self.shininess.n()]
     }
 
     #[inline(always)]
@@ -50,11 +50,11 @@ impl Model for PhongNormalized {
         let zero = pair.cos_i.zero();
         // Below 0 it counts as 0.
         let cosine = pair.cos_mirror();
-        // A shortcut that changes no bit: from n = 1 on, the power of 0 is below the floor of `pow`.
-        if self.shininess >= 1.0 && !R::any(zero.lt(cosine)) {
+        // A shortcut that changes no bit.
+        if !R::any(zero.lit(self.shininess.dark_up_to()).lt(cosine)) {
             return zero;
         }
-        let value = cosine.pow(zero.lit(self.shininess)) * pair.cos_i * zero.lit(self.scale);
+        let value = cosine.power(&self.shininess) * pair.cos_i * zero.lit(self.scale);
         value.select(zero.lt(pair.cos_i), zero)
     }
 }

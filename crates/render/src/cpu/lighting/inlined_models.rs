@@ -3,8 +3,9 @@
 use glanz_bsdf::{DirectionPair, LightTerm, Model, ModelInfo, ShapeVisitor, Side};
 use glanz_math::Real;
 
-/// The most operations of a model inside the loop. The classic highlights with their power take up to 58.
-const MOST_OPERATIONS: u32 = 60;
+/// The most operations of a model inside the loop, with an exponent that makes its power a product. The classic
+/// highlights take up to 17.
+const MOST_OPERATIONS: u32 = 20;
 
 /// Whether the loop holds a model: one of the classic block of coefficients, which has no parameter or an exponent
 /// alone; cheap, isotropic, and dark where the light is below the surface, since the loop leaves such light out.

@@ -6,7 +6,7 @@
 //! each model of a highlight, whose sums stay in registers. The operations, and their order, are the same.
 
 use glanz_bsdf::{DirectionPair, Model, ModelInfo, Shape, ShapeVisitor};
-use glanz_math::Real;
+use glanz_math::{Real, Vec3};
 
 use crate::cpu::lighting::inlined_models::{is_highlight, is_matte};
 use crate::cpu::lighting::point::{Reflected, ShadingPoint, add, literal};
@@ -23,6 +23,8 @@ pub(crate) struct MatteHighlight {
     lights: Vec<LoopLight>,
     /// Whether any light fades with the distance.
     fades: bool,
+    /// Whether what the highlight sends is grey, as it is where lights are white and the highlight has no colour.
+    gray_highlight: bool,
 }
 
 /// A light, and what the lobes make of it.
@@ -61,6 +63,8 @@ impl MatteHighlight {
             matte: matte.shape.clone(),
             highlight: highlight.map(|lobe| lobe.shape.clone()),
             fades: lights.iter().any(|light| light.fade.is_some()),
+            gray_highlight: is_gray(&material.ambient[1])
+                && lights.iter().all(|light| is_gray(&light.highlight)),
             lights,
         })
     }
@@ -79,6 +83,8 @@ impl MatteHighlight {
         Reflected { textured: literal(like, &self.ambient[0]), plain: literal(like, &self.ambient[1]) }
     }
 
+    /// The sum of light. What lights give is added some lights at a time, first from the matte lobe and then from the
+    /// highlight: in a loop over everything at once no register would be left for the sums.
     #[inline(always)]
     fn sum<R: Real, const FADES: bool>(
         &self,
@@ -89,40 +95,86 @@ impl MatteHighlight {
         let like = point.normal.x;
         let Reflected { mut textured, mut plain } = self.ambient_light(like);
         let cos_o = point.normal.dot(point.wo);
-        for light in &self.lights {
-            let mut wi = splat(like, &light.place);
-            let mut attenuation = like.one();
-            if !light.infinite {
-                let to_light = wi - point.position;
-                // A light on the surface itself: no direction, no light, rather than infinity.
-                let squared = to_light.dot(to_light).max(like.lit(1e-30));
-                let inverse = squared.rsqrt();
-                wi = to_light * inverse;
-                if let (true, Some(fade)) = (FADES, &light.fade) {
-                    let distance = squared * inverse;
-                    let [c, l, q] = literal(like, fade);
-                    let denominator = c + l * distance + q * squared;
-                    attenuation = like.one() / denominator.max(like.lit(1e-20));
+        let (mut from_matte, mut from_highlight) = (Shares::new(like), Shares::new(like));
+        for lights in self.lights.chunks(AT_ONCE) {
+            (from_matte.count, from_highlight.count) = (0, 0);
+            for light in lights {
+                let (wi, attenuation) = light.at::<R, FADES>(point);
+                let cos_i = point.normal.dot(wi);
+                if !R::any(like.zero().lt(cos_i)) {
+                    continue;
+                }
+                let pair = DirectionPair::isotropic(cos_o, cos_i, point.wo.dot(wi));
+                // What does not fade is not multiplied: a factor of 1 would change no bit.
+                let value = matte(&pair);
+                from_matte.push(if FADES { value * attenuation } else { value }, &light.matte);
+                if let Some(highlight) = &highlight {
+                    let value = highlight(&pair);
+                    // Nothing to add, which is so for most; what is no number counts.
+                    if R::any(!value.le(like.zero())) {
+                        let value = if FADES { value * attenuation } else { value };
+                        from_highlight.push(value, &light.highlight);
+                    }
                 }
             }
-            let cos_i = point.normal.dot(wi);
-            if !R::any(like.zero().lt(cos_i)) {
-                continue;
-            }
-            let pair = DirectionPair::isotropic(cos_o, cos_i, point.wo.dot(wi));
-            // What does not fade is not multiplied: a factor of 1 would change no bit.
-            let value = matte(&pair);
-            add(&mut textured, if FADES { value * attenuation } else { value }, literal(like, &light.matte));
-            if let Some(highlight) = &highlight {
-                let value = highlight(&pair);
-                add(
-                    &mut plain,
-                    if FADES { value * attenuation } else { value },
-                    literal(like, &light.highlight),
-                );
+            from_matte.add_to(&mut textured);
+            match self.gray_highlight {
+                true => from_highlight.add_gray_to(&mut plain),
+                false => from_highlight.add_to(&mut plain),
             }
         }
         Reflected { textured, plain }
+    }
+}
+
+/// How many lights are looked at before what they give is added: a power of 2.
+const AT_ONCE: usize = 4;
+
+/// What a lobe makes of some lights.
+struct Shares<'a, R> {
+    values: [R; AT_ONCE],
+    tints: [&'a [f32; 3]; AT_ONCE],
+    count: usize,
+}
+
+impl<'a, R: Real> Shares<'a, R> {
+    #[inline(always)]
+    fn new(like: R) -> Self {
+        Self { values: [like.zero(); AT_ONCE], tints: [&[0.0; 3]; AT_ONCE], count: 0 }
+    }
+
+    #[inline(always)]
+    fn push(&mut self, value: R, tint: &'a [f32; 3]) {
+        self.values[self.count & (AT_ONCE - 1)] = value;
+        self.tints[self.count & (AT_ONCE - 1)] = tint;
+        self.count += 1;
+    }
+
+    /// Calls `add` with each light's value and tint.
+    #[inline(always)]
+    fn for_each(&self, mut add: impl FnMut(R, &'a [f32; 3])) {
+        for i in 0..self.count {
+            add(self.values[i & (AT_ONCE - 1)], self.tints[i & (AT_ONCE - 1)]);
+        }
+    }
+
+    #[inline(always)]
+    fn add_to(&self, sum: &mut [R; 3]) {
+        self.for_each(
+            #[inline(always)]
+            |value, tint| add(sum, value, literal(value, tint)),
+        );
+    }
+
+    /// [`Shares::add_to`] where the three sums are the same.
+    #[inline(always)]
+    fn add_gray_to(&self, sum: &mut [R; 3]) {
+        let mut gray = sum[0];
+        self.for_each(
+            #[inline(always)]
+            |value, tint| gray = gray + value * value.lit(f64::from(tint[0])),
+        );
+        *sum = [gray; 3];
     }
 }
 
@@ -138,6 +190,34 @@ impl LoopLight {
         let tint = |lobe: usize| tints.get(lobe).copied().unwrap_or_default();
         Some(Self { place, infinite, fade, matte: tint(0), highlight: tint(1) })
     }
+
+    /// Where the light comes from at a point, and what is left of it.
+    #[inline(always)]
+    fn at<R: Real, const FADES: bool>(&self, point: &ShadingPoint<R>) -> (Vec3<R>, R) {
+        let like = point.normal.x;
+        let wi = splat(like, &self.place);
+        if self.infinite {
+            return (wi, like.one());
+        }
+        let to_light = wi - point.position;
+        // A light on the surface itself: no direction, no light, rather than infinity.
+        let squared = to_light.dot(to_light).max(like.lit(1e-30));
+        let inverse = squared.rsqrt();
+        let attenuation = match &self.fade {
+            Some(fade) if FADES => {
+                let distance = squared * inverse;
+                let [c, l, q] = literal(like, fade);
+                let denominator = c + l * distance + q * squared;
+                like.one() / denominator.max(like.lit(1e-20))
+            }
+            _ => like.one(),
+        };
+        (to_light * inverse, attenuation)
+    }
+}
+
+fn is_gray(&[r, g, b]: &[f32; 3]) -> bool {
+    [g, b].map(f32::to_bits) == [r.to_bits(); 2]
 }
 
 /// The loop for a model of the matte lobe.

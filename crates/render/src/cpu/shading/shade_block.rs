@@ -69,6 +69,37 @@ impl<S: Simd> Shaded<S> {
     }
 }
 
+impl TriangleSetups {
+    /// Nine floats of a run's record, from the `part`-th nine on.
+    #[inline(always)]
+    pub fn row(&self, run: &Run, part: usize) -> &[f32; GROUP] {
+        let start = self.list[run.setup as usize].offset as usize + part * GROUP;
+        self.floats[start..].first_chunk().expect("records hold whole groups")
+    }
+
+    /// Nine floats of each pixel's record, from the `part`-th nine on; 0 where there are no records.
+    #[inline(always)]
+    pub fn gather<S: Simd>(&self, simd: S, runs: &[Run], part: usize) -> [Lanes<S>; GROUP] {
+        let Some((first, others)) = runs.split_first() else {
+            return [Lanes::splat(simd, 0.0); GROUP];
+        };
+        let first = self.row(first, part);
+        let mut lanes = nine(
+            #[inline(always)]
+            |i| Lanes::splat(simd, first[i]),
+        );
+        for run in others {
+            let mask = LanesMask::from_bits(simd, run.bits);
+            let row = self.row(run, part);
+            lanes = nine(
+                #[inline(always)]
+                |i| Lanes::splat(simd, row[i]).select(mask, lanes[i]),
+            );
+        }
+        lanes
+    }
+}
+
 impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// The record of a run.
     pub fn setup(&self, run: &Run) -> &TriangleSetup {
@@ -90,9 +121,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// [`ShadeBlock::gather`] where there is one record.
     #[inline(always)]
     pub fn splat(&self, part: usize) -> [Lanes<S>; GROUP] {
-        let start = self.setup(&self.runs[0]).offset as usize + part * GROUP;
-        let row: &[f32; GROUP] =
-            self.setups.floats[start..].first_chunk().expect("records hold whole groups");
+        let row = self.setups.row(&self.runs[0], part);
         nine(
             #[inline(always)]
             |i| Lanes::splat(self.simd, row[i]),
@@ -110,30 +139,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// Nine floats of each pixel's record, from the `part`-th nine on.
     #[inline(always)]
     pub fn gather(&self, part: usize) -> [Lanes<S>; GROUP] {
-        let row = inlined(
-            #[inline(always)]
-            |run: &Run| -> &[f32; GROUP] {
-                let start = self.setup(run).offset as usize + part * GROUP;
-                self.setups.floats[start..].first_chunk().expect("records hold whole groups")
-            },
-        );
-        let Some((first, others)) = self.runs.split_first() else {
-            return [self.px.zero(); GROUP];
-        };
-        let first = row(first);
-        let mut lanes = nine(
-            #[inline(always)]
-            |i| Lanes::splat(self.simd, first[i]),
-        );
-        for run in others {
-            let mask = LanesMask::from_bits(self.simd, run.bits);
-            let row = row(run);
-            lanes = nine(
-                #[inline(always)]
-                |i| Lanes::splat(self.simd, row[i]).select(mask, lanes[i]),
-            );
-        }
-        lanes
+        self.setups.gather(self.simd, self.runs, part)
     }
 
     /// See [`place`].

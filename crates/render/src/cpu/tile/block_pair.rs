@@ -2,15 +2,15 @@
 //!
 //! A pixel's formula is one long chain of operations. With half as many lanes to a register a block is two chains, side
 //! by side, and the processor works on both; with AVX-512 it is one, and much of the time nothing but waiting. So there
-//! two blocks are interpolated, shaded and developed together ([`Twice`]), where each shows one triangle throughout, as
-//! most do.
+//! two blocks are interpolated, shaded and developed together ([`Twice`]), where each shows few triangles of one object,
+//! and nothing else, as most do.
 
 use fearless_simd::Simd;
 use glanz_math::{Lanes, Real, Twice, Vec3};
 use glanz_scene::Shading;
 
 use crate::cpu::block;
-use crate::cpu::frame::ObjectView;
+use crate::cpu::frame::{FrameView, ObjectView};
 use crate::cpu::lighting::matte_highlight::MatteHighlight;
 use crate::cpu::lighting::point::ShadingPoint;
 use crate::cpu::lighting::point::unit;
@@ -18,18 +18,23 @@ use crate::cpu::shading::surface::{interpolated, place};
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetups};
 use crate::cpu::tile::state::Tile;
 use crate::cpu::tile::target::Codes;
-use glanz_math::inline::inlined;
-use glanz_math::inline::nine;
+use crate::cpu::visibility::coverage_layers::Run;
 use glanz_math::inline::three;
+use glanz_math::inline::{inlined, nine};
+
+/// The most triangles of a block that waits for another.
+pub(crate) const MOST: usize = 4;
 
 /// A block that waits for another.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Whole {
+pub(crate) struct Ready {
     /// Where it is in the tile's arrays.
     pub at: usize,
-    /// Its object, and where its triangle's record begins.
+    /// Its object.
     pub object: usize,
-    pub offset: usize,
+    /// The records of its triangles, each with the pixels that show it.
+    pub runs: [Run; MOST],
+    pub count: usize,
 }
 
 /// Whether blocks shall wait for one another.
@@ -46,37 +51,59 @@ pub(crate) fn pays<S: Simd>(simd: S) -> bool {
     }
 }
 
-/// Shades two blocks of an object, and puts them into their places. A function of its own, so that it is there but once.
-#[inline(never)]
+/// Shades two blocks of an object, and puts them into their places.
+#[inline(always)]
 pub(crate) fn shade<S: Simd>(
     simd: S,
     tile: &Tile,
     setups: &TriangleSetups,
-    blocks: [Whole; 2],
+    blocks: &[Ready; 2],
     codes: &mut Codes,
 ) {
-    let object = &tile.frame.objects[blocks[0].object];
-    if let Some(material) = &tile.frame.loops[object.material] {
-        simd.vectorize(
-            #[inline(always)]
-            || shade_here(simd, tile, setups, (object, material), blocks, codes),
-        );
+    match blocks.iter().all(|block| block.count == 1) {
+        true => shade_here::<S, true>(simd, tile, setups, blocks, codes),
+        false => shade_here::<S, false>(simd, tile, setups, blocks, codes),
     }
 }
 
-#[inline(always)]
-fn shade_here<S: Simd>(
+/// [`shade`] of blocks that show one triangle each, or of any. A function of its own, so that it is there but once.
+#[inline(never)]
+fn shade_here<S: Simd, const WHOLE: bool>(
     simd: S,
     tile: &Tile,
     setups: &TriangleSetups,
-    (object, material): (&ObjectView, &MatteHighlight),
-    blocks: [Whole; 2],
+    blocks: &[Ready; 2],
     codes: &mut Codes,
 ) {
-    let frame = tile.frame;
-    let [px, py] = coordinates(simd, tile, blocks);
-    let [u, v, distance] = place(frame, object, &row(simd, setups, blocks, 0), px, py);
-    let value = interpolated(&row(simd, setups, blocks, 1), u, v);
+    let object = &tile.frame.objects[blocks[0].object];
+    let Some(material) = &tile.frame.loops[object.material] else { return };
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let [px, py] = coordinates(simd, tile, blocks);
+            let rows = inlined(
+                #[inline(always)]
+                |part: usize| match WHOLE {
+                    true => splat(simd, setups, blocks, part),
+                    false => gather(simd, setups, blocks, part),
+                },
+            );
+            let rgb = colors(tile.frame, (object, material), [rows(0), rows(1)], [px, py]);
+            codes.put_two(&tile.slot, [blocks[0].at, blocks[1].at], rgb);
+        },
+    );
+}
+
+/// The colours of pixels from the rows of their place, and of what is interpolated.
+#[inline(always)]
+fn colors<R: Real>(
+    frame: &FrameView,
+    (object, material): (&ObjectView, &MatteHighlight),
+    [position, attribute]: [[R; GROUP]; 2],
+    [px, py]: [R; 2],
+) -> [R; 3] {
+    let [u, v, distance] = place(frame, object, &position, px, py);
+    let value = interpolated(&attribute, u, v);
     let mut rgb = value;
     if object.shading == Shading::Phong {
         let (position, wo) = frame.camera.unproject(px, py, distance);
@@ -89,38 +116,46 @@ fn shade_here<S: Simd>(
         );
     }
     let emission = frame.materials[object.material].emission;
-    rgb = three(
+    three(
         [0, 1, 2],
         #[inline(always)]
         |c| rgb[c] + px.lit(f64::from(emission[c])),
-    );
-    codes.put_two(&tile.slot, [blocks[0].at, blocks[1].at], rgb);
+    )
 }
 
 /// Picture coordinates of the pixels' centres.
 #[inline(always)]
-fn coordinates<S: Simd>(simd: S, tile: &Tile, [a, b]: [Whole; 2]) -> [Twice<Lanes<S>>; 2] {
+fn coordinates<S: Simd>(simd: S, tile: &Tile, [a, b]: &[Ready; 2]) -> [Twice<Lanes<S>>; 2] {
     let [ax, ay] = block::coordinates(simd, &tile.grid, a.at, [0.5, 0.5]);
     let [bx, by] = block::coordinates(simd, &tile.grid, b.at, [0.5, 0.5]);
     [Twice(ax, bx), Twice(ay, by)]
 }
 
-/// The `part`-th nine floats of the blocks' records.
+/// The `part`-th nine floats of the records that each pixel shows.
 #[inline(always)]
-fn row<S: Simd>(
+fn gather<S: Simd>(
     simd: S,
     setups: &TriangleSetups,
-    [a, b]: [Whole; 2],
+    [a, b]: &[Ready; 2],
     part: usize,
 ) -> [Twice<Lanes<S>>; GROUP] {
-    let of = inlined(
+    let (a, b) =
+        (setups.gather(simd, &a.runs[..a.count], part), setups.gather(simd, &b.runs[..b.count], part));
+    nine(
         #[inline(always)]
-        |block: Whole| -> &[f32; GROUP] {
-            let floats = &setups.floats[block.offset + part * GROUP..];
-            floats.first_chunk().expect("records hold whole groups")
-        },
-    );
-    let (a, b) = (of(a), of(b));
+        |i| Twice(a[i], b[i]),
+    )
+}
+
+/// [`gather`] where there is one record to a block.
+#[inline(always)]
+fn splat<S: Simd>(
+    simd: S,
+    setups: &TriangleSetups,
+    [a, b]: &[Ready; 2],
+    part: usize,
+) -> [Twice<Lanes<S>>; GROUP] {
+    let (a, b) = (setups.row(&a.runs[0], part), setups.row(&b.runs[0], part));
     nine(
         #[inline(always)]
         |i| Twice(Lanes::splat(simd, a[i]), Lanes::splat(simd, b[i])),

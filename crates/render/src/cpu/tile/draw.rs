@@ -3,13 +3,15 @@
 use fearless_simd::Simd;
 
 use crate::cpu::frame::FrameView;
+use crate::cpu::geometry::bins::{TILE_WIDTH, columns};
+use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::triangle_setup::Projected;
 use crate::cpu::tile::state::{Tile, TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Slot};
 use crate::cpu::tile::{multi_sample, single_sample};
 
-/// Draws a tile into its band.
+/// Draws a tile into its band, or as many as there are in a row in which nothing is; gives their number.
 #[inline(always)]
 pub(crate) fn draw<S: Simd>(
     simd: S,
@@ -18,39 +20,50 @@ pub(crate) fn draw<S: Simd>(
     place: TilePlace,
     scratch: &mut TileScratch,
     band: &mut Band,
-) {
+) -> usize {
     let grid = place.grid(frame);
     let [left, top] = grid.origin;
-    let slot = Slot { stride: frame.camera.width, left, top, size: grid.size };
+    let mut slot = Slot { stride: frame.camera.width, left, top, size: grid.size };
     let behind = (&ViewBackground::of(frame), &grid);
-    let chunks = projected.chunks;
-    let any = |blended: bool| {
-        chunks.iter().any(|chunk| match blended {
-            true => !chunk.blended.of(place.column, place.row).is_empty(),
-            false => {
-                !chunk.solid.of(place.column, place.row).is_empty()
-                    || !chunk.points.of(place.column, place.row).is_empty()
-            }
-        })
-    };
-    let blended = any(true);
     scratch.pixels.clear();
-    if !blended && !any(false) {
+    if projected.is_empty(place) {
+        let right = (place.column + 1..columns(frame.camera.width))
+            .find(|&column| !band.fills_empty() || !projected.is_empty(TilePlace { column, ..place }));
+        let right = right.unwrap_or(columns(frame.camera.width));
+        slot.size[0] = frame.camera.width.min(right * TILE_WIDTH) - left;
         band.write_empty(simd, &mut scratch.pixels, slot, behind);
-        return;
+        return right - place.column;
     }
+    let blended = projected.is_blended(place);
     let tile = Tile { frame, projected, grid, slot, blended };
     scratch.see(simd, &tile, place);
     match band {
         Band::Codes(codes) if codes.opaque && tile.is_plain() => {
             single_sample::shade(simd, &tile, scratch, Some(codes));
-            return;
+            return 1;
         }
         _ if frame.samples.len() == 1 => single_sample::shade(simd, &tile, scratch, None),
         _ if blended => multi_sample::shade_blended(simd, &tile, scratch),
         _ => multi_sample::shade(simd, &tile, scratch),
     }
     band.write(simd, &mut scratch.pixels, slot, behind);
+    1
+}
+
+impl Projected<'_> {
+    /// Whether nothing touches a tile.
+    fn is_empty(&self, place: TilePlace) -> bool {
+        let TilePlace { column, row } = place;
+        let empty = |chunk: &ChunkOutput| {
+            chunk.solid.of(column, row).is_empty() && chunk.points.of(column, row).is_empty()
+        };
+        self.chunks.iter().all(empty) && !self.is_blended(place)
+    }
+
+    /// Whether anything blended touches a tile.
+    fn is_blended(&self, TilePlace { column, row }: TilePlace) -> bool {
+        self.chunks.iter().any(|chunk| !chunk.blended.of(column, row).is_empty())
+    }
 }
 
 impl TileScratch {

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use glanz_math::Lanes;
 
-use super::block_pair::{self, Whole};
+use super::block_pair::{self, MOST, Ready};
 use crate::cpu::block::{self, BLOCK};
 use crate::cpu::lighting::reflect::reflect_lanes;
 use crate::cpu::shading::background::ViewBackground;
@@ -21,15 +21,17 @@ use glanz_math::inline::three;
 pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
     let background = ViewBackground::of(tile.frame);
     let mut owners = Owners::default();
-    let mut waiting: Option<Whole> = None;
+    // Those of one triangle wait for their like, and so do those of more.
+    let mut waiting: [Option<Ready>; 2] = [None; 2];
     tile.slot.for_each_block(
         #[inline(always)]
         |at| {
             scratch.visible.owners(simd, at, triangle_batch::MANY, &mut owners);
             if let (true, Some(codes)) = (block_pair::pays(simd), &mut codes)
-                && let Some(block) = whole(tile, scratch, &mut owners, at)
+                && let Some(block) = ready(tile, scratch, &owners, at)
             {
-                waiting = pair_up(simd, tile, scratch, [waiting, Some(block)], codes);
+                let place = &mut waiting[usize::from(block.count > 1)];
+                pair_up(simd, tile, scratch, place, block, codes);
                 return;
             }
             let mut rgb = [Lanes::splat(simd, 0.0); 3];
@@ -46,42 +48,56 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
             codes.put(&tile.slot, at, rgb);
         },
     );
-    if let (Some(last), Some(codes)) = (waiting, codes) {
-        block_pair::shade(simd, tile, &scratch.setups, [last; 2], codes);
+    if let Some(codes) = codes {
+        for last in waiting.into_iter().flatten() {
+            block_pair::shade(simd, tile, &scratch.setups, &[last; 2], codes);
+        }
     }
 }
 
-/// Shades a block with the one that waits, or lets it wait; gives the one that waits then.
+/// Shades a block with the one that waits if they are of one object; otherwise it waits in its place.
 #[inline(always)]
 fn pair_up<S: Simd>(
     simd: S,
     tile: &Tile,
     scratch: &TileScratch,
-    [first, block]: [Option<Whole>; 2],
+    place: &mut Option<Ready>,
+    block: Ready,
     codes: &mut Codes,
-) -> Option<Whole> {
-    let (Some(first), Some(second)) = (first, block) else { return block };
-    let fits = first.object == second.object;
-    let second = if fits { second } else { first };
-    block_pair::shade(simd, tile, &scratch.setups, [first, second], codes);
-    if fits { None } else { block }
+) {
+    let Some(first) = place.take() else {
+        *place = Some(block);
+        return;
+    };
+    let fits = first.object == block.object;
+    let second = if fits { block } else { first };
+    block_pair::shade(simd, tile, &scratch.setups, &[first, second], codes);
+    if !fits {
+        *place = Some(block);
+    }
 }
 
-/// The block, if it shows one triangle throughout, of the commonest kind.
+/// The block, if it shows few triangles and nothing else, all of one object of the commonest kind.
 #[inline(always)]
-fn whole(tile: &Tile, scratch: &mut TileScratch, owners: &mut Owners, at: usize) -> Option<Whole> {
+fn ready(tile: &Tile, scratch: &mut TileScratch, owners: &Owners, at: usize) -> Option<Ready> {
     let Tile { frame, projected, .. } = *tile;
-    if owners.count != 1 || owners.bits != 0xffff {
+    let few = (1..=MOST).contains(&owners.count) && owners.all && owners.bits == 0xffff;
+    if !few || owners.count > 1 && triangle_batch::pays(owners) {
         return None;
     }
-    let object = scratch.visible.object(frame, owners.runs[0].setup);
+    let all = &owners.runs[..owners.count];
+    let object = scratch.visible.object(frame, all[0].setup);
     let view = &frame.objects[object];
-    if !view.simple || frame.loops[view.material].is_none() {
+    let same = all[1..].iter().all(|run| scratch.visible.object(frame, run.setup) == object);
+    if !same || !view.simple || frame.loops[view.material].is_none() {
         return None;
     }
-    scratch.visible.set_up(frame, projected, &mut scratch.setups, &mut owners.runs[..1]);
-    let setup = owners.runs[0].setup as usize;
-    Some(Whole { at, object, offset: scratch.setups.list[setup].offset as usize })
+    let mut runs = [Run { setup: 0, bits: 0 }; MOST];
+    for (own, run) in runs.iter_mut().zip(all) {
+        own.setup = scratch.visible.record(frame, projected, &mut scratch.setups, run.setup);
+        own.bits = run.bits;
+    }
+    Some(Ready { at, object, runs, count: owners.count })
 }
 
 /// Puts a block into the tile's pixels, behind what is blended.

@@ -231,19 +231,31 @@ impl Visible {
         runs: &mut [Run],
     ) {
         for run in runs {
-            run.setup = match self.seen.get_mut(run.setup as usize) {
-                Some(seen) if seen.setup != NONE => seen.setup,
-                Some(seen) => {
-                    let chunk = seen.chunk as usize;
-                    let triangle = triangle(frame, projected, chunk, seen.key);
-                    seen.setup = setups.add(frame, projected, chunk, &triangle);
-                    seen.setup
-                }
-                None => {
-                    let triangle = triangle(frame, projected, 0, run.setup & !NAMED);
-                    setups.add(frame, projected, 0, &triangle)
-                }
-            };
+            run.setup = self.record(frame, projected, setups, run.setup);
+        }
+    }
+
+    /// The number of an owner's record, which is set up if it is new.
+    #[inline(always)]
+    pub fn record(
+        &mut self,
+        frame: &FrameView,
+        projected: &Projected,
+        setups: &mut TriangleSetups,
+        owner: u32,
+    ) -> u32 {
+        match self.seen.get_mut(owner as usize) {
+            Some(seen) if seen.setup != NONE => seen.setup,
+            Some(seen) => {
+                let chunk = seen.chunk as usize;
+                let triangle = triangle(frame, projected, chunk, seen.key);
+                seen.setup = setups.add(frame, projected, chunk, &triangle);
+                seen.setup
+            }
+            None => {
+                let triangle = triangle(frame, projected, 0, owner & !NAMED);
+                setups.add(frame, projected, 0, &triangle)
+            }
         }
     }
 }
