@@ -15,8 +15,8 @@ const KEPT: [f64; 4] = [1.0, 2.0 / 3.0, 0.25, -1.0 / 24.0];
 pub(crate) fn irradiance(map: &EnvironmentMap) -> Irradiance {
     if map.size()[1] < COARSEST {
         // So few pixels would be lights from single directions.
-        let finer = EnvironmentMap::from_fn(2 * COARSEST, COARSEST, |d| {
-            map.at(Vec3::new(d.x as f32, d.y as f32, d.z as f32))
+        let finer = EnvironmentMap::from_fn(2 * COARSEST, COARSEST, |[x, y, z]| {
+            map.at(Vec3::new(x as f32, y as f32, z as f32))
         });
         return irradiance(&finer);
     }
@@ -25,8 +25,8 @@ pub(crate) fn irradiance(map: &EnvironmentMap) -> Irradiance {
     for row in 0..height {
         let weight = map.solid_angle(row);
         for column in 0..width {
-            let d = map.direction(row, column);
-            let basis = harmonics(Vec3::new(d.x, d.y, d.z));
+            let [x, y, z] = map.direction(row, column);
+            let basis = harmonics(Vec3::new(x, y, z));
             for (sum, y) in sums.iter_mut().zip(basis) {
                 for (sum, value) in sum.iter_mut().zip(map.pixel(row, column)) {
                     *sum += weight * y * f64::from(value);
@@ -77,7 +77,7 @@ mod tests {
         let mut gram = [[0.0; TERMS]; TERMS];
         for row in 0..128 {
             for column in 0..256 {
-                let DVec3 { x, y, z } = map.direction(row, column);
+                let [x, y, z] = map.direction(row, column);
                 let basis = harmonics(Vec3::new(x, y, z));
                 for i in 0..TERMS {
                     for j in 0..TERMS {
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn a_bright_half_gives_its_form_factor() {
         // Light from the upper hemisphere: (1 + cosine) / 2.
-        let half = EnvironmentMap::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]);
+        let half = EnvironmentMap::from_fn(256, 128, |[_, y, _]| [if y > 0.0 { 1.0 } else { 0.0 }; 3]);
         let irradiance = irradiance(&half);
         for degrees in [0.0_f64, 30.0, 60.0, 90.0, 120.0, 180.0] {
             let (sin, cos) = libm::sincos(degrees.to_radians());

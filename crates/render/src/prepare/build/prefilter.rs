@@ -127,7 +127,8 @@ struct PyramidLevel {
 impl PyramidLevel {
     fn of(map: Arc<EnvironmentMap>) -> Self {
         let [width, height] = map.size();
-        let row = |row| (0..width).map(|column| map.direction(row, column).as_vec3()).collect();
+        let row =
+            |row| (0..width).map(|column| DVec3::from_array(map.direction(row, column)).as_vec3()).collect();
         let directions = crate::parallel::collect(height, row);
         Self { map, directions }
     }
@@ -144,7 +145,7 @@ pub(crate) fn blurred(Pyramid(levels): &Pyramid, shape: &Shape) -> Arc<Environme
     Arc::new(EnvironmentMap::from_fn(2 * rows, rows, |middle| {
         let mut sum = [0.0; 3];
         for ring in &rings {
-            let mean = mean(ring, &profile, middle);
+            let mean = mean(ring, &profile, DVec3::from_array(middle));
             sum.iter_mut().zip(mean).for_each(|(sum, mean)| *sum += ring.fraction * mean);
         }
         sum.map(|sum| sum as f32)
@@ -247,7 +248,8 @@ mod tests {
     #[test]
     fn a_cosine_lobe_makes_a_bright_half_its_share() {
         // Phong with exponent 1 is the clamped cosine: (1 + cosine) / 2 of a bright half.
-        let map = Arc::new(EnvironmentMap::from_fn(256, 128, |d| [if d.y > 0.0 { 1.0 } else { 0.0 }; 3]));
+        let map =
+            Arc::new(EnvironmentMap::from_fn(256, 128, |[_, y, _]| [if y > 0.0 { 1.0 } else { 0.0 }; 3]));
         let blurred = blurred(&Pyramid::of(&map), &shape("phong", "shininess", 1.0));
         for degrees in [5.0_f64, 40.0, 90.0, 140.0] {
             let (sin, cos) = libm::sincos(degrees.to_radians());
