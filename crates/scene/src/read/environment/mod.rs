@@ -6,10 +6,10 @@ mod radiance;
 pub(super) mod tests;
 
 use glanz_color::models::RgbSpace;
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::error::excerpt;
+use super::ReadOptions;
 use super::notes::Notes;
-use super::{Place, ReadError, ReadOptions};
 use crate::EnvironmentMap;
 
 /// How an OpenEXR file begins: 20000630, low byte first.

@@ -8,9 +8,9 @@ mod planes;
 #[cfg(test)]
 pub(super) mod tests;
 
-use super::error::excerpt;
+use glanz_color::read::{Place, ReadError, excerpt};
+
 use super::notes::Notes;
-use super::{Place, ReadError};
 use crate::Profile;
 
 /// The most bytes of a file. A profile at every degree of both angles takes half a megabyte.
@@ -72,7 +72,7 @@ impl Source<'_> {
         let number = text.parse().ok().filter(|value: &f64| value.abs() <= MAX_VALUE);
         number.ok_or_else(|| {
             let expected = format!("{what}, a number of at most {MAX_VALUE:e}");
-            self.malformed(Place::Line(line), expected, excerpt(text.as_bytes()))
+            self.malformed(Place::Line(line), expected, excerpt(text))
         })
     }
 

@@ -14,10 +14,13 @@ use std::collections::HashMap;
 use std::io::BufRead;
 
 use glam::{Vec2, Vec3};
+use glanz_color::read::{Place, ReadError};
 use glanz_color::srgb_decode;
 
+use super::context::Context;
 use super::lines::{Lines, float, words};
-use super::{Context, Model, Place, ReadError, ResolveError};
+use super::model::Model;
+use crate::read::ResolveError;
 use mtl::Library;
 use parts::{Corner, NONE, Parts};
 
@@ -249,4 +252,4 @@ fn read_library(
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(in crate::read) mod tests;

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::super::error::excerpt;
-use super::super::{Context, Place, ReadError};
+use glanz_color::read::{Place, ReadError, excerpt};
+
+use super::super::context::Context;
 use super::json::Root;
 
 const JSON_CHUNK: u32 = 0x4e4f_534a;
@@ -43,7 +44,7 @@ fn chunks<'a>(bytes: &'a [u8], file: &str) -> Result<(&'a [u8], Option<&'a [u8]>
             (JSON_CHUNK, None) => json = Some(chunk),
             (BINARY_CHUNK, Some(_)) if binary.is_none() => binary = Some(chunk),
             (_, None) => {
-                return Err(malformed(file, at + 4, "the chunk 'JSON'", excerpt(&kind.to_le_bytes())));
+                return Err(malformed(file, at + 4, "the chunk 'JSON'", excerpt(kind.to_le_bytes())));
             }
             // Chunks of other kinds are for extensions.
             _ => {}
@@ -151,13 +152,13 @@ impl<'a> Buffers<'a> {
 pub(super) fn load_uri(uri: &str, place: Place, context: &Context<'_>) -> Result<Vec<u8>, ReadError> {
     if let Some(data) = uri.strip_prefix("data:") {
         let text = data.split_once(";base64,").map(|(_, text)| text);
-        return text.and_then(|text| decode_base64(text.as_bytes())).ok_or_else(|| {
-            ReadError::malformed(context.file, place, "a data URI in base64", excerpt(uri.as_bytes()))
-        });
+        return text
+            .and_then(|text| decode_base64(text.as_bytes()))
+            .ok_or_else(|| ReadError::malformed(context.file, place, "a data URI in base64", excerpt(uri)));
     }
     if uri.contains("://") {
         let expected = "data or the name of a file";
-        return Err(ReadError::unsupported(context.file, place, expected, excerpt(uri.as_bytes())));
+        return Err(ReadError::unsupported(context.file, place, expected, excerpt(uri)));
     }
     let reference = decode_percent(uri);
     context.resolver.read(&reference).map_err(|error| error.at(context.file, place, &reference))

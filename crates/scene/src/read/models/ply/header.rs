@@ -2,7 +2,8 @@
 
 use std::io::BufRead;
 
-use super::super::ReadError;
+use glanz_color::read::ReadError;
+
 use super::super::lines::{Lines, words};
 
 /// The most elements of a file, and properties of an element.

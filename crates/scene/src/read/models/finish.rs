@@ -2,8 +2,8 @@
 
 use glam::{DVec3, Vec3, Vec4};
 
-use super::notes::Notes;
 use crate::Mesh;
+use crate::read::notes::Notes;
 
 /// Makes normals and tangents unit vectors.
 ///

@@ -2,9 +2,9 @@
 
 use std::io::{self, BufRead};
 
-use super::super::error::excerpt;
+use glanz_color::read::{Place, ReadError, excerpt};
+
 use super::super::lines::{Lines, number};
-use super::super::{Place, ReadError};
 use super::header::{Encoding, Property, Scalar};
 
 /// A reader of values.

@@ -1,6 +1,8 @@
 //! What a lit material is made of: its numbers, checked and brought into their ranges.
 
-use super::super::{Context, Place, ReadError};
+use glanz_color::read::{Place, ReadError};
+
+use super::super::context::Context;
 use super::Source;
 use super::json;
 

@@ -2,12 +2,13 @@
 
 use glam::{DMat4, DQuat, DVec3};
 use glanz_color::Rgb;
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::super::notes::Notes;
-use super::super::{Model, Place, ReadError};
+use super::super::model::Model;
 use super::Source;
 use super::json::{self, Node};
 use super::primitive::Builder;
+use crate::read::notes::Notes;
 use crate::{Attenuation, Camera, Light, LightColors, LightKind, Object, Projection};
 
 /// Reads the default scene, or all nodes where there is none.
@@ -228,7 +229,7 @@ impl Visit<'_> {
                 }
             }
             other => {
-                let found = super::super::error::excerpt(other.as_bytes());
+                let found = excerpt(other);
                 return Err(wrong("the type directional, point or spot", found));
             }
         })

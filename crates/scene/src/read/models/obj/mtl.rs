@@ -10,10 +10,12 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use glanz_color::Rgb;
+use glanz_color::read::{Place, ReadError};
 
+use super::super::context::Context;
 use super::super::lines::{Lines, float, words};
-use super::super::{Context, Place, ReadError, ResolveError, texture};
 use super::rest;
+use crate::read::{ResolveError, texture};
 use crate::{AlphaMode, ClassicMaterial, Material, Texture, TextureUse, Tint, Wrap};
 
 /// The most MTL files that one OBJ file may name.

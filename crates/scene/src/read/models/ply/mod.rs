@@ -12,10 +12,12 @@ mod header;
 use std::io::BufRead;
 
 use glam::{DMat4, Vec2, Vec3, Vec4};
+use glanz_color::read::{Place, ReadError};
 
+use super::context::Context;
 use super::faces::{close_face, corners_fit};
 use super::finish::finish_mesh;
-use super::{Context, Model, Place, ReadError};
+use super::model::Model;
 use crate::{Material, Mesh, Object};
 use body::Body;
 use header::{Element, Header, Kind, Role, Scalar};
@@ -245,4 +247,4 @@ fn check_corners(mesh: &Mesh, file: &str) -> Result<(), ReadError> {
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(in crate::read) mod tests;

@@ -8,11 +8,12 @@ use std::collections::HashMap;
 use std::io::{self, BufRead, Read};
 
 use glam::{DMat4, Vec3};
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::error::excerpt;
+use super::context::Context;
 use super::faces::corners_fit;
 use super::lines::{Lines, float, words};
-use super::{Context, Model, Place, ReadError};
+use super::model::Model;
 use crate::{Material, Mesh, Object};
 
 /// The bytes of the header of a binary file, with the number of facets at its end.
@@ -223,10 +224,10 @@ impl State {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use super::super::Format;
-    use super::super::tests::{check, error_of, read_bytes};
+pub(in crate::read) mod tests {
     use super::*;
+    use crate::read::Format;
+    use crate::read::tests::{check, error_of, read_bytes};
 
     pub const TEXT: &str = "solid two words
 facet normal 0 0 1

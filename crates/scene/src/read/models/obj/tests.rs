@@ -2,9 +2,10 @@ use std::collections::HashMap;
 
 use glam::{Vec2, Vec3};
 use glanz_color::Rgb;
+use glanz_color::read::ReadError;
 
 use crate::read::tests::{check, error_of, read_bytes};
-use crate::read::{Format, Model, ReadError, ReadOptions, Resolver, read_model_bytes, texture};
+use crate::read::{Format, Model, ReadOptions, Resolver, read_model_bytes, texture};
 use crate::{AlphaMode, Mesh};
 
 pub const SAMPLE: &str = "# sample

@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 
 use glam::{Vec2, Vec3, Vec4};
+use glanz_color::read::{Place, ReadError};
 
 use super::super::finish::finish_mesh;
-use super::super::notes::Notes;
-use super::super::{Model, Place, ReadError};
+use super::super::model::Model;
 use super::json::Primitive;
 use super::{Budget, Source};
 use crate::Mesh;
+use crate::read::notes::Notes;
 
 /// Bytes of a vertex with all its attributes.
 const VERTEX_BYTES: u64 = 64;

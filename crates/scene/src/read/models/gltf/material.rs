@@ -4,13 +4,16 @@ use std::collections::HashMap;
 
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::super::{Context, Model, Place, ReadError, texture};
+use super::super::context::Context;
+use super::super::model::Model;
 use super::Source;
 use super::container::load_uri;
 use super::json::{self, TextureInfo};
 use super::layers;
 use super::pbr::{self, PbrMaterial};
+use crate::read::texture;
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
 
 /// The most characters of a texture's name, which every use of its picture carries.
@@ -96,7 +99,7 @@ impl Reader<'_> {
             Some("BLEND") => AlphaMode::Blend,
             Some(other) => {
                 let place = Place::Path(format!("{path}.alphaMode"));
-                let found = super::super::error::excerpt(other.as_bytes());
+                let found = excerpt(other);
                 return Err(self.source.malformed(place, "OPAQUE, MASK or BLEND", found));
             }
         };

@@ -1,6 +1,7 @@
 //! Accessors: arrays of numbers in buffers, with sparse corrections.
 
-use super::super::{Place, ReadError};
+use glanz_color::read::{Place, ReadError, excerpt};
+
 use super::Source;
 use super::json::{Accessor, Sparse, SparsePart};
 
@@ -131,7 +132,7 @@ impl Source<'_> {
             _ => 4,
         };
         if !kinds.contains(&accessor.kind.as_str()) {
-            let found = super::super::error::excerpt(accessor.kind.as_bytes());
+            let found = excerpt(accessor.kind.as_bytes());
             return Err(self.malformed(
                 place(index),
                 format!("the type {} for {user}", kinds.join(" or ")),

@@ -58,7 +58,10 @@ mod nodes;
 mod pbr;
 mod primitive;
 
-use super::{Context, Model, Place, ReadError};
+use glanz_color::read::{Place, ReadError, excerpt};
+
+use super::context::Context;
+use super::model::Model;
 use container::Buffers;
 use json::Root;
 
@@ -152,7 +155,7 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, Rea
 }
 
 fn json_error(error: &serde_json::Error, file: &str) -> ReadError {
-    let place = Place::Json { line: error.line() as u64, column: error.column() as u64 };
+    let place = Place::Column { line: error.line() as u64, column: error.column() as u64 };
     // The message of the parser says what it expected and found, and repeats the place.
     let text = error.to_string();
     let found = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
@@ -163,13 +166,13 @@ fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError
     let version = &root.asset.version;
     let path = |path: &str| Place::Path(path.to_owned());
     if version != "2" && !version.starts_with("2.") {
-        let found = super::error::excerpt(version.as_bytes());
+        let found = excerpt(version);
         return Err(ReadError::unsupported(context.file, path("asset.version"), "version 2 of glTF", found));
     }
     let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
     if let Some(name) = root.extensions_required.iter().find(unknown) {
         let expected = format!("only extensions of {}", SUPPORTED.join(", "));
-        let found = super::error::excerpt(name.as_bytes());
+        let found = excerpt(name);
         return Err(ReadError::unsupported(context.file, path("extensionsRequired"), expected, found));
     }
     for name in root.extensions_used.iter().filter(unknown) {
@@ -179,4 +182,4 @@ fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError
 }
 
 #[cfg(test)]
-pub(super) mod tests;
+pub(in crate::read) mod tests;

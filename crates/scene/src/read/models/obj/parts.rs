@@ -6,8 +6,8 @@ use glam::{DMat4, Vec2, Vec3};
 
 use super::super::faces::{close_face, corners_fit};
 use super::super::finish::finish_mesh;
-use super::super::notes::Notes;
 use super::Data;
+use crate::read::notes::Notes;
 use crate::{Mesh, Object};
 
 /// No texture coordinate, or no normal.

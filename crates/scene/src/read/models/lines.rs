@@ -2,8 +2,7 @@
 
 use std::io::{BufRead, Read};
 
-use super::error::excerpt;
-use super::{Place, ReadError};
+use glanz_color::read::{Place, ReadError, excerpt};
 
 /// The longest line that is read: a file without line ends would else fill the memory.
 const MAX_LINE: u64 = 64 << 20;
