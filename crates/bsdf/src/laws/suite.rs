@@ -3,8 +3,8 @@
 //! An exempt model must be found to break the law in fact, so that an exemption that is no longer needed is found. Where
 //! a law says nothing of a model, the test is that its verdict is "not applicable", with the reason.
 
-use super::limits::{NEVER_LAMBERT, NEVER_NARROW, REFRACTED};
-use super::normalization::NO_FACETS;
+use super::judges::limits::{NEVER_LAMBERT, NEVER_NARROW, REFRACTED};
+use super::judges::normalization::NO_FACETS;
 use super::subject::{NO_DIRECTION, SINGLE_DIRECTION};
 use super::{Finding, Law, Verdict, judge};
 use crate::{LightTerm, ModelInfo, ParamInfo, Shape};

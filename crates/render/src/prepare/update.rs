@@ -6,7 +6,7 @@ use glanz_picture::{Channels, ToScreen};
 use glanz_scene::{Light, LightKind, Material, Scene, White};
 
 use super::build::bvh::{bvh, is_opaque};
-use super::build::objects::{add_objects, move_object, needs_tangents};
+use super::build::geometry::objects::{add_objects, move_object, needs_tangents};
 use super::build::{check, lights, textures};
 use super::color::fill::{fill_material, fill_table};
 use super::data::{Prepared, PreparedObject};

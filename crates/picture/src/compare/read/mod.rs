@@ -1,6 +1,8 @@
 //! Pictures from files.
 
+mod error;
 mod exr;
+mod limits;
 mod png;
 #[cfg(test)]
 mod tests;
@@ -9,12 +11,10 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::{Picture, ReadError};
+pub use error::ReadError;
+pub use limits::{MAX_PIXELS, MAX_SIDE};
 
-/// The widest and highest picture, in pixels.
-pub const MAX_SIDE: usize = 16_384;
-/// The most pixels of a picture: 8192×8192.
-pub const MAX_PIXELS: usize = 1 << 26;
+use super::Picture;
 
 /// The most bytes of a file: [`MAX_PIXELS`] of eight `f32` channels, not compressed.
 const MAX_FILE: u64 = (MAX_PIXELS * 8 * 4) as u64;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glanz_scene::Mesh;
 
-use crate::prepare::build::placed::Placed;
+use super::placed::Placed;
 
 /// Above this many triangles the answer is not sought: it would cost more than it saves.
 const MOST_TRIANGLES: usize = 4_000_000;

@@ -3,8 +3,8 @@
 use glam::Vec3;
 use glanz_scene::Mesh;
 
+use super::facets::uv;
 use super::placed::Placed;
-use crate::prepare::build::facets::uv;
 use crate::prepare::data::Polygons;
 
 /// Those of a mesh in the world.

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
 use glanz_math::{Chebyshev, PI};
 
-use crate::prepare::build::ltc;
-use crate::prepare::build::prefilter::{self, Pyramid};
+use super::ltc;
+use super::prefilter::{self, Pyramid};
 use crate::prepare::data::{
     AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, PreparedLight, PreparedMaterial,
 };
