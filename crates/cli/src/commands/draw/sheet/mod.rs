@@ -2,8 +2,6 @@
 
 mod ball;
 
-use std::path::Path;
-
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glanz_bsdf::models::info_named;
@@ -12,15 +10,10 @@ use glanz_plot::{Grid, Variation};
 use glanz_scene::builtin::Builtin;
 
 use self::ball::Ball;
-use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices, size};
-use crate::encode;
+use super::stage_sheet::StageSheetArgs;
+use crate::args::{choices, size};
 use crate::input::lobes::model_names;
-use crate::pipeline::{self, Picture, Plan};
-use crate::print::FormatArgs;
 use crate::print::failure::Failure;
-use crate::print::files::tell_sheet;
-use crate::print::timings::Timings;
-use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -75,44 +68,20 @@ pub struct SheetArgs {
     columns: u32,
 
     #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    color: ColorArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
-    #[command(flatten)]
-    machine: MachineArgs,
-    #[command(flatten)]
-    format: FormatArgs,
+    sheet: StageSheetArgs,
 }
 
 impl SheetArgs {
     /// Draws the sheet.
     pub fn run(&self) -> Result<(), Failure> {
-        self.machine.apply()?;
-        let target = self.target.resolve(Path::new(&self.model), "_sheet.png")?;
-        encode::expect_png(&target, "a sheet")?;
+        let target = self.sheet.begin(&self.model)?;
         self.check_keys()?;
         let grid = Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size };
         let cells = grid.cells()?;
         let balls = cells.iter().map(|cell| self.ball(cell)).collect::<Result<Vec<_>, _>>()?;
-        let sheet = grid.sheet(cells.len());
-        let mut canvas = sheet.begin()?;
-        let look = LookArgs { samples: Some(self.samples), color: self.color.clone(), ..LookArgs::default() };
-        let camera = CameraArgs::default();
-        let mut progress = Progress::new(balls.len(), "pictures");
-        for (index, ball) in balls.into_iter().enumerate() {
-            let input = ball.input(self.size)?;
-            let plan = Plan::new(&input, Some(self.size), &look, &camera, self.develop)?;
-            let mut shot = plan.shot(&input.scene)?;
-            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
-            sheet.put(&mut canvas, index, &codes);
-            progress.step();
-        }
-        drop(progress);
-        let size = (canvas.width, canvas.height);
-        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
-        tell_sheet(&target, size, &cells, self.format)
+        let stages = balls.into_iter().map(|ball| ball.input(self.size));
+        let canvas = self.sheet.draw(&grid.sheet(cells.len()), stages, self.size, self.samples)?;
+        self.sheet.deliver(canvas, &target, &cells)
     }
 
     /// The ball of one cell: what is varied comes before what is set.

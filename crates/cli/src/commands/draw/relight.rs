@@ -6,14 +6,14 @@ use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
 use serde_json::json;
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::encode;
+use super::side_by_side::SideBySideArgs;
+use crate::args::{InputArgs, LookArgs, Target};
 use crate::input::spectra::light_source;
 use crate::load::Input;
-use crate::pipeline::{self, Picture, Plan};
+use crate::pipeline;
+use crate::print;
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
-use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
 
 /// Shown after the help.
@@ -38,31 +38,15 @@ pub struct RelightArgs {
     light: Vec<String>,
 
     #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    size: SizeArgs,
-    #[command(flatten)]
-    look: LookArgs,
-    #[command(flatten)]
-    camera: CameraArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
-    #[command(flatten)]
-    machine: MachineArgs,
-    #[command(flatten)]
-    format: FormatArgs,
+    pictures: SideBySideArgs,
 }
 
 impl RelightArgs {
     /// Draws.
     pub fn run(&self) -> Result<(), Failure> {
         let spectra = self.spectra()?;
-        self.machine.apply()?;
-        let target = self.target.resolve(&self.input.input, "_lights.png")?;
-        encode::expect_png(&target, "a sheet of lights")?;
-        let mut input = self.input.load(Some(&self.camera), &[])?;
-        print::notes(&self.input.input, &input.notes);
-        let mut look = self.look.clone();
+        let (target, mut input) = self.pictures.begin(&self.input, "_lights.png", "a sheet of lights")?;
+        let mut look = self.pictures.look.clone();
         if look.color.mode.is_none() && input.scene.render.mode == ColorMode::Rgb {
             look.color.mode = Some(ColorMode::Spectral);
         }
@@ -104,7 +88,7 @@ impl RelightArgs {
             relight(&mut input.scene.lights, &own, color);
             let mut daylight = look.clone();
             daylight.color.white = Some(White::D65);
-            looks.push(match (self.plan(input, look), self.plan(input, &daylight)) {
+            looks.push(match (self.pictures.plan(input, look), self.pictures.plan(input, &daylight)) {
                 // The white is all that differs.
                 (Err(_), Ok(_)) => {
                     print::note(format_args!("note: no eye takes {name} for white: drawn for D65"));
@@ -129,17 +113,13 @@ impl RelightArgs {
         let mut pictures = Vec::with_capacity(spectra.len());
         for (color, look) in spectra.iter().zip(looks) {
             relight(&mut input.scene.lights, &own, color);
-            let plan = self.plan(input, look)?;
+            let plan = self.pictures.plan(input, look)?;
             let mut shot = plan.shot(&input.scene)?;
             pictures.push(pipeline::codes(&mut shot, &mut Timings::default(), progress)?);
             progress.step();
         }
         input.scene.lights = own;
         Ok(pictures)
-    }
-
-    fn plan(&self, input: &Input, look: &LookArgs) -> Result<Plan, Failure> {
-        Plan::new(input, self.size.size, look, &self.camera, self.develop)
     }
 
     fn deliver(
@@ -162,10 +142,9 @@ impl RelightArgs {
         for (index, picture) in pictures.iter().enumerate() {
             sheet.put(&mut canvas, index, picture);
         }
-        encode::deliver(Picture::Codes8(canvas), target, &encode::metadata(input.hash))?;
+        self.pictures.deliver(canvas, target, input.hash)?;
         let Target::File(path) = target else { return Ok(()) };
-        print::note(format_args!("wrote {}", path.display()));
-        if self.format.is_json() {
+        if self.pictures.format.is_json() {
             let lights: Vec<_> = self.light.iter().zip(spectra).map(describe).collect();
             return print::json(&json!({ "file": path.display().to_string(), "lights": lights }));
         }

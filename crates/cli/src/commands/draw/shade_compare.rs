@@ -8,11 +8,11 @@ use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::Shading;
 use serde_json::{Value, json};
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::encode;
-use crate::pipeline::{self, Picture, Plan};
+use super::side_by_side::SideBySideArgs;
+use crate::args::{InputArgs, Target};
+use crate::pipeline;
 use crate::print::failure::Failure;
-use crate::print::{self, Format, FormatArgs};
+use crate::print::{self, Format};
 use crate::progress::Progress;
 
 /// Shown after the help.
@@ -37,34 +37,18 @@ pub struct ShadeCompareArgs {
     #[command(flatten)]
     input: InputArgs,
     #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    size: SizeArgs,
-    #[command(flatten)]
-    look: LookArgs,
-    #[command(flatten)]
-    camera: CameraArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
-    #[command(flatten)]
-    machine: MachineArgs,
-    #[command(flatten)]
-    format: FormatArgs,
+    pictures: SideBySideArgs,
 }
 
 impl ShadeCompareArgs {
     /// Draws and measures.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.look.shading.is_some() {
+        if self.pictures.look.shading.is_some() {
             let message = "--shading has no place here: all three shadings are drawn";
             return Err(Failure::Usage(message.to_owned()));
         }
-        self.machine.apply()?;
-        let target = self.target.resolve(&self.input.input, "_shading.png")?;
-        encode::expect_png(&target, "a comparison")?;
-        let input = self.input.load(Some(&self.camera), &[])?;
-        print::notes(&self.input.input, &input.notes);
-        let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
+        let (target, input) = self.pictures.begin(&self.input, "_shading.png", "a comparison")?;
+        let plan = self.pictures.plan(&input, &self.pictures.look)?;
         let mut pictures = Vec::with_capacity(SHADINGS.len());
         let mut progress = Progress::new(SHADINGS.len(), "pictures");
         for (shading, _, _) in SHADINGS {
@@ -76,11 +60,7 @@ impl ShadeCompareArgs {
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();
-        let sheet = Picture::Codes8(side_by_side(&pictures, &differences)?);
-        encode::deliver(sheet, &target, &encode::metadata(input.hash))?;
-        if let Target::File(path) = &target {
-            print::note(format_args!("wrote {}", path.display()));
-        }
+        self.pictures.deliver(side_by_side(&pictures, &differences)?, &target, input.hash)?;
         self.tell(&target, &differences)
     }
 
@@ -89,7 +69,7 @@ impl ShadeCompareArgs {
             print::note(table(differences).trim_end());
             return Ok(());
         };
-        if self.format.format == Format::Text {
+        if self.pictures.format.format == Format::Text {
             return print::text(&table(differences));
         }
         let named = SHADINGS.iter().zip(differences);

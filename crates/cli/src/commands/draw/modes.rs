@@ -9,12 +9,12 @@ use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::ColorMode;
 use serde_json::{Value, json};
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
-use crate::encode;
+use super::side_by_side::SideBySideArgs;
+use crate::args::{InputArgs, Target};
 use crate::load::Input;
-use crate::pipeline::{self, Picture, Plan};
+use crate::pipeline;
 use crate::print::failure::Failure;
-use crate::print::{self, Format, FormatArgs};
+use crate::print::{self, Format};
 use crate::progress::Progress;
 
 /// Shown after the help.
@@ -52,19 +52,7 @@ pub struct ModesArgs {
     heat: Option<f64>,
 
     #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    size: SizeArgs,
-    #[command(flatten)]
-    look: LookArgs,
-    #[command(flatten)]
-    camera: CameraArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
-    #[command(flatten)]
-    machine: MachineArgs,
-    #[command(flatten)]
-    format: FormatArgs,
+    pictures: SideBySideArgs,
 }
 
 /// A picture in one mode, and its distance from the one that counts as right.
@@ -78,21 +66,13 @@ impl ModesArgs {
     /// Draws and measures.
     pub fn run(&self) -> Result<(), Failure> {
         self.check()?;
-        self.machine.apply()?;
-        let target = self.target.resolve(&self.input.input, "_modes.png")?;
-        encode::expect_png(&target, "a comparison")?;
-        let input = self.input.load(Some(&self.camera), &[])?;
-        print::notes(&self.input.input, &input.notes);
+        let (target, input) = self.pictures.begin(&self.input, "_modes.png", "a comparison")?;
         let columns = self.columns(&input)?;
         if columns.is_empty() {
             return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
         }
         let top = self.heat.unwrap_or_else(|| greatest(&columns));
-        let sheet = Picture::Codes8(self.sheet(&columns, top)?);
-        encode::deliver(sheet, &target, &encode::metadata(input.hash))?;
-        if let Target::File(path) = &target {
-            print::note(format_args!("wrote {}", path.display()));
-        }
+        self.pictures.deliver(self.sheet(&columns, top)?, &target, input.hash)?;
         self.tell(&target, &columns)
     }
 
@@ -118,13 +98,13 @@ impl ModesArgs {
     }
 
     fn draw(&self, input: &Input, mode: ColorMode, progress: &mut Progress) -> Result<Developed, Failure> {
-        let mut look = self.look.clone();
+        let mut look = self.pictures.look.clone();
         look.color.mode = Some(mode);
         if mode == ColorMode::Rgb {
             // RGB is what a screen shows, whoever looks.
             look.color.observer = None;
         }
-        let plan = Plan::new(input, self.size.size, &look, &self.camera, self.develop)?;
+        let plan = self.pictures.plan(input, &look)?;
         let picture = pipeline::developed(&mut plan.shot(&input.scene)?, progress)?;
         progress.step();
         Ok(picture)
@@ -132,20 +112,20 @@ impl ModesArgs {
 
     /// The exposure at which differences are judged.
     fn look_ev(&self, input: &Input) -> Result<f32, Failure> {
-        Ok(self.develop.resolve(&input.scene.render)?.ev)
+        Ok(self.pictures.develop.resolve(&input.scene.render)?.ev)
     }
 
     /// Whether someone else looks than the standard observer.
     fn sees_otherwise(&self, input: &Input) -> bool {
         let own = || input.scene.observer.as_ref().map(|observer| observer.name.as_str());
-        self.look.color.observer.as_deref().or_else(own).is_some_and(|name| name != "cie1931")
+        self.pictures.look.color.observer.as_deref().or_else(own).is_some_and(|name| name != "cie1931")
     }
 
     fn check(&self) -> Result<(), Failure> {
-        if self.look.color.mode.is_some() {
+        if self.pictures.look.color.mode.is_some() {
             return Err(Failure::Usage("--mode has no place here: --modes names those to draw".to_owned()));
         }
-        if self.look.show.is_some_and(|show| !show.is_light()) {
+        if self.pictures.look.show.is_some_and(|show| !show.is_light()) {
             return Err(Failure::Usage(
                 "--show must be a view of light here: the others have no colour mode".to_owned(),
             ));
@@ -196,7 +176,7 @@ impl ModesArgs {
             print::note(table(columns, self.against).trim_end());
             return Ok(());
         };
-        if self.format.format == Format::Text {
+        if self.pictures.format.format == Format::Text {
             return print::text(&table(columns, self.against));
         }
         let modes: serde_json::Map<_, _> =
