@@ -7,7 +7,7 @@ use glanz_scene::LightColor;
 use glanz_scene::library::{self, Category, MaterialInfo, materials};
 use glanz_scene::stage::MaterialStage;
 
-use super::categories;
+use super::categories::categories;
 use crate::args::choices;
 use crate::commands::draw::stage_sheet::StageSheetArgs;
 use crate::input::spectra;

@@ -5,7 +5,8 @@ use glanz_color::models::RgbSpace;
 
 use super::super::rows::three_planes;
 use super::super::{Picture, Scale};
-use super::{ReadError, Source};
+use super::error::ReadError;
+use super::source::Source;
 
 pub fn decode(source: &Source) -> Result<Picture, ReadError> {
     let failed = |error: ExrReadError| match error {

@@ -3,7 +3,7 @@
 use glanz_color::exr::{ExrFile, ExrPart, ExrReadError};
 use glanz_color::read::{Place, ReadError};
 
-use super::Source;
+use super::source::Source;
 use crate::EnvironmentMap;
 
 /// Reads a file.

@@ -7,7 +7,7 @@
 use glanz_color::models::{RgbSpace, Transfer};
 use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::Source;
+use super::source::Source;
 use crate::EnvironmentMap;
 
 /// The most bytes of a header: more is no header.

@@ -104,6 +104,13 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> + Clone {
     line.split(|byte| byte.is_ascii_whitespace()).filter(|word| !word.is_empty())
 }
 
+/// The line after its keyword, as a name.
+pub(super) fn rest(line: &[u8]) -> String {
+    let line = line.trim_ascii();
+    let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
+    String::from_utf8_lossy(line[end..].trim_ascii()).into_owned()
+}
+
 /// A decimal number. NaN, infinity, and what overflows to it, are none.
 pub(super) fn number(word: &[u8]) -> Option<f64> {
     let value: f64 = std::str::from_utf8(word).ok()?.parse().ok()?;

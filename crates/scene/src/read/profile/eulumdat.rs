@@ -2,8 +2,8 @@
 
 use glanz_color::read::{Place, ReadError};
 
-use super::Source;
 use super::planes::{Planes, Symmetry, increasing};
+use super::source::Source;
 use crate::Profile;
 
 /// Lines from the report's number to the luminous area (8 to 21), which are not needed.

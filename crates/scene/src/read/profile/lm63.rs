@@ -6,8 +6,8 @@
 
 use glanz_color::read::{Place, ReadError};
 
-use super::Source;
 use super::planes::{Planes, Symmetry, increasing};
+use super::source::Source;
 use crate::Profile;
 
 /// Reads a file.

@@ -2,7 +2,7 @@
 
 use glanz_color::read::{Place, ReadError};
 
-use super::Source;
+use super::source::Source;
 use crate::Profile;
 
 /// Half planes nearer than this in degrees are the same: files give a few decimals.

@@ -1,6 +1,6 @@
 //! The light side of ꟻLIP: in which exposures a picture is looked at, and how it then looks.
 
-use super::Planes;
+use super::planes::Planes;
 use crate::compare::rows::three_planes;
 
 /// The tone curve (k₀x² + k₁x + k₂)/(k₃x² + k₄x + k₅): the filmic curve of K. Narkowicz (2015), close to

@@ -16,6 +16,7 @@ mod color;
 mod exposure;
 mod feature;
 mod kernels;
+mod planes;
 #[cfg(test)]
 mod tests;
 
@@ -26,14 +27,12 @@ use crate::compare::rows::{one_plane, three_planes};
 use crate::compare::{CompareError, Pair, Scale};
 use color::{color_error, perceived, to_ycxcz};
 use kernels::{ColorKernels, FeatureKernels};
+use planes::{Planes, pixel};
 
 /// Pixels per degree where the papers' authors sit: 3840 pixels on 0.7 m, seen from 0.7 m.
 pub const DEFAULT_PPD: f64 = 67.020_64;
 /// The least and the most pixels per degree that are taken.
 pub const PPD_RANGE: (f64, f64) = (1.0, 1000.0);
-
-/// The two pictures as planes of linear light.
-type Planes = [Vec<f32>; 3];
 
 /// The error of every pixel; for light, the exposures too.
 pub fn map(pair: &Pair, ppd: f64) -> Result<(Vec<f32>, Option<Exposures>), CompareError> {
@@ -98,8 +97,4 @@ impl Eye {
         let [narrow, wide] = kernels.blue_yellow.each_ref().map(|kernel| blur(&cz, kernel));
         three_planes(self.width, self.height, |i| perceived([y[i], cx[i], narrow[i] + wide[i]]))
     }
-}
-
-fn pixel(planes: &Planes, i: usize) -> [f32; 3] {
-    [planes[0][i], planes[1][i], planes[2][i]]
 }

@@ -2,8 +2,8 @@
 
 use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::Source;
 use super::json::{Accessor, Sparse, SparsePart};
+use super::source::Source;
 
 /// The type of a number in a buffer.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -8,11 +8,11 @@ use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::context::Context;
 use super::super::model::Model;
-use super::Source;
 use super::container::load_uri;
 use super::json::{self, TextureInfo};
 use super::layers;
 use super::pbr::{self, PbrMaterial};
+use super::source::Source;
 use crate::read::texture;
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
 

@@ -49,6 +49,7 @@
 //! indices out of range.
 
 mod accessor;
+mod budget;
 mod container;
 mod extensions;
 mod json;
@@ -57,13 +58,16 @@ mod material;
 mod nodes;
 mod pbr;
 mod primitive;
+mod source;
 
 use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::context::Context;
 use super::model::Model;
+use budget::Budget;
 use container::Buffers;
 use json::Root;
+use source::Source;
 
 /// Extensions that are read.
 const SUPPORTED: [&str; 13] = [
@@ -81,55 +85,6 @@ const SUPPORTED: [&str; 13] = [
     "KHR_texture_transform",
     "KHR_mesh_quantization",
 ];
-
-/// What does not change while a file is read.
-struct Source<'a> {
-    file: &'a str,
-    root: &'a Root,
-    buffers: &'a Buffers<'a>,
-}
-
-impl Source<'_> {
-    fn malformed(&self, place: Place, expected: impl Into<String>, found: impl Into<String>) -> ReadError {
-        ReadError::malformed(self.file, place, expected, found)
-    }
-}
-
-/// The memory that a model may still take. Nodes may use meshes, and primitives accessors, many
-/// times over: without a limit a small file could fill any memory.
-struct Budget {
-    left: u64,
-    limit: u64,
-}
-
-impl Budget {
-    /// Memory that is always allowed.
-    const FREE: u64 = 64 << 20;
-    /// Memory per byte of the file and its buffers. Honest files need up to 12: bytes that become
-    /// floats; the rest is for meshes that are used many times.
-    const PER_BYTE: u64 = 256;
-
-    fn new(bytes: u64) -> Self {
-        let limit = bytes.saturating_mul(Self::PER_BYTE).saturating_add(Self::FREE);
-        Self { left: limit, limit }
-    }
-
-    fn spend(&mut self, bytes: u64, file: &str, place: impl Fn() -> String) -> Result<(), ReadError> {
-        match self.left.checked_sub(bytes) {
-            Some(left) => {
-                self.left = left;
-                Ok(())
-            }
-            None => Err(ReadError::TooLarge {
-                file: file.to_owned(),
-                place: Place::Path(place()),
-                limit: self.limit,
-                unit: "bytes of memory for a file of this size",
-                found: (self.limit - self.left).saturating_add(bytes),
-            }),
-        }
-    }
-}
 
 /// Reads a file.
 pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, ReadError> {

@@ -5,9 +5,9 @@ use glanz_color::Rgb;
 use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::model::Model;
-use super::Source;
 use super::json::{self, Node};
 use super::primitive::Builder;
+use super::source::Source;
 use crate::read::notes::Notes;
 use crate::{Attenuation, Camera, Light, LightColors, LightKind, Object, Projection};
 

@@ -3,8 +3,8 @@
 use glanz_color::read::{Place, ReadError};
 
 use super::super::context::Context;
-use super::Source;
 use super::json;
+use super::source::Source;
 
 /// The thickest film in nm whose fringes the wavelengths, 5 nm apart, still show.
 const MAX_FILM_NM: f64 = 1e4;

@@ -7,8 +7,9 @@ use glanz_color::read::{Place, ReadError};
 
 use super::super::finish::finish_mesh;
 use super::super::model::Model;
+use super::budget::Budget;
 use super::json::Primitive;
-use super::{Budget, Source};
+use super::source::Source;
 use crate::Mesh;
 use crate::read::notes::Notes;
 

@@ -7,6 +7,7 @@
 //!
 //! Numbers of vertices may be negative (from the end) but must name what was read before.
 
+mod data;
 mod mtl;
 mod parts;
 
@@ -18,9 +19,10 @@ use glanz_color::read::{Place, ReadError};
 use glanz_color::srgb_decode;
 
 use super::context::Context;
-use super::lines::{Lines, float, words};
+use super::lines::{Lines, float, rest, words};
 use super::model::Model;
 use crate::read::ResolveError;
+use data::Data;
 use mtl::Library;
 use parts::{Corner, NONE, Parts};
 
@@ -60,16 +62,6 @@ const IGNORED: &[(&[u8], &str)] = &[
 
 /// The most characters of an object's name, which every one of its meshes carries.
 const MAX_NAME: usize = 256;
-
-/// The vertex data of the whole file, which faces refer to.
-#[derive(Default)]
-struct Data {
-    positions: Vec<Vec3>,
-    /// Empty until a vertex has a colour.
-    colors: Vec<Vec3>,
-    uvs: Vec<Vec2>,
-    normals: Vec<Vec3>,
-}
 
 /// Reads a file.
 pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Model, ReadError> {
@@ -126,13 +118,6 @@ fn build(parts: Parts, library: Library, context: &mut Context<'_>) -> Result<Mo
         context.notes.add("the file holds no faces: nothing can be drawn");
     }
     Ok(Model { meshes, objects, materials, textures, ..Model::default() })
-}
-
-/// The line after its keyword, as a name.
-fn rest(line: &[u8]) -> String {
-    let line = line.trim_ascii();
-    let end = line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len());
-    String::from_utf8_lossy(line[end..].trim_ascii()).into_owned()
 }
 
 fn three<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<Vec3> {

@@ -13,8 +13,7 @@ use glanz_color::Rgb;
 use glanz_color::read::{Place, ReadError};
 
 use super::super::context::Context;
-use super::super::lines::{Lines, float, words};
-use super::rest;
+use super::super::lines::{Lines, float, rest, words};
 use crate::read::{ResolveError, texture};
 use crate::{AlphaMode, ClassicMaterial, Material, Texture, TextureUse, Tint, Wrap};
 

@@ -6,7 +6,7 @@ use glam::{DMat4, Vec2, Vec3};
 
 use super::super::faces::{close_face, corners_fit};
 use super::super::finish::finish_mesh;
-use super::Data;
+use super::data::Data;
 use crate::read::notes::Notes;
 use crate::{Mesh, Object};
 
