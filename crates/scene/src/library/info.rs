@@ -6,7 +6,7 @@ use crate::Material;
 /// What is known about a material of the library.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialInfo {
-    /// The name as [`material`] and scene files know it: small letters, figures and hyphens.
+    /// The name as [`material`](super::material()) and scene files know it: small letters, figures and hyphens.
     pub name: String,
     /// What it is, in a few words.
     pub title: String,
