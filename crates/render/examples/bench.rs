@@ -70,25 +70,57 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
     scene
 }
 
+/// What the command line asks for.
+struct Options {
+    /// Fewer frames.
+    quick: bool,
+    /// `--only "64x32 phong 1"`: the rows whose name begins so.
+    only: String,
+    /// `--frames 5`: so many frames.
+    frames: Option<usize>,
+    level: SimdLevel,
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let quick = arguments.iter().any(|a| a == "--quick");
-    // `--only "64x32 phong 1"` measures the rows whose name begins so, `--frames 5` so many frames.
-    let only = arguments.iter().skip_while(|a| *a != "--only").nth(1).cloned().unwrap_or_default();
-    let frames_asked = arguments.iter().skip_while(|a| *a != "--frames").nth(1).and_then(|n| n.parse().ok());
+    let value_of = |name: &str| arguments.iter().skip_while(|a| *a != name).nth(1);
     let asked = std::env::var("GLANZ_SIMD").ok();
-    let level = asked
-        .map_or(SimdLevel::best(), |name| SimdLevel::named(&name).expect("a level that this machine has"));
+    let options = Options {
+        quick: arguments.iter().any(|a| a == "--quick"),
+        only: value_of("--only").cloned().unwrap_or_default(),
+        frames: value_of("--frames").and_then(|n| n.parse().ok()),
+        level: asked.map_or(SimdLevel::best(), |name| {
+            SimdLevel::named(&name).expect("a level that this machine has")
+        }),
+    };
+    let Options { quick, only, level, .. } = &options;
     if arguments.iter().any(|a| a == "--serve") {
-        return serve(level);
+        return serve(*level);
     }
+    spheres(&options);
+    if only.is_empty() || only == "paired" {
+        pairs(&options);
+    }
+    if only.is_empty() || only == "tables" {
+        tables(if *quick { 20 } else { 100 });
+    }
+    if only.is_empty() || only == "updates" {
+        updates(if *quick { 5 } else { 31 });
+    }
+    if only.is_empty() || only == "models" {
+        models(*quick, *level);
+    }
+}
+
+/// Spheres of two sizes under one, four and eight lights.
+fn spheres(options: &Options) {
+    let frames = options.frames.unwrap_or(if options.quick { 40 } else { 200 });
     for (slices, stacks) in [(64, 32), (1024, 512)] {
         for (shading, name) in [(Shading::Phong, "phong"), (Shading::Gouraud, "gouraud")] {
             for lights in [1, 4, 8] {
-                if format!("{slices}x{stacks} {name} {lights}").starts_with(&only) {
+                if format!("{slices}x{stacks} {name} {lights}").starts_with(&options.only) {
                     let scene = sphere_scene(slices, stacks, lights, shading);
-                    let frames = frames_asked.unwrap_or(if quick { 40 } else { 200 });
-                    let times = frame_times(&scene, frames, level);
+                    let times = frame_times(&scene, frames, options.level);
                     let threads = rayon::current_num_threads();
                     println!(
                         "{{\"program\":\"glanz\",\"sphere\":\"{slices}x{stacks}\",\"lights\":{lights},\
@@ -102,27 +134,20 @@ fn main() {
             }
         }
     }
-    let frames = frames_asked.unwrap_or(if quick { 100 } else { 500 });
-    if only.is_empty() || only == "paired" {
-        for lights in [1, 4] {
-            let scene = sphere_scene(64, 32, lights, Shading::Phong);
-            let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
-            let [rgb, same] = [ColorMode::Rgb; 2].map(|mode| Side::new(&scene, mode));
-            let spectral = Side::new(&scene, ColorMode::Spectral);
-            // A scene against itself: how far from 1 a ratio must be to mean anything.
-            let name = |what: &str| format!("64x32 sphere, {lights} lights: {what}");
-            paired(&name("rgb / rgb"), [&rgb, &same], &view, frames, level);
-            paired(&name("spectral / rgb"), [&spectral, &rgb], &view, frames, level);
-        }
-    }
-    if only.is_empty() || only == "tables" {
-        tables(if quick { 20 } else { 100 });
-    }
-    if only.is_empty() || only == "updates" {
-        updates(if quick { 5 } else { 31 });
-    }
-    if only.is_empty() || only == "models" {
-        models(quick, level);
+}
+
+/// Spectra against RGB, in turn.
+fn pairs(options: &Options) {
+    let frames = options.frames.unwrap_or(if options.quick { 100 } else { 500 });
+    for lights in [1, 4] {
+        let scene = sphere_scene(64, 32, lights, Shading::Phong);
+        let view = View::new(&scene.camera.expect("a camera"), WIDTH, HEIGHT).expect("a sound view");
+        let [rgb, same] = [ColorMode::Rgb; 2].map(|mode| Side::new(&scene, mode));
+        let spectral = Side::new(&scene, ColorMode::Spectral);
+        // A scene against itself: how far from 1 a ratio must be to mean anything.
+        let name = |what: &str| format!("64x32 sphere, {lights} lights: {what}");
+        paired(&name("rgb / rgb"), [&rgb, &same], &view, frames, options.level);
+        paired(&name("spectral / rgb"), [&spectral, &rgb], &view, frames, options.level);
     }
 }
 

@@ -5,12 +5,13 @@
 
 mod common;
 
+use common::everything::{
+    add_fields, add_ground, add_lamps, at, coated, colored, glass, ground, luminaire, matte, metal, of,
+    texture, window,
+};
 use common::{ALL_LAYERS, add, ambient_only, camera, empty, light, rectangle, render_as, shiny, sphere};
-use std::sync::Arc;
-
-use glam::{DMat3, DMat4, DVec3, Vec4};
-use glanz_bsdf::Shape;
-use glanz_color::{Ior, Rgb, Spectrum};
+use glam::{DMat4, DVec3};
+use glanz_color::Rgb;
 use glanz_math::SimdLevel;
 use glanz_picture::{Meaning, ScreenMatrix};
 use glanz_render::cpu::Renderer;
@@ -19,9 +20,7 @@ use glanz_render::{
     draw_rgba8, prepare,
 };
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Background, Builtin, Coat, EnvironmentMap, Interpolation, LightKind,
-    Lobe, Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse, Tint,
-    Transmittance,
+    AlphaMode, Background, Interpolation, LightKind, Lobe, Material, Scene, Shading, TextureUse,
 };
 
 const WIDTH: u32 = 150;
@@ -32,28 +31,16 @@ const HEIGHT: u32 = 101;
 fn scene(shading: Shading, interpolation: Interpolation) -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
     render_as(&mut scene, shading, interpolation);
-    add_lights(&mut scene);
-    add(
-        &mut scene,
-        sphere(24, 12),
-        shiny("phong", 12.0),
-        DMat4::from_translation(DVec3::new(-0.6, 0.1, 0.0)),
-    );
-    let place = DMat4::from_translation(DVec3::new(0.8, 0.0, -0.5));
-    add(&mut scene, sphere(40, 31), shiny("blinn-phong-normalized", 30.0), place);
-    scene.textures.push(texture());
-    let mut ground = shiny("blinn-phong", 4.0);
-    ground.base_color = Some(TextureUse::plain(0));
-    let place = DMat4::from_translation(DVec3::new(0.0, -0.8, 0.0)) * DMat4::from_scale(DVec3::splat(8.0));
-    add(&mut scene, common::builtin(Builtin::Plane), ground, place);
-    let mut holes = ambient_only(Rgb([0.9, 0.8, 0.2]));
-    holes.base_color = Some(TextureUse::plain(0));
-    holes.alpha_mode = AlphaMode::Mask { cutoff: 0.5 };
+    add_lamps(&mut scene, None);
+    add(&mut scene, sphere(24, 12), shiny("phong", 12.0), at(-0.6, 0.1, 0.0));
+    add(&mut scene, sphere(40, 31), shiny("blinn-phong-normalized", 30.0), at(0.8, 0.0, -0.5));
+    scene.textures.push(texture(true));
+    let base_color = Some(TextureUse::plain(0));
+    add_ground(&mut scene, Material { base_color, ..shiny("blinn-phong", 4.0) });
+    let alpha_mode = AlphaMode::Mask { cutoff: 0.5 };
+    let holes = Material { base_color, alpha_mode, ..ambient_only(Rgb([0.9, 0.8, 0.2])) };
     add(&mut scene, rectangle([-1.0, 0.2, 0.2, 0.9], 1.1), holes, DMat4::IDENTITY);
-    let mut glass = shiny("phong", 3.0);
-    glass.alpha = 0.4;
-    glass.alpha_mode = AlphaMode::Blend;
-    add(&mut scene, colored(sphere(12, 9)), glass, DMat4::from_translation(DVec3::new(0.3, -0.2, 0.7)));
+    add(&mut scene, colored(sphere(12, 9)), glass(), at(0.3, -0.2, 0.7));
     scene
 }
 
@@ -63,119 +50,24 @@ fn general_materials(shading: Shading) -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
     scene.render.shading = shading;
     scene.render.shadows = true;
-    let shape = |name, set: &[_]| Shape::named(name, set).unwrap();
-    let gold = || Tint::Ior(Arc::new(glanz_color::ior("Au").unwrap()));
-    let lambert = || Lobe::new(shape("lambert", &[]), Rgb([0.5, 0.2, 0.1]));
-    let ward = shape("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
-    let brushed =
-        Material { aniso: 0.7, ..Material::of_lobes("brushed", vec![Lobe::new(ward, gold()), lambert()]) };
-    let coated =
-        Material::of_lobes("coated", vec![lambert(), Lobe::new(shape("ggx", &[("alpha", 0.3)]), gold())])
-            .under_coat(&Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() })
-            .unwrap();
     let leaf = Material::of_lobes(
         "leaf",
         vec![
-            lambert(),
-            Lobe::new(shape("lambert-transmission", &[]), Rgb([0.1, 0.5, 0.2])),
-            Lobe::new(shape("ggx-transmission", &[("alpha", 0.3), ("eta", 1.4)]), Rgb::gray(0.3)),
+            matte(),
+            Lobe::new(of("lambert-transmission", &[]), Rgb([0.1, 0.5, 0.2])),
+            Lobe::new(of("ggx-transmission", &[("alpha", 0.3), ("eta", 1.4)]), Rgb::gray(0.3)),
         ],
     );
-    let pane = Pane {
-        ior: Ior::constant(1.5),
-        thickness: 0.003,
-        absorption: glanz_color::rgb_spectra::spectrum_of_reflectance(Rgb([0.1, 0.6, 0.9])) * 200.0,
-    };
-    let mut window = Material::of_lobes(
-        "window",
-        vec![Lobe::new(shape("mirror", &[]), Tint::Pane(Arc::new(pane.clone())))],
-    );
-    window.transmittance = Some(Transmittance::Pane(Arc::new(pane)));
-    let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
-    add(&mut scene, sphere(24, 12), brushed, at(-0.9, 0.1, 0.0));
-    add(&mut scene, sphere(24, 12), coated, at(0.9, 0.0, -0.4));
+    add(&mut scene, sphere(24, 12), metal(), at(-0.9, 0.1, 0.0));
+    add(&mut scene, sphere(24, 12), coated(), at(0.9, 0.0, -0.4));
     add(&mut scene, rectangle([-0.5, -0.2, 0.4, 0.6], 0.8), leaf, DMat4::IDENTITY);
-    add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window, DMat4::IDENTITY);
-    let ground =
-        Material::of_lobes("ground", vec![lambert(), Lobe::new(shape("oren-nayar", &[]), Rgb::gray(0.3))]);
-    add(
-        &mut scene,
-        common::builtin(Builtin::Plane),
-        ground,
-        at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0)),
-    );
+    add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window(), DMat4::IDENTITY);
+    add_ground(&mut scene, ground());
     add_fields(&mut scene);
+    let direction = DVec3::new(0.2, -0.6, 1.0);
+    scene.lights.push(light(LightKind::Directional { direction }, Rgb([0.8, 0.9, 0.7])));
+    scene.lights.push(luminaire());
     scene
-}
-
-fn add_fields(scene: &mut Scene) {
-    let (width, height) = (32, 16);
-    let pixel = |i: usize| {
-        [(i % 7) as f32 * 0.1, (i % 32) as f32 * 0.02, if i.is_multiple_of(50) { 4.0 } else { 0.2 }]
-    };
-    let pixels = (0..width * height).map(pixel).collect();
-    let map = Some(Arc::new(EnvironmentMap { width, height, pixels }));
-    let area = |form, position: DVec3| LightKind::Area {
-        shape: form,
-        position,
-        direction: -position,
-        up: DVec3::Y,
-        two_sided: false,
-    };
-    let kinds = [
-        LightKind::Environment { map, rotation: DMat3::from_rotation_y(0.4) },
-        area(AreaShape::Rectangle { width: 1.0, height: 0.4 }, DVec3::new(-1.0, 2.0, 1.5)),
-        area(AreaShape::Sphere { radius: 0.3 }, DVec3::new(2.0, 1.0, 1.0)),
-        LightKind::Directional { direction: DVec3::new(0.2, -0.6, 1.0) },
-    ];
-    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.8, 0.9, 0.7]))));
-    let position = DVec3::new(0.0, 2.0, 2.0);
-    let mut lamp = light(LightKind::Point { position, attenuation: Attenuation::PHYSICAL }, Rgb::WHITE);
-    let profile = Arc::new(Profile {
-        c_deg: vec![0.0],
-        gamma_deg: vec![0.0, 40.0, 90.0, 180.0],
-        candela: vec![1.0, 3.0, 0.5, 0.0],
-    });
-    let axis = Luminaire::AXIS;
-    lamp.luminaire = Some(Luminaire { profile, axis, c0: Luminaire::c0_for(axis) });
-    scene.lights.push(lamp);
-}
-
-fn add_lights(scene: &mut Scene) {
-    let directional = LightKind::Directional { direction: DVec3::new(0.3, -1.0, -0.6) };
-    let position = DVec3::new(1.5, 2.0, 2.0);
-    let attenuation = Attenuation { constant: 0.2, linear: 0.1, quadratic: 0.1 };
-    let spot = LightKind::Spot {
-        position: -position,
-        direction: position,
-        cutoff: 0.5,
-        exponent: 3.0,
-        smooth_edge: None,
-        attenuation: Attenuation::NONE,
-    };
-    let kinds = [LightKind::Ambient, directional, LightKind::Point { position, attenuation }, spot];
-    scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.5, 0.6, 0.7]))));
-}
-
-fn texture() -> Texture {
-    let texel = |i: u32| {
-        let (x, y) = (i % 16, i / 16);
-        [(x * 16) as u8, (y * 16) as u8, (x * y) as u8, if (x ^ y) & 3 == 0 { 0 } else { 255 }]
-    };
-    Texture {
-        width: 16,
-        height: 16,
-        rgba: (0..256).flat_map(texel).collect(),
-        srgb: true,
-        filter: TextureFilter::Trilinear,
-        ..Texture::default()
-    }
-}
-
-fn colored(mut mesh: Mesh) -> Mesh {
-    mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.5).extend(0.5 + 0.5 * p.x.abs())).collect();
-    assert!(mesh.colors.iter().all(|c| c.cmple(Vec4::ONE).all()));
-    mesh
 }
 
 fn view(scene: &Scene) -> View {
@@ -199,11 +91,11 @@ fn variants() -> Vec<(String, Scene, DrawOptions)> {
     }
     let surrounded = DrawOptions { background: Background::Environment, ..base };
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-        variants.push((format!("matter, {shading:?}"), general_materials(shading), surrounded));
+        variants.push((format!("general, {shading:?}"), general_materials(shading), surrounded));
     }
     for (samples, supersample) in [(4, false), (2, true)] {
         let options = DrawOptions { samples, supersample, ..surrounded };
-        variants.push((format!("matter, {samples} samples"), general_materials(Shading::Phong), options));
+        variants.push((format!("general, {samples} samples"), general_materials(Shading::Phong), options));
     }
     let scene = scene(Shading::Phong, Interpolation::Perspective);
     let transparent = Background::Transparent;

@@ -118,6 +118,12 @@ const CASES: &[Case] = &[
     ("shading of the scene", |s| s.render.shading = Shading::Gouraud, &[Change::Geometry]),
     ("interpolation", |s| s.render.interpolation = Interpolation::ScreenLinear, &[Change::Geometry]),
     ("textures", |s| s.textures[0] = texture(false), &[Change::Textures]),
+    ("a texture more", add_texture, &[Change::Material(PHONG)]),
+    ("a texture more, told as a colour", add_texture, &[Change::Colors]),
+    ("a texture more, told before", add_texture, &[Change::Textures, Change::Material(PHONG)]),
+    ("a texture more, told after", add_texture, &[Change::Material(PHONG), Change::Textures]),
+    ("no textures, told before", drop_textures, &[Change::Textures, Change::Colors]),
+    ("no textures, told after", drop_textures, &[Change::Colors, Change::Textures]),
     ("all colours", recolor, &[Change::Colors]),
     ("white", |s| s.render.white = White::Scene, &[Change::Colors]),
     ("photometric units", |s| s.photometric = true, &[Change::Colors]),
@@ -185,6 +191,19 @@ fn turn(scene: &mut Scene, object: usize, by: DMat4) {
 fn add_material(scene: &mut Scene) {
     scene.materials.push(shiny("phong", 5.0));
     scene.objects[PHONG].material = scene.materials.len() - 1;
+}
+
+fn add_texture(scene: &mut Scene) {
+    scene.textures.push(texture(false));
+    scene.materials[PHONG].base_color = Some(TextureUse::plain(scene.textures.len() - 1));
+}
+
+fn drop_textures(scene: &mut Scene) {
+    scene.textures.clear();
+    for material in &mut scene.materials {
+        (material.base_color, material.normal_map) = (None, None);
+        (material.emission_map, material.metal_rough_map) = (None, None);
+    }
 }
 
 fn recolor(scene: &mut Scene) {
@@ -366,6 +385,15 @@ fn map_of(prepared: &Prepared) -> Arc<EnvironmentMap> {
     prepared.materials[COATED].integrals[1].prefiltered[0].clone().unwrap()
 }
 
+#[test]
+fn no_material_keeps_a_texture_that_is_gone() {
+    let mut scene = punctual();
+    let mut updated = prepare(&scene, &options(ColorMode::Rgb)).unwrap();
+    drop_textures(&mut scene);
+    updated.update(&scene, &[Change::Textures]).unwrap();
+    assert_same(&updated, &prepare(&scene, &options(ColorMode::Rgb)).unwrap(), "no textures");
+}
+
 /// The message of an update that must fail, after which all is as it was.
 fn refused(scene: &Scene, change: fn(&mut Scene), told: &[Change]) -> String {
     let start = prepare(scene, &options(ColorMode::Rgb)).unwrap();
@@ -415,6 +443,14 @@ const REFUSALS: &[Refusal] = &[
     ),
     (
         |s| s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into(),
+        Change::Material(PHONG),
+        "material 'shiny': tints must be finite numbers",
+    ),
+    (
+        |s| {
+            add_texture(s);
+            s.materials[PHONG].lobes[0].tint = Rgb([f32::INFINITY; 3]).into()
+        },
         Change::Material(PHONG),
         "material 'shiny': tints must be finite numbers",
     ),

@@ -31,17 +31,10 @@
 //! # Ok::<(), glanz_bsdf::ParamError>(())
 //! ```
 
-mod energy;
 mod grid;
 mod hemisphere;
-mod lanes;
-mod limits;
-mod normalization;
-mod positivity;
-mod precision;
-mod reciprocity;
+mod judges;
 mod rounding;
-mod side;
 mod subject;
 #[cfg(test)]
 pub(crate) mod suite;
@@ -49,6 +42,7 @@ pub(crate) mod suite;
 mod tests;
 mod verdict;
 
+use judges::{energy, lanes, limits, normalization, positivity, precision, reciprocity, side};
 pub use subject::{Function, Subject};
 pub use verdict::{Certificate, Finding, Law, Verdict};
 

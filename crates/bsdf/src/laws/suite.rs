@@ -5,8 +5,8 @@
 
 use glanz_math::Vec3;
 
-use super::limits::{NEVER_LAMBERT, NEVER_NARROW, REFRACTED};
-use super::normalization::NO_FACETS;
+use super::judges::limits::{NEVER_LAMBERT, NEVER_NARROW, REFRACTED};
+use super::judges::normalization::NO_FACETS;
 use super::subject::{NO_DIRECTION, SINGLE_DIRECTION};
 use super::{Finding, Law, Verdict, judge};
 use crate::{DirectionPair, LightTerm, Model, ModelInfo, ParamError, ParamInfo, Shape};

@@ -1,24 +1,19 @@
-//! One file per command.
+//! One file per command; those that draw scenes are in `draw`.
 
 mod bsdf;
 mod check;
 mod color;
 mod compare;
 mod completions;
-mod film;
+mod draw;
 mod info;
 mod material;
-mod modes;
 mod plot;
-mod relight;
-mod render;
 mod schema;
-mod shade_compare;
-mod sheet;
-mod sweep;
 
 use clap::{Command as ClapCommand, Subcommand};
 
+use self::draw::{modes, relight, render, shade_compare, sheet, sweep};
 use crate::print::failure::Failure;
 
 /// What to do.

@@ -13,30 +13,28 @@
 //! Sums run in `f64` in the order of the rows, and all functions are those of `libm`, so numbers do not
 //! depend on the machine or on the number of threads.
 
-mod de2000;
 mod error;
-mod filter;
-mod flip;
 pub mod frames;
 mod heat;
 mod measure;
+mod metric;
+mod metrics;
 mod pair;
 mod picture;
 mod read;
-mod rmse;
 mod rows;
 #[cfg(test)]
 mod samples;
 mod spread;
-mod ssim;
 #[cfg(test)]
 mod tests;
 
-pub use error::{CompareError, ReadError};
-pub use flip::{DEFAULT_PPD, Exposures, PPD_RANGE};
+pub use error::CompareError;
 pub use heat::{heat_color, heat_colors};
-pub use measure::{Measurement, Metric, MetricOptions};
+pub use measure::{Measurement, MetricOptions};
+pub use metric::Metric;
+pub use metrics::flip::{DEFAULT_PPD, Exposures, PPD_RANGE};
 pub use pair::Pair;
 pub use picture::{Picture, Scale};
-pub use read::{MAX_PIXELS, MAX_SIDE, decode_picture, read_picture};
+pub use read::{MAX_PIXELS, MAX_SIDE, ReadError, decode_picture, read_picture};
 pub use spread::Spread;

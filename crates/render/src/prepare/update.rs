@@ -6,7 +6,7 @@ use glanz_picture::{Channels, ToScreen};
 use glanz_scene::{Light, LightKind, Material, Scene, White};
 
 use super::build::bvh::{bvh, is_opaque};
-use super::build::objects::{add_objects, move_object, needs_tangents};
+use super::build::geometry::objects::{add_objects, move_object, needs_tangents};
 use super::build::{check, lights, textures};
 use super::color::fill::{fill_material, fill_table};
 use super::data::{Prepared, PreparedObject};
@@ -21,11 +21,12 @@ pub enum Change {
     Camera,
     /// The light of this number: where it is, how it fades, its colour. Its kind too, which costs more.
     Light(usize),
-    /// The material of this number: any parameter, tint or texture use.
+    /// The material of this number: any parameter, tint or texture use. How many textures there are, too.
     Material(usize),
     /// Where the object of this number is. If its mesh, material or shading changed, that is [`Change::Geometry`].
     Object(usize),
-    /// All lights and materials, most often their colours, and the white. How many there are, too, which costs more.
+    /// All lights and materials, most often their colours, and the white. How many there are, too, which costs more,
+    /// and how many textures.
     Colors,
     /// Meshes and objects: how many, of what, shaded how.
     Geometry,
@@ -56,15 +57,15 @@ impl Prepared {
         match change {
             Change::Camera => Ok(()),
             Change::Light(number) => self.update_light(scene, number),
-            Change::Material(number) => self.update_material(scene, number, casters_moved),
+            Change::Material(number) => self.with_textures(scene, casters_moved, |own, casters_moved| {
+                own.update_material(scene, number, casters_moved)
+            }),
             Change::Object(number) => self.update_object(scene, number, casters_moved),
-            Change::Colors => self.update_colors(scene, casters_moved),
+            Change::Colors => self.with_textures(scene, casters_moved, |own, casters_moved| {
+                own.update_colors(scene, casters_moved)
+            }),
             Change::Geometry => self.update_geometry(scene, casters_moved),
-            Change::Textures => {
-                check::check(scene)?;
-                self.textures = textures(scene);
-                Ok(())
-            }
+            Change::Textures => self.update_textures(scene, casters_moved),
             Change::All => {
                 *self =
                     super::prepare(scene, &self.source.options)?.channels_from(self.source.first_channel)?;
@@ -199,6 +200,42 @@ impl Prepared {
             self.forget_integrals();
         }
         self.refill(Colors::of(scene))
+    }
+
+    /// Takes over the textures. Materials that name one that is gone are prepared anew: those of the scene do not.
+    fn update_textures(&mut self, scene: &Scene, casters_moved: &mut bool) -> Result<(), PrepareError> {
+        check::check(scene)?;
+        let known = &self.source.colors.materials;
+        let outdated: Vec<usize> =
+            (0..known.len()).filter(|number| !check::has_textures(scene, &known[*number])).collect();
+        if outdated.is_empty() {
+            self.textures = textures(scene);
+            return Ok(());
+        }
+        if scene.materials.len() != known.len() {
+            return self.apply(scene, Change::All, &mut false);
+        }
+        self.or_as_before(|own| {
+            own.textures = textures(scene);
+            outdated.into_iter().try_for_each(|number| own.update_material(scene, number, casters_moved))
+        })
+    }
+
+    /// Makes a change of materials, after that of the textures where their number is another: a material may name a
+    /// new one.
+    fn with_textures(
+        &mut self,
+        scene: &Scene,
+        casters_moved: &mut bool,
+        change: impl FnOnce(&mut Self, &mut bool) -> Result<(), PrepareError>,
+    ) -> Result<(), PrepareError> {
+        if scene.textures.len() == self.textures.len() {
+            return change(self, casters_moved);
+        }
+        self.or_as_before(|own| {
+            own.update_textures(scene, casters_moved)?;
+            change(own, casters_moved)
+        })
     }
 
     fn update_geometry(&mut self, scene: &Scene, casters_moved: &mut bool) -> Result<(), PrepareError> {

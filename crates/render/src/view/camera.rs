@@ -25,13 +25,11 @@ pub struct ViewCamera {
     pub scale: f32,
     /// Metres per pixel at distance 1 (perspective) or everywhere (parallel).
     pub inverse_scale: f32,
-    /// Unit vectors of the world to the right, up and towards the viewer.
-    pub axes: [DVec3; 3],
-    /// The first of the axes.
+    /// The unit vector to the right.
     pub right: [f32; 3],
-    /// The second of the axes.
+    /// The unit vector up.
     pub up: [f32; 3],
-    /// The third of the axes: against the direction in which the camera looks.
+    /// The unit vector against the direction in which the camera looks.
     pub back: [f32; 3],
     /// Whether distances shrink what is seen.
     pub perspective: bool,
@@ -39,18 +37,22 @@ pub struct ViewCamera {
     pub near: f32,
     /// The least and the greatest distance in the scene, in metres.
     pub range: [f32; 2],
+    /// `right`, `up` and `back` in double precision.
+    pub(crate) axes: [DVec3; 3],
     /// Where the camera is in the world, in metres.
-    pub position: DVec3,
+    pub(crate) position: DVec3,
 }
 
 impl ViewCamera {
     /// The camera of `view` before what has been prepared.
     pub fn new(prepared: &Prepared, view: &View) -> Self {
-        let [right, up, back] = view.axes;
+        let axes = view.axes.map(DVec3::from_array);
+        let [right, up, back] = axes;
+        let position = DVec3::from_array(view.eye);
         let mut range = [f64::INFINITY, 0.0f64];
         for object in &prepared.objects {
             for corner in corners(object) {
-                let distance = -back.dot(DVec3::from_array(object.anchor) + corner - view.eye);
+                let distance = -back.dot(DVec3::from_array(object.anchor) + corner - position);
                 range = [range[0].min(distance), range[1].max(distance)];
             }
         }
@@ -63,15 +65,25 @@ impl ViewCamera {
             center: [view.width as f32 * 0.5, view.height as f32 * 0.5],
             scale: scale as f32,
             inverse_scale: (1.0 / scale) as f32,
-            axes: view.axes,
             right: right.as_vec3().to_array(),
             up: up.as_vec3().to_array(),
             back: back.as_vec3().to_array(),
             perspective,
             near: near as f32,
             range: [range[0].max(near) as f32, range[1].max(near) as f32],
-            position: view.eye,
+            axes,
+            position,
         }
+    }
+
+    /// The unit vectors to the right, up and against the direction in which the camera looks, in double precision.
+    pub fn axes(&self) -> [[f64; 3]; 3] {
+        self.axes.map(|axis| axis.to_array())
+    }
+
+    /// Where the camera is in the world, in metres.
+    pub fn position(&self) -> [f64; 3] {
+        self.position.to_array()
     }
 
     /// The object's anchor along right, up and away from the camera.

@@ -1,6 +1,6 @@
 //! The lights in single precision, relative to the camera.
 
-use glam::{DMat3, DVec3, Mat3};
+use glam::{DMat3, DVec3};
 use glanz_math::{Real, Vec3};
 use glanz_scene::{AreaShape, Space};
 
@@ -132,34 +132,24 @@ impl<'a> ViewLights<'a> {
 
 impl<'a> ViewLight<'a> {
     fn new(light: &'a PreparedLight, camera: &ViewCamera, number: usize) -> Self {
-        let direction = |d: DVec3| match light.space {
-            Space::World => d,
-            Space::Camera => camera.axes[0] * d.x + camera.axes[1] * d.y + camera.axes[2] * d.z,
-        };
-        let point = |p: DVec3| match light.space {
-            Space::World => p - camera.position,
-            Space::Camera => direction(p),
-        };
-        let array = |v: DVec3| v.as_vec3().to_array();
+        let seen = Seen { camera, space: light.space };
         let luminaire = light.luminaire.as_ref().map(|PreparedLuminaire { intensities, frame }| {
-            ViewLuminaire { intensities, frame: frame.map(|axis| array(direction(DVec3::from_array(axis)))) }
+            ViewLuminaire { intensities, frame: frame.map(|axis| seen.direction(axis)) }
         });
         match &light.shape {
-            LightShape::Directional { towards } => {
-                Self::Directional { towards: array(direction(DVec3::from_array(*towards))) }
-            }
+            LightShape::Directional { towards } => Self::Directional { towards: seen.direction(*towards) },
             LightShape::Point { position, attenuation } => Self::Point {
-                position: array(point(DVec3::from_array(*position))),
+                position: seen.point(*position),
                 attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
                 cone: None,
                 luminaire,
             },
             LightShape::Spot { position, axis, cos_cutoff, exponent, smooth_edge, attenuation } => {
                 Self::Point {
-                    position: array(point(DVec3::from_array(*position))),
+                    position: seen.point(*position),
                     attenuation: attenuation.map(|factors| factors.map(|factor| factor as f32)),
                     cone: Some(ViewCone {
-                        axis: array(direction(DVec3::from_array(*axis))),
+                        axis: seen.direction(*axis),
                         cos_cutoff: *cos_cutoff as f32,
                         exponent: *exponent as f32,
                         smooth_edge: smooth_edge
@@ -170,17 +160,12 @@ impl<'a> ViewLight<'a> {
             }
             LightShape::Area { form, position, axes, two_sided } => Self::Area(ViewArea {
                 form: *form,
-                center: array(point(DVec3::from_array(*position))),
-                axes: axes.map(|axis| array(direction(DVec3::from_array(axis)))),
+                center: seen.point(*position),
+                axes: axes.map(|axis| seen.direction(axis)),
                 two_sided: *two_sided,
             }),
             LightShape::Environment(environment) => {
-                let world = DMat3::from_cols_array_2d(
-                    &[DVec3::X, DVec3::Y, DVec3::Z].map(|axis| direction(axis).to_array()),
-                );
-                // The rows of the inverse of a rotation are its columns.
-                let rotation: Mat3 = (world * DMat3::from_cols_array_2d(&environment.rotation)).as_mat3();
-                Self::Environment { environment, number, to_map: rotation.to_cols_array_2d() }
+                Self::Environment { environment, number, to_map: seen.to_map(environment) }
             }
         }
     }
@@ -189,6 +174,44 @@ impl<'a> ViewLight<'a> {
     #[inline(always)]
     pub fn rows(&self) -> usize {
         if matches!(self, Self::Environment { .. }) { 3 } else { 1 }
+    }
+}
+
+/// A light as the camera sees it: relative to the camera, along the world's axes.
+struct Seen<'a> {
+    camera: &'a ViewCamera,
+    /// What the light's own directions and positions are relative to.
+    space: Space,
+}
+
+impl Seen<'_> {
+    fn in_world(&self, direction: DVec3) -> DVec3 {
+        let axes = self.camera.axes;
+        match self.space {
+            Space::World => direction,
+            Space::Camera => axes[0] * direction.x + axes[1] * direction.y + axes[2] * direction.z,
+        }
+    }
+
+    fn direction(&self, direction: [f64; 3]) -> [f32; 3] {
+        self.in_world(DVec3::from_array(direction)).as_vec3().to_array()
+    }
+
+    fn point(&self, point: [f64; 3]) -> [f32; 3] {
+        let point = DVec3::from_array(point);
+        let offset = match self.space {
+            Space::World => point - self.camera.position,
+            Space::Camera => self.in_world(point),
+        };
+        offset.as_vec3().to_array()
+    }
+
+    /// Rows of the rotation into an environment's own directions.
+    fn to_map(&self, environment: &EnvironmentLight) -> [[f32; 3]; 3] {
+        let world = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| self.in_world(axis).to_array());
+        let world = DMat3::from_cols_array_2d(&world);
+        // The rows of the inverse of a rotation are its columns.
+        (world * DMat3::from_cols_array_2d(&environment.rotation)).as_mat3().to_cols_array_2d()
     }
 }
 

@@ -46,9 +46,9 @@ pub struct View {
     /// Height in pixels.
     pub height: u32,
     /// The eye, in the world.
-    pub eye: DVec3,
+    pub eye: [f64; 3],
     /// Right, up and backwards, in the world.
-    pub axes: [DVec3; 3],
+    pub axes: [[f64; 3]; 3],
     /// Perspective or parallel.
     pub projection: Projection,
 }
@@ -75,23 +75,31 @@ impl View {
             }
             _ => {}
         }
-        Ok(Self { width, height, eye: camera.eye, axes: camera.axes(), projection: camera.projection })
+        Ok(Self {
+            width,
+            height,
+            eye: camera.eye.to_array(),
+            axes: camera.axes().map(|axis| axis.to_array()),
+            projection: camera.projection,
+        })
     }
 
     /// From world coordinates to clip coordinates in pixels: after division by w, x runs from 0 at
     /// the left edge of the picture to `width`, y from 0 at the top to `height`; w is the distance
-    /// from the eye plane (1 for parallel projection), z that distance always.
-    pub fn world_to_pixels(&self) -> DMat4 {
+    /// from the eye plane (1 for parallel projection), z that distance always. A matrix by columns.
+    pub fn world_to_pixels(&self) -> [[f64; 4]; 4] {
         let (half_width, half_height) = (0.5 * f64::from(self.width), 0.5 * f64::from(self.height));
-        let [right, up, back] = self.axes;
-        let row = |axis: DVec3| axis.extend(-axis.dot(self.eye));
+        let [right, up, back] = self.axes.map(DVec3::from_array);
+        let row = |axis: DVec3| axis.extend(-axis.dot(DVec3::from_array(self.eye)));
         let (x, y, distance) = (row(right), row(up), -row(back));
         let w = match self.projection {
             Projection::Perspective { .. } => distance,
             Projection::Orthographic { .. } => DVec4::W,
         };
         let scale = self.pixels_per_unit();
-        DMat4::from_cols(x * scale + w * half_width, w * half_height - y * scale, distance, w).transpose()
+        DMat4::from_cols(x * scale + w * half_width, w * half_height - y * scale, distance, w)
+            .transpose()
+            .to_cols_array_2d()
     }
 
     /// Pixels per metre at distance 1 (perspective) or everywhere (parallel).

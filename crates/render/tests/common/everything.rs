@@ -8,7 +8,7 @@ use glam::{DMat3, DMat4, DVec3, Vec4};
 use glanz_bsdf::Shape;
 use glanz_color::{Ior, Rgb, Spectrum};
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Builtin, Coat, EnvironmentMap, Interpolation, LightKind, Lobe,
+    AlphaMode, AreaShape, Attenuation, Builtin, Coat, EnvironmentMap, Interpolation, Light, LightKind, Lobe,
     Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse, Tint,
     Transmittance,
 };
@@ -45,19 +45,15 @@ pub fn punctual() -> Scene {
 pub fn everything() -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
     scene.textures.extend([texture(true), texture(false)]);
-    add_lamps(&mut scene);
+    add_lamps(&mut scene, Some((0.9, 0.8)));
+    scene.lights.push(luminaire());
     add_fields(&mut scene);
-    let at = |x: f64, y: f64, z: f64| DMat4::from_translation(DVec3::new(x, y, z));
     add(&mut scene, sphere(12, 6), metal(), at(-0.9, 0.1, 0.0));
     add(&mut scene, sphere(10, 6), coated(), at(0.9, 0.0, -0.4));
     add(&mut scene, rectangle([0.1, -0.7, 1.1, 0.5], 1.1), window(), DMat4::IDENTITY);
     add(&mut scene, rectangle([-1.0, 0.2, 0.2, 0.9], 1.1), textured(), DMat4::from_rotation_y(0.1));
-    let ground =
-        Material::of_lobes("ground", vec![matte(), Lobe::new(of("oren-nayar", &[]), Rgb::gray(0.3))]);
-    let place = at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0));
-    add(&mut scene, builtin(Builtin::Plane), ground, place);
-    let glass = Material { alpha: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) };
-    add(&mut scene, colored(sphere(8, 6)), glass, at(0.3, -0.2, 0.7));
+    add_ground(&mut scene, ground());
+    add(&mut scene, colored(sphere(8, 6)), glass(), at(0.3, -0.2, 0.7));
     add(&mut scene, sphere(24, 13), shiny("phong", 12.0), at(0.0, 0.9, -0.5));
     scene.objects[COATED].shading = Some(Shading::Flat);
     scene.objects[GLASS].shading = Some(Shading::Gouraud);
@@ -65,11 +61,21 @@ pub fn everything() -> Scene {
     scene
 }
 
-fn of(name: &str, set: &[(&str, f64)]) -> Shape {
+pub fn at(x: f64, y: f64, z: f64) -> DMat4 {
+    DMat4::from_translation(DVec3::new(x, y, z))
+}
+
+/// A large plane below all.
+pub fn add_ground(scene: &mut Scene, material: Material) {
+    let place = at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0));
+    add(scene, builtin(Builtin::Plane), material, place);
+}
+
+pub fn of(name: &str, set: &[(&str, f64)]) -> Shape {
     Shape::named(name, set).unwrap()
 }
 
-fn matte() -> Lobe {
+pub fn matte() -> Lobe {
     Lobe::new(of("lambert", &[]), Rgb([0.5, 0.2, 0.1]))
 }
 
@@ -78,24 +84,34 @@ fn gold() -> Tint {
 }
 
 /// Anisotropic, with a tint that depends on the angle.
-fn metal() -> Material {
+pub fn metal() -> Material {
     let ward = of("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
     Material { aniso: 0.7, ..Material::of_lobes("metal", vec![Lobe::new(ward, gold()), matte()]) }
 }
 
 /// Below layers.
-fn coated() -> Material {
+pub fn coated() -> Material {
     let coat = Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() };
     let lobes = vec![matte(), Lobe::new(of("ggx", &[("alpha", 0.3)]), gold())];
     Material::of_lobes("coated", lobes).under_coat(&coat).unwrap()
 }
 
 /// With a mirror and a transmittance.
-fn window() -> Material {
+pub fn window() -> Material {
     let absorption = glanz_color::rgb_spectra::spectrum_of_reflectance(Rgb([0.1, 0.6, 0.9])) * 200.0;
     let pane = Arc::new(Pane { ior: Ior::constant(1.5), thickness: 0.003, absorption });
     let mirror = Lobe::new(of("mirror", &[]), Tint::Pane(pane.clone()));
     Material { transmittance: Some(Transmittance::Pane(pane)), ..Material::of_lobes("window", vec![mirror]) }
+}
+
+/// Matte, by two lobes.
+pub fn ground() -> Material {
+    Material::of_lobes("ground", vec![matte(), Lobe::new(of("oren-nayar", &[]), Rgb::gray(0.3))])
+}
+
+/// Blended with what is behind it.
+pub fn glass() -> Material {
+    Material { alpha: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) }
 }
 
 /// With all four maps, which leaves holes.
@@ -115,7 +131,8 @@ fn textured() -> Material {
     }
 }
 
-fn add_lamps(scene: &mut Scene) {
+/// Ambient, directional, point and spot light.
+pub fn add_lamps(scene: &mut Scene, smooth_edge: Option<(f64, f64)>) {
     let position = DVec3::new(1.5, 2.0, 2.0);
     let attenuation = Attenuation { constant: 0.2, linear: 0.1, quadratic: 0.1 };
     let spot = LightKind::Spot {
@@ -123,7 +140,7 @@ fn add_lamps(scene: &mut Scene) {
         direction: position,
         cutoff: 0.5,
         exponent: 3.0,
-        smooth_edge: Some((0.9, 0.8)),
+        smooth_edge,
         attenuation: Attenuation::NONE,
     };
     let kinds = [
@@ -133,6 +150,10 @@ fn add_lamps(scene: &mut Scene) {
         spot,
     ];
     scene.lights.extend(kinds.map(|kind| light(kind, Rgb([0.5, 0.6, 0.7]))));
+}
+
+/// A lamp that sends more to its sides than along its axis.
+pub fn luminaire() -> Light {
     let position = DVec3::new(0.0, 2.0, 2.0);
     let mut lamp = light(LightKind::Point { position, attenuation: Attenuation::PHYSICAL }, Rgb::WHITE);
     let profile = Arc::new(Profile {
@@ -142,10 +163,11 @@ fn add_lamps(scene: &mut Scene) {
     });
     let axis = Luminaire::AXIS;
     lamp.luminaire = Some(Luminaire { profile, axis, c0: Luminaire::c0_for(axis) });
-    scene.lights.push(lamp);
+    lamp
 }
 
-fn add_fields(scene: &mut Scene) {
+/// An environment and surfaces that shine.
+pub fn add_fields(scene: &mut Scene) {
     let area = |shape, position: DVec3| LightKind::Area {
         shape,
         position,
@@ -185,7 +207,8 @@ pub fn texture(srgb: bool) -> Texture {
     }
 }
 
-fn colored(mut mesh: Mesh) -> Mesh {
+/// With colours at its vertices.
+pub fn colored(mut mesh: Mesh) -> Mesh {
     mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.5).extend(0.5 + 0.5 * p.x.abs())).collect();
     assert!(mesh.colors.iter().all(|c| c.cmple(Vec4::ONE).all()));
     mesh

@@ -33,7 +33,7 @@ use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain};
 use hash::Hash;
-use tables::materials::MaterialTable;
+use tables::appearance::materials::MaterialTable;
 use tables::scene::SceneTable;
 
 /// The most bytes that a scene file may have.

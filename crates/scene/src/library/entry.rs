@@ -5,7 +5,7 @@ use super::{Category, MaterialInfo};
 /// Said of figures that nobody measured.
 pub(super) const CHOSEN: &str = "figures chosen to look the part, not measured";
 
-/// A material as the rooms of the library write it down.
+/// A material as the files of the library write it down.
 pub(super) struct Entry {
     /// Its name.
     pub name: &'static str,

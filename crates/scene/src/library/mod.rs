@@ -5,21 +5,10 @@
 //!
 //! Figures are those of papers and tables where there are some; others are chosen, and the source says so.
 
+mod categories;
 mod category;
-mod cloth;
 mod entry;
-mod films;
-mod glass;
-mod metals;
-mod minerals;
-mod ngan;
-mod opengl;
-mod paints;
-mod paper;
-mod plants;
-mod plastics;
-mod ward;
-mod wood;
+mod info;
 
 #[cfg(test)]
 mod tests;
@@ -29,24 +18,10 @@ use std::sync::LazyLock;
 use thiserror::Error;
 
 pub use category::Category;
+pub use info::MaterialInfo;
 
 use crate::Material;
 use crate::file::near::did_you_mean;
-
-/// What is known about a material of the library.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MaterialInfo {
-    /// The name as [`material`] and scene files know it: small letters, figures and hyphens.
-    pub name: String,
-    /// What it is, in a few words.
-    pub title: String,
-    /// What kind of thing it is.
-    pub category: Category,
-    /// Where its figures come from.
-    pub source: String,
-    /// The keys of its table `[materials.NAME]` in a scene file, in TOML.
-    pub toml: String,
-}
 
 /// No material of the library goes by that name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -56,34 +31,9 @@ pub struct UnknownMaterial {
     pub name: String,
 }
 
-impl MaterialInfo {
-    /// The material.
-    pub fn material(&self) -> Material {
-        crate::file::parse_material(&self.name, &self.toml)
-            .expect("a test reads every material of the library")
-    }
-}
-
 /// All materials of the library, by categories.
 pub fn materials() -> &'static [MaterialInfo] {
-    static LIST: LazyLock<Vec<MaterialInfo>> = LazyLock::new(|| {
-        let parts = [
-            metals::infos(),
-            films::infos(),
-            paints::infos(),
-            plastics::infos(),
-            cloth::infos(),
-            paper::infos(),
-            plants::infos(),
-            wood::infos(),
-            minerals::infos(),
-            glass::infos(),
-            ward::infos(),
-            ngan::infos(),
-            opengl::infos(),
-        ];
-        parts.into_iter().flatten().collect()
-    });
+    static LIST: LazyLock<Vec<MaterialInfo>> = LazyLock::new(categories::infos);
     &LIST
 }
 

@@ -5,7 +5,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-use super::{Place, ReadError, ReadOptions};
+use glanz_color::read::{Place, ReadError};
+
+use super::ReadOptions;
 
 /// Why a reference could not be followed.
 #[derive(Debug)]

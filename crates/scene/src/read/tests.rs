@@ -1,9 +1,11 @@
 //! What holds for all readers: no bytes do harm, and every error names file, place and expectation.
 
 use std::collections::HashMap;
+use std::path::Path;
 
 use proptest::prelude::*;
 
+use super::models::{gltf, obj, ply, stl};
 use super::*;
 
 /// Reads bytes of this format under the name `file`.

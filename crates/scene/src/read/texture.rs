@@ -2,10 +2,10 @@
 
 use std::io::Cursor;
 
+use glanz_color::read::{Place, ReadError, excerpt};
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use super::error::excerpt;
-use super::{Place, ReadError, ReadOptions};
+use super::ReadOptions;
 use crate::Texture;
 
 /// The most texels that one byte of a file can stand for: deflate packs 1032 bytes into one, and a

@@ -4,7 +4,7 @@ use clap::Args;
 use glanz_bsdf::{LightTerm, albedo_with};
 use serde_json::{Value, json};
 
-use super::{ModelArgs, params};
+use super::model::{ModelArgs, params};
 use crate::input::lobes::FactorArgs;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, line, number};

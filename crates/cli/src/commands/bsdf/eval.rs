@@ -8,7 +8,8 @@ use glanz_math::Vec3;
 use glanz_plot::Factor;
 use serde_json::{Value, json};
 
-use super::{ModelArgs, params, table};
+use super::model::{ModelArgs, params};
+use super::table;
 use crate::args;
 use crate::input::lobes::FactorArgs;
 use crate::print::failure::Failure;

@@ -4,15 +4,11 @@ mod albedo;
 mod directions;
 mod eval;
 mod list;
+mod model;
 mod table;
 
-use clap::{Args, Subcommand};
-use glanz_bsdf::Shape;
-use glanz_math::names::did_you_mean;
-use serde_json::Value;
+use clap::Subcommand;
 
-use crate::args;
-use crate::input::lobes::model_names;
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 
@@ -31,18 +27,6 @@ pub enum BsdfCommand {
     /// The part of the light that leaves, by the angle that it is seen from
     #[command(after_help = albedo::EXAMPLES)]
     Albedo(albedo::AlbedoArgs),
-}
-
-/// A model with its parameters.
-#[derive(Args, Debug)]
-pub struct ModelArgs {
-    /// The model's name, from `glanz bsdf list`
-    #[arg(value_name = "NAME", value_parser = model_names())]
-    name: String,
-
-    /// A parameter, such as shininess=32; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", value_parser = args::assignment)]
-    set: Vec<(String, String)>,
 }
 
 impl BsdfCommand {
@@ -65,31 +49,4 @@ impl BsdfCommand {
             Self::Albedo(args) => args.run(),
         }
     }
-}
-
-impl ModelArgs {
-    /// The shape, with the parameters checked.
-    fn shape(&self) -> Result<Shape, Failure> {
-        let mut set = Vec::with_capacity(self.set.len());
-        for (name, text) in &self.set {
-            let value = text.parse::<f64>().map_err(|_| {
-                Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number"))
-            })?;
-            set.push((name.as_str(), value));
-        }
-        Shape::named(&self.name, &set).map_err(|error| {
-            let near = match &error {
-                glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
-                    did_you_mean(name, known.split(", "))
-                }
-                _ => String::new(),
-            };
-            Failure::Usage(format!("{error}{near}"))
-        })
-    }
-}
-
-fn params(shape: &Shape) -> serde_json::Map<String, Value> {
-    let names = shape.info().params.iter().map(|param| param.name.to_owned());
-    names.zip(shape.params().into_iter().map(Value::from)).collect()
 }

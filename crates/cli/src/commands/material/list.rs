@@ -6,7 +6,7 @@ use clap::Args;
 use glanz_scene::library::{Category, MaterialInfo, materials};
 use serde_json::{Value, json};
 
-use super::categories;
+use super::categories::categories;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 

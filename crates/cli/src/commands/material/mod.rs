@@ -1,12 +1,11 @@
 //! `glanz material`: the library of materials.
 
+mod categories;
 mod list;
 mod sheet;
 mod show;
 
 use clap::Subcommand;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use glanz_scene::library::Category;
 
 use crate::print::failure::Failure;
 
@@ -42,10 +41,4 @@ impl MaterialCommand {
             Self::Sheet(args) => args.run(),
         }
     }
-}
-
-/// Parses the name of a category.
-fn categories() -> impl TypedValueParser<Value = Category> {
-    PossibleValuesParser::new(Category::ALL.map(Category::name))
-        .map(|name| Category::named(&name).expect("the parser lets only known names through"))
 }

@@ -1,7 +1,5 @@
 //! `glanz material sheet`: balls of the library's materials, each with its name.
 
-use std::path::Path;
-
 use clap::Args;
 use glanz_color::Rgb;
 use glanz_plot::ContactSheet;
@@ -9,17 +7,12 @@ use glanz_scene::LightColor;
 use glanz_scene::library::{self, Category, MaterialInfo, materials};
 use glanz_scene::stage::MaterialStage;
 
-use super::categories;
-use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, TargetArgs, choices};
-use crate::encode;
+use super::categories::categories;
+use crate::args::choices;
+use crate::commands::draw::stage_sheet::StageSheetArgs;
 use crate::input::spectra;
 use crate::load::Input;
-use crate::pipeline::{self, Picture, Plan};
-use crate::print::FormatArgs;
 use crate::print::failure::Failure;
-use crate::print::files::tell_sheet;
-use crate::print::timings::Timings;
-use crate::progress::Progress;
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
@@ -63,23 +56,13 @@ pub struct SheetArgs {
     samples: u32,
 
     #[command(flatten)]
-    target: TargetArgs,
-    #[command(flatten)]
-    color: ColorArgs,
-    #[command(flatten)]
-    develop: DevelopArgs,
-    #[command(flatten)]
-    machine: MachineArgs,
-    #[command(flatten)]
-    format: FormatArgs,
+    sheet: StageSheetArgs,
 }
 
 impl SheetArgs {
     /// Draws the sheet.
     pub fn run(&self) -> Result<(), Failure> {
-        self.machine.apply()?;
-        let target = self.target.resolve(Path::new("materials"), "_sheet.png")?;
-        encode::expect_png(&target, "a sheet")?;
+        let target = self.sheet.begin("materials")?;
         let chosen = self.chosen()?;
         let stage = MaterialStage::new(self.lamp()?);
         let cell = self.size as usize;
@@ -90,25 +73,12 @@ impl SheetArgs {
             cell: (cell, cell),
             ..ContactSheet::default()
         };
-        let mut canvas = sheet.begin()?;
         let size = (self.size, self.size);
-        let look = LookArgs { samples: Some(self.samples), color: self.color.clone(), ..LookArgs::default() };
-        let camera = CameraArgs::default();
-        let mut progress = Progress::new(chosen.len(), "pictures");
-        for (index, info) in chosen.iter().enumerate() {
-            let input = Input::of_stage(stage.scene(info.material(), size));
-            let plan = Plan::new(&input, Some(size), &look, &camera, self.develop)?;
-            let mut shot = plan.shot(&input.scene)?;
-            let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
-            sheet.put(&mut canvas, index, &codes);
-            progress.step();
-        }
-        drop(progress);
-        let size = (canvas.width, canvas.height);
-        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(0))?;
+        let stages = chosen.iter().map(|info| Ok(Input::of_stage(stage.scene(info.material(), size))));
+        let canvas = self.sheet.draw(&sheet, stages, size, self.samples)?;
         let cells: Vec<_> =
             chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();
-        tell_sheet(&target, size, &cells, self.format)
+        self.sheet.deliver(canvas, &target, &cells)
     }
 
     /// The materials that are named, then those of the categories; all if nothing is said.

@@ -67,10 +67,10 @@ struct Axes {
 struct Lines<'a, I> {
     file: &'a str,
     rest: I,
-    line: usize,
+    line: u64,
 }
 
-impl<'a, I: Iterator<Item = (usize, &'a str)>> Lines<'a, I> {
+impl<'a, I: Iterator<Item = (u64, &'a str)>> Lines<'a, I> {
     /// The next line, which must be there.
     fn next(&mut self, expected: &str) -> Result<&'a str, ReadError> {
         match self.rest.next() {
@@ -90,7 +90,10 @@ impl<'a, I: Iterator<Item = (usize, &'a str)>> Lines<'a, I> {
     fn numbers(&self, line: &str) -> impl Iterator<Item = Result<f64, ReadError>> {
         let parts = fields(line, Separator::Char('\t')).enumerate();
         parts.filter(|(_, field)| !field.is_empty()).map(|(index, field)| {
-            expect_number(field, false, self.file, || Place::Field { line: self.line, field: index + 1 })
+            expect_number(field, false, self.file, || Place::Field {
+                line: self.line,
+                field: index as u64 + 1,
+            })
         })
     }
 

@@ -110,7 +110,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn line(&mut self, line: usize, text: &str) -> Result<(), ReadError> {
+    fn line(&mut self, line: u64, text: &str) -> Result<(), ReadError> {
         match (self.part, text.trim()) {
             (Part::Keywords, "BEGIN_DATA_FORMAT") => {
                 self.fields.clear();
@@ -151,7 +151,7 @@ impl Reader<'_> {
         self.part = Part::Keywords;
     }
 
-    fn format(&mut self, line: usize, text: &str) -> Result<(), ReadError> {
+    fn format(&mut self, line: u64, text: &str) -> Result<(), ReadError> {
         self.separator = if text.contains('\t') { Separator::Char('\t') } else { Separator::Blanks };
         self.fields.extend(fields(text, self.separator).map(Field::of).take(MOST_FIELDS + 1));
         if self.fields.len() > MOST_FIELDS {
@@ -162,7 +162,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn sample(&mut self, line: usize, text: &str) -> Result<(), ReadError> {
+    fn sample(&mut self, line: u64, text: &str) -> Result<(), ReadError> {
         if let Some((_, count)) = &mut self.sets {
             *count += 1;
         }
@@ -170,7 +170,8 @@ impl Reader<'_> {
         let (mut name, mut id, mut nm, mut count) = ("", "", None, 0);
         for (index, part) in fields(text, self.separator).enumerate().filter(|(_, part)| !part.is_empty()) {
             count = index + 1;
-            let value = || expect_number(part, false, self.file, || Place::Field { line, field: index + 1 });
+            let value =
+                || expect_number(part, false, self.file, || Place::Field { line, field: index as u64 + 1 });
             match self.fields.get(index) {
                 Some(Field::Name) => name = part,
                 Some(Field::Id) => id = part,
@@ -198,7 +199,7 @@ impl Reader<'_> {
     }
 
     /// Adds a spectrum of points in any order.
-    fn push(&mut self, line: usize, name: &str, mut points: Vec<(f64, f64)>) -> Result<(), ReadError> {
+    fn push(&mut self, line: u64, name: &str, mut points: Vec<(f64, f64)>) -> Result<(), ReadError> {
         if points.is_empty() {
             return Ok(());
         }

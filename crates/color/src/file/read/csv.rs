@@ -60,8 +60,8 @@ struct Source<'a> {
 }
 
 impl Source<'_> {
-    fn number(&self, text: &str, line: usize, field: usize) -> Result<f64, ReadError> {
-        let place = || Place::Field { line, field: field + 1 };
+    fn number(&self, text: &str, line: u64, field: usize) -> Result<f64, ReadError> {
+        let place = || Place::Field { line, field: field as u64 + 1 };
         expect_number(text, self.separator.decimal_comma(), self.file, place)
     }
 
@@ -71,7 +71,7 @@ impl Source<'_> {
         if of == 1 { stem } else { format!("{stem} {}", index + 1) }
     }
 
-    fn check_count(&self, count: usize, line: usize) -> Result<(), ReadError> {
+    fn check_count(&self, count: usize, line: u64) -> Result<(), ReadError> {
         if (1..=MOST_SPECTRA).contains(&count) {
             return Ok(());
         }
@@ -118,8 +118,8 @@ fn wavelength(field: &str, separator: Separator) -> Option<f64> {
 /// Reads one spectrum per row.
 fn rows<'a>(
     source: &Source<'_>,
-    (_, head): (usize, &str),
-    body: impl Iterator<Item = (usize, &'a str)>,
+    (_, head): (u64, &str),
+    body: impl Iterator<Item = (u64, &'a str)>,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let separator = source.separator;
     let nm: Vec<f64> =
@@ -148,7 +148,7 @@ fn rows<'a>(
 }
 
 /// Reads the spectrum of a row.
-fn row(source: &Source<'_>, nm: &[f64], line: usize, text: &str) -> Result<NamedSpectrum, ReadError> {
+fn row(source: &Source<'_>, nm: &[f64], line: u64, text: &str) -> Result<NamedSpectrum, ReadError> {
     let malformed =
         |expected: &str, found: &str| ReadError::malformed(source.file, Place::Line(line), expected, found);
     let mut parts = fields(text, source.separator);
@@ -172,8 +172,8 @@ fn row(source: &Source<'_>, nm: &[f64], line: usize, text: &str) -> Result<Named
 /// Reads one spectrum per column.
 fn columns<'a>(
     source: &Source<'_>,
-    header: Option<(usize, &str)>,
-    body: impl Iterator<Item = (usize, &'a str)> + Clone,
+    header: Option<(u64, &str)>,
+    body: impl Iterator<Item = (u64, &'a str)> + Clone,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let first = body.clone().next().unwrap_or((0, ""));
     let (scale, columns) = layout(source, header.map_or("", |(_, text)| text), first)?;
@@ -215,7 +215,7 @@ fn columns<'a>(
 fn layout(
     source: &Source<'_>,
     header: &str,
-    (line, first): (usize, &str),
+    (line, first): (u64, &str),
 ) -> Result<(Scale, Vec<Column>), ReadError> {
     let found = fields(first, source.separator).count();
     let head: Vec<&str> = fields(header, Separator::of(header)).collect();
@@ -291,7 +291,7 @@ struct Order {
 }
 
 impl Order {
-    fn check(&mut self, nm: f64, file: &str, line: usize) -> Result<(), ReadError> {
+    fn check(&mut self, nm: f64, file: &str, line: u64) -> Result<(), ReadError> {
         if let Some(before) = self.before.replace(nm) {
             let falls = nm < before;
             if nm == before || self.falls.is_some_and(|known| known != falls) {

@@ -1,6 +1,7 @@
-//! What can go wrong when a file is read.
+//! What can go wrong when a file is read: one error for all readers of text and binary files, also of scenes.
 
 use core::fmt;
+use std::io;
 
 use thiserror::Error;
 
@@ -10,21 +11,27 @@ pub enum Place {
     /// The file as a whole.
     File,
     /// A line of text, counted from 1.
-    Line(usize),
+    Line(u64),
     /// A field of a line, both counted from 1.
     Field {
         /// The line.
-        line: usize,
+        line: u64,
         /// The field.
-        field: usize,
+        field: u64,
     },
     /// A character of a line, both counted from 1.
     Column {
         /// The line.
-        line: u32,
+        line: u64,
         /// The character.
-        column: u32,
+        column: u64,
     },
+    /// A byte, counted from 0.
+    Byte(u64),
+    /// A value inside a structured file, as `accessors[3].bufferView`.
+    Path(String),
+    /// One of many items, as facet 12, counted from 0.
+    Item(&'static str, u64),
 }
 
 impl fmt::Display for Place {
@@ -34,13 +41,26 @@ impl fmt::Display for Place {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Field { line, field } => write!(f, "line {line}, field {field}"),
             Self::Column { line, column } => write!(f, "line {line}, column {column}"),
+            Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::Path(path) => f.write_str(path),
+            Self::Item(kind, index) => write!(f, "{kind} {index}"),
         }
     }
 }
 
 /// Why a file could not be read. Every variant names the file, the place and what was expected.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Debug, Error)]
 pub enum ReadError {
+    /// The operating system refused.
+    #[error("{file}: {place}: expected a readable file, found: {source}")]
+    Io {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What the operating system said.
+        source: io::Error,
+    },
     /// The content breaks the rules of its format.
     #[error("{file}: {place}: expected {expected}, found {found}")]
     Malformed {
@@ -53,7 +73,19 @@ pub enum ReadError {
         /// What is there.
         found: String,
     },
-    /// More than a reader takes, so that no file fills the memory.
+    /// The content is valid but needs something that this reader does not have.
+    #[error("{file}: {place}: expected {expected}, found {found}, which is not supported")]
+    Unsupported {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What could have been read.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// More than the reader's limits allow, so that no file fills the memory.
     #[error("{file}: {place}: expected at most {limit} {unit}, found {found}")]
     TooLarge {
         /// The file being read.
@@ -67,11 +99,33 @@ pub enum ReadError {
         /// How much there is.
         found: u64,
     },
+    /// A reference leaves the folder that references must stay in.
+    #[error("{file}: {place}: expected a path inside {root}, found '{reference}', which leaves it")]
+    Outside {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The path as the file gives it.
+        reference: String,
+        /// The folder that it leaves.
+        root: String,
+    },
+    /// A referenced file is not there.
+    #[error("{file}: {place}: expected a file '{reference}', found none")]
+    Missing {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The path as the file gives it.
+        reference: String,
+    },
 }
 
 impl ReadError {
     /// The content breaks the rules of its format.
-    pub(crate) fn malformed(
+    pub fn malformed(
         file: &str,
         place: Place,
         expected: impl Into<String>,
@@ -80,17 +134,37 @@ impl ReadError {
         Self::Malformed { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
     }
 
+    /// The content needs something that this reader does not have.
+    pub fn unsupported(
+        file: &str,
+        place: Place,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Self::Unsupported { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
+    }
+
     /// The file that the error is in.
     pub fn file(&self) -> &str {
         match self {
-            Self::Malformed { file, .. } | Self::TooLarge { file, .. } => file,
+            Self::Io { file, .. }
+            | Self::Malformed { file, .. }
+            | Self::Unsupported { file, .. }
+            | Self::TooLarge { file, .. }
+            | Self::Outside { file, .. }
+            | Self::Missing { file, .. } => file,
         }
     }
 
     /// The place in the file that the error is at.
     pub fn place(&self) -> &Place {
         match self {
-            Self::Malformed { place, .. } | Self::TooLarge { place, .. } => place,
+            Self::Io { place, .. }
+            | Self::Malformed { place, .. }
+            | Self::Unsupported { place, .. }
+            | Self::TooLarge { place, .. }
+            | Self::Outside { place, .. }
+            | Self::Missing { place, .. } => place,
         }
     }
 }
@@ -98,9 +172,12 @@ impl ReadError {
 /// At most this many characters of a file's text are repeated in a message or kept as a name.
 const EXCERPT: usize = 40;
 
-/// A piece of a file's text for a message: quoted, short, without control characters.
-pub(crate) fn excerpt(text: &str) -> String {
-    let mut short = clean(text, EXCERPT);
+/// A piece of a file for a message: quoted, at most 40 characters, without control characters.
+pub fn excerpt(bytes: impl AsRef<[u8]>) -> String {
+    let bytes = bytes.as_ref();
+    // A character takes at most four bytes; one more shows that something is left out.
+    let text = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * (EXCERPT + 1))]);
+    let mut short = clean(&text, EXCERPT);
     if text.chars().nth(EXCERPT).is_some() {
         short.push('…');
     }

@@ -76,20 +76,14 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    fn number(&self, field: &str, line: usize, index: usize) -> Result<f64, ReadError> {
-        let place = || Place::Field { line, field: index + 1 };
+    fn number(&self, field: &str, line: u64, index: usize) -> Result<f64, ReadError> {
+        let place = || Place::Field { line, field: index as u64 + 1 };
         expect_number(field, self.separator.decimal_comma(), self.file, place)
     }
 
     /// Appends a wavelength to an axis.
-    fn wavelength(
-        &self,
-        axis: &mut Vec<f64>,
-        field: &str,
-        line: usize,
-        index: usize,
-    ) -> Result<(), ReadError> {
-        let place = || Place::Field { line, field: index + 1 };
+    fn wavelength(&self, axis: &mut Vec<f64>, field: &str, line: u64, index: usize) -> Result<(), ReadError> {
+        let place = || Place::Field { line, field: index as u64 + 1 };
         let nm = self.scale.nm(self.number(field, line, index)?, self.file, place)?;
         if let Some(before) = axis.last().filter(|before| nm <= **before) {
             let found = format!("{nm} nm after {before} nm");
@@ -104,7 +98,7 @@ impl Table<'_> {
     }
 
     /// Appends a line of values.
-    fn row(&self, matrix: &mut NamedReradiation, line: usize, text: &str) -> Result<(), ReadError> {
+    fn row(&self, matrix: &mut NamedReradiation, line: u64, text: &str) -> Result<(), ReadError> {
         let mut parts = fields(text, self.separator).enumerate();
         let (_, first) = parts.next().unwrap_or((0, ""));
         self.wavelength(&mut matrix.out_nm, first, line, 0)?;

@@ -35,7 +35,7 @@ pub use bfc::read_bfc;
 pub use cgats::read_cgats;
 pub use csv::read_csv;
 pub use cxf::read_cxf;
-pub use error::{Place, ReadError};
+pub use error::{Place, ReadError, excerpt};
 pub use matrix::read_matrix_csv;
 pub use named::{NamedSpectrum, Quantity};
 pub use power::{PowerUnit, Radiometry};
@@ -63,7 +63,7 @@ pub fn read_spectra(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, Read
             (_, true) => read_cxf(bytes, file),
             _ => {
                 let expected = "an element 'IESTM2714' or 'CxF' in XML, or a text table";
-                Err(ReadError::malformed(file, Place::File, expected, error::excerpt(head)))
+                Err(ReadError::malformed(file, Place::File, expected, excerpt(head)))
             }
         };
     }

@@ -30,7 +30,7 @@ pub(super) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, str>, Re
 }
 
 /// The lines of a text with their numbers, counted from 1. Lines end with LF, CR LF or CR.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> + Clone {
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> + Clone {
     let mut rest = Some(text);
     let lines = core::iter::from_fn(move || {
         let text = rest?;

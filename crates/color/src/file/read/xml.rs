@@ -17,7 +17,7 @@ pub(super) fn parse<'a>(text: &'a str, file: &str) -> Result<Document<'a>, ReadE
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
         let at = error.pos();
-        let place = Place::Column { line: at.row, column: at.col };
+        let place = Place::Column { line: at.row.into(), column: at.col.into() };
         ReadError::malformed(file, place, "well-formed XML", error.to_string())
     })
 }
@@ -42,7 +42,7 @@ fn check_attributes(text: &str, file: &str) -> Result<(), ReadError> {
 /// The place where an element begins.
 pub(super) fn place(node: Node<'_, '_>) -> Place {
     let at = node.document().text_pos_at(node.range().start);
-    Place::Column { line: at.row, column: at.col }
+    Place::Column { line: at.row.into(), column: at.col.into() }
 }
 
 /// The root element, which must have this name in whatever namespace.

@@ -4,8 +4,9 @@ use glanz_color::exr::{ExrFile, ExrPart, ExrReadError};
 use glanz_color::models::RgbSpace;
 
 use super::super::rows::three_planes;
-use super::super::{Picture, ReadError, Scale};
-use super::Source;
+use super::super::{Picture, Scale};
+use super::error::ReadError;
+use super::source::Source;
 
 pub fn decode(source: &Source) -> Result<Picture, ReadError> {
     let failed = |error: ExrReadError| match error {

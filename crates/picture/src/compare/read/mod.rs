@@ -1,7 +1,10 @@
 //! Pictures from files.
 
+mod error;
 mod exr;
+mod limits;
 mod png;
+mod source;
 #[cfg(test)]
 mod tests;
 
@@ -9,12 +12,11 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::{Picture, ReadError};
+pub use error::ReadError;
+pub use limits::{MAX_PIXELS, MAX_SIDE};
 
-/// The widest and highest picture, in pixels.
-pub const MAX_SIDE: usize = 16_384;
-/// The most pixels of a picture: 8192×8192.
-pub const MAX_PIXELS: usize = 1 << 26;
+use super::Picture;
+use source::Source;
 
 /// The most bytes of a file: [`MAX_PIXELS`] of eight `f32` channels, not compressed.
 const MAX_FILE: u64 = (MAX_PIXELS * 8 * 4) as u64;
@@ -61,50 +63,4 @@ pub fn decode_picture(bytes: &[u8], name: &str) -> Result<Picture, ReadError> {
     };
     source.check_finite(&picture)?;
     Ok(picture)
-}
-
-/// A file in memory.
-struct Source<'a> {
-    bytes: &'a [u8],
-    name: &'a str,
-}
-
-impl Source<'_> {
-    fn content(&self, expected: impl ToString, found: impl ToString) -> ReadError {
-        ReadError::Content {
-            name: self.name.to_owned(),
-            expected: expected.to_string(),
-            found: found.to_string(),
-        }
-    }
-
-    /// That a picture of this size is within the limits and not more than the file can hold, whose every
-    /// byte stands for at most `pixels_per_byte`.
-    fn check_size(&self, width: usize, height: usize, pixels_per_byte: usize) -> Result<(), ReadError> {
-        self.check_limits(width, height)?;
-        let held = self.bytes.len().saturating_mul(pixels_per_byte);
-        if width.saturating_mul(height) > held {
-            let expected = format!("at most the {held} pixels that {} bytes can hold", self.bytes.len());
-            return Err(self.content(expected, format_args!("a claim of {width}×{height}")));
-        }
-        Ok(())
-    }
-
-    /// That a picture of this size is within the limits.
-    fn check_limits(&self, width: usize, height: usize) -> Result<(), ReadError> {
-        if width > MAX_SIDE || height > MAX_SIDE || width.saturating_mul(height) > MAX_PIXELS {
-            return Err(ReadError::TooLarge { name: self.name.to_owned(), width, height });
-        }
-        Ok(())
-    }
-
-    fn check_finite(&self, picture: &Picture) -> Result<(), ReadError> {
-        for plane in &picture.rgb {
-            if let Some(i) = plane.iter().position(|value| !value.is_finite()) {
-                let (x, y) = (i % picture.width, i / picture.width);
-                return Err(ReadError::NotFinite { name: self.name.to_owned(), x, y, value: plane[i] });
-            }
-        }
-        Ok(())
-    }
 }

@@ -6,8 +6,10 @@ use ::png::{BitDepth, ColorType, Decoder, Info, Limits, Reader, Transformations}
 use glanz_color::srgb_decode;
 
 use super::super::rows::three_planes;
-use super::super::{Picture, ReadError, Scale};
-use super::{MAX_PIXELS, Source};
+use super::super::{Picture, Scale};
+use super::error::ReadError;
+use super::limits::MAX_PIXELS;
+use super::source::Source;
 
 /// Deflate packs at most 1032 bytes into one, and a byte holds at most eight pixels.
 const PIXELS_PER_BYTE: usize = 8 * 1032;

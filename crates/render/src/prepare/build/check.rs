@@ -35,10 +35,15 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
 
 /// Every texture of a material must be there.
 pub(crate) fn check_material(scene: &Scene, material: &Material) -> Result<(), PrepareError> {
-    let maps = [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
-    if maps.iter().flatten().any(|map| map.texture >= scene.textures.len()) {
+    if !has_textures(scene, material) {
         let what = format!("material '{}' names a texture that is not there", material.name);
         return Err(PrepareError::Scene { what });
     }
     Ok(())
+}
+
+/// Whether a scene has all textures that a material names.
+pub(crate) fn has_textures(scene: &Scene, material: &Material) -> bool {
+    let maps = [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
+    maps.iter().flatten().all(|map| map.texture < scene.textures.len())
 }

@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 use glanz_scene::{AreaShape, Attenuation, Light, LightKind, Luminaire};
 
 use crate::prepare::PrepareError;
-use crate::prepare::build::irradiance::irradiance;
+use crate::prepare::build::integrals::irradiance::irradiance;
 use crate::prepare::data::{
     EnvironmentLight, EnvironmentMap, IntensityGrid, Irradiance, LightShape, PreparedLight, PreparedLuminaire,
 };

@@ -2,19 +2,10 @@
 
 pub(crate) mod bvh;
 pub(crate) mod check;
-pub(crate) mod closed;
-pub(crate) mod clusters;
-pub(crate) mod facets;
-pub(crate) mod irradiance;
+pub(crate) mod geometry;
+pub(crate) mod integrals;
 pub(crate) mod lights;
-pub(crate) mod lobe_integrals;
-pub(crate) mod ltc;
 pub(crate) mod materials;
-pub(crate) mod objects;
-pub(crate) mod placed;
-pub(crate) mod polygons;
-pub(crate) mod prefilter;
-pub(crate) mod simplex;
 
 use std::sync::Arc;
 
@@ -45,7 +36,7 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
         ..Prepared::default()
     };
     fill_table(&mut prepared)?;
-    objects::add_objects(&mut prepared, scene)?;
+    geometry::objects::add_objects(&mut prepared, scene)?;
     if scene.render.shadows {
         prepared.bvh = Some(Arc::new(bvh::bvh(&prepared)));
     }

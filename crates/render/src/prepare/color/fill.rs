@@ -2,7 +2,8 @@
 
 use super::quadrature::Sampling;
 use super::tint_table::Table;
-use crate::prepare::build::{lobe_integrals, materials};
+use crate::prepare::build::integrals::lobe_integrals;
+use crate::prepare::build::materials;
 use crate::prepare::data::{Prepared, PreparedMaterial};
 use crate::prepare::options::PrepareError;
 

@@ -85,20 +85,13 @@ impl Bvh {
             } else {
                 let children = &self.nodes[node.first as usize..][..2];
                 match (children[0].is_met_by(ray), children[1].is_met_by(ray)) {
-                    (true, true) if waiting == STACK => {
-                        if self.blocks(&children[1], ray) {
+                    (true, both) => {
+                        if both && waiting < STACK {
+                            stack[waiting] = node.first + 1;
+                            waiting += 1;
+                        } else if both && self.blocks(&children[1], ray) {
                             return true;
                         }
-                        node = &children[0];
-                        continue;
-                    }
-                    (true, true) => {
-                        stack[waiting] = node.first + 1;
-                        waiting += 1;
-                        node = &children[0];
-                        continue;
-                    }
-                    (true, false) => {
                         node = &children[0];
                         continue;
                     }

@@ -1,7 +1,6 @@
 //! Environments as pictures that the pixel loop looks up: the picture itself, what a lobe makes of it, and
 //! what a matte surface gets of it.
 
-use glam::DVec3;
 use glanz_math::{PI, Real, Vec3};
 
 /// An equirectangular picture, as [`EnvironmentMap`].
@@ -22,11 +21,13 @@ impl From<&glanz_scene::EnvironmentMap> for EnvironmentMap {
 }
 
 impl EnvironmentMap {
-    /// A picture from its value in each direction.
-    pub fn from_fn(width: usize, height: usize, value: impl Fn(DVec3) -> [f32; 3] + Sync + Send) -> Self {
+    /// A picture from its value in the direction of each pixel, a unit vector.
+    pub fn from_fn(width: usize, height: usize, value: impl Fn([f64; 3]) -> [f32; 3] + Sync + Send) -> Self {
         let at = |i: usize| {
             let (column, row) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
-            value(glanz_scene::EnvironmentMap::direction(column / width as f64, row / height as f64))
+            value(
+                glanz_scene::EnvironmentMap::direction(column / width as f64, row / height as f64).to_array(),
+            )
         };
         Self { width, height, pixels: crate::parallel::collect(width * height, at) }
     }
@@ -41,10 +42,10 @@ impl EnvironmentMap {
         self.pixels[row * self.width + column]
     }
 
-    /// The direction of a pixel's centre.
-    pub fn direction(&self, row: usize, column: usize) -> DVec3 {
+    /// The unit vector in the direction of a pixel's centre.
+    pub fn direction(&self, row: usize, column: usize) -> [f64; 3] {
         let (u, v) = ((column as f64 + 0.5) / self.width as f64, (row as f64 + 0.5) / self.height as f64);
-        glanz_scene::EnvironmentMap::direction(u, v)
+        glanz_scene::EnvironmentMap::direction(u, v).to_array()
     }
 
     /// The solid angle of each pixel of a row.

@@ -8,8 +8,8 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::colors::{ColorValue, SpectrumValue};
+use super::geometry::turn::Turn;
 use super::profile::ProfileValue;
-use super::turn::Turn;
 use super::values::{Amount, At, Direction, Exponent, HalfTurn, Number, Positive, Vector};
 use crate::names::names;
 

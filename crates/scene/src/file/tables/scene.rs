@@ -5,15 +5,15 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::appearance::materials::MaterialTable;
+use super::appearance::textures::NamedTextureTable;
 use super::camera::CameraRef;
 use super::colors::{ColorValue, SpectrumValue};
+use super::geometry::meshes::MeshTable;
+use super::geometry::objects::ObjectTable;
 use super::lights::LightTable;
-use super::materials::MaterialTable;
-use super::meshes::MeshTable;
-use super::objects::ObjectTable;
 use super::settings::{ImageTable, RenderTable};
 use super::table;
-use super::textures::NamedTextureTable;
 use super::values::{Amount, At};
 
 /// A Glanz scene: picture, camera, lights, materials and objects.

@@ -1,10 +1,10 @@
 //! OpenEXR pictures.
 
 use glanz_color::exr::{ExrFile, ExrPart, ExrReadError};
+use glanz_color::read::{Place, ReadError};
 
-use super::Source;
+use super::source::Source;
 use crate::EnvironmentMap;
-use crate::read::{Place, ReadError};
 
 /// Reads a file.
 pub fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {

@@ -2,24 +2,21 @@
 
 mod exr;
 mod radiance;
+mod source;
 #[cfg(test)]
 pub(super) mod tests;
 
-use glanz_color::models::RgbSpace;
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::error::excerpt;
+use super::ReadOptions;
 use super::notes::Notes;
-use super::{Place, ReadError, ReadOptions};
 use crate::EnvironmentMap;
+use source::Source;
 
 /// How an OpenEXR file begins: 20000630, low byte first.
 const EXR: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
 /// How a Radiance picture begins; the name of the program that wrote it follows.
 const RADIANCE: &[u8] = b"#?";
-/// Bytes of a pixel in memory.
-const PIXEL: u64 = 12;
-/// The most bytes of pixels: those of 16384×8192.
-const MAX_BYTES: u64 = 16_384 * 8192 * PIXEL;
 /// The most that a channel may be; sums of squares of it must fit into `f32`.
 const MAX_VALUE: f32 = 1e12;
 
@@ -76,54 +73,4 @@ fn clean(pixels: &mut [[f32; 3]], notes: &mut Notes) {
     notes.add_times("a pixel that is not finite is taken as black", none);
     notes.add_times("a pixel below 0 is taken as 0 in that channel", negative);
     notes.add_times(&format!("a pixel above {MAX_VALUE:e} is taken as that"), large);
-}
-
-/// What both readers share.
-struct Source<'a> {
-    bytes: &'a [u8],
-    /// The file's name, for messages.
-    file: &'a str,
-    options: &'a ReadOptions,
-    notes: Notes,
-}
-
-impl Source<'_> {
-    fn malformed(&self, place: Place, expected: impl Into<String>, found: impl ToString) -> ReadError {
-        ReadError::malformed(self.file, place, expected, found.to_string())
-    }
-
-    fn unsupported(&self, expected: impl Into<String>, found: impl ToString) -> ReadError {
-        ReadError::unsupported(self.file, Place::File, expected, found.to_string())
-    }
-
-    /// That a picture of this size is within the limits.
-    fn check_size(&self, width: usize, height: usize) -> Result<(), ReadError> {
-        let side = self.options.max_texture_side as usize;
-        if !(1..=side).contains(&width) || !(1..=side).contains(&height) {
-            let expected = format!("a picture of 1 to {side} pixels along each side");
-            return Err(self.malformed(Place::File, expected, format!("{width}×{height}")));
-        }
-        let (found, limit) =
-            (width as u64 * height as u64 * PIXEL, self.options.max_texture_bytes.min(MAX_BYTES));
-        if found > limit {
-            let (file, place, unit) = (self.file.to_owned(), Place::File, "bytes of pixels");
-            return Err(ReadError::TooLarge { file, place, limit, unit, found });
-        }
-        Ok(())
-    }
-
-    /// Brings pixels of other primaries to those of sRGB; their white becomes D65.
-    fn convert_to_srgb(&mut self, pixels: &mut [[f32; 3]], space: &RgbSpace) -> Result<(), ReadError> {
-        let Some(matrix) = space.to_linear_srgb_matrix() else { return Ok(()) };
-        if !matrix.0.iter().flatten().all(|value| value.is_finite()) {
-            let expected = "chromaticities of three primaries and a white";
-            let found = format!("{:?} and {:?}", space.primaries, space.white);
-            return Err(self.malformed(Place::File, expected, found));
-        }
-        for pixel in pixels {
-            *pixel = matrix.apply(pixel.map(f64::from)).map(|value| value as f32);
-        }
-        self.notes.add("the primaries are not those of sRGB; the colours are converted");
-        Ok(())
-    }
 }

@@ -5,11 +5,10 @@
 //! those of the crates know one orientation, leave the exposure out, or overflow in damaged runs.
 
 use glanz_color::models::{RgbSpace, Transfer};
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::Source;
+use super::source::Source;
 use crate::EnvironmentMap;
-use crate::read::error::excerpt;
-use crate::read::{Place, ReadError};
 
 /// The most bytes of a header: more is no header.
 const MOST_HEADER: usize = 1 << 16;
@@ -84,13 +83,13 @@ impl Header {
 
     fn take(&mut self, key: &str, value: &str, source: &Source) -> Result<(), ReadError> {
         let wrong = |expected: &str| {
-            let (place, found) = (Place::Path(key.to_owned()), excerpt(value.as_bytes()));
+            let (place, found) = (Place::Path(key.to_owned()), excerpt(value));
             source.malformed(place, expected, found)
         };
         let positive = |values: &[f64]| values.iter().all(|v| (1e-30..=1e30).contains(v));
         match key {
             "FORMAT" if value == "32-bit_rle_rgbe" => {}
-            "FORMAT" => return Err(source.unsupported("32-bit_rle_rgbe", excerpt(value.as_bytes()))),
+            "FORMAT" => return Err(source.unsupported("32-bit_rle_rgbe", excerpt(value))),
             // Both are cumulative.
             "EXPOSURE" => {
                 let values = numbers::<1>(value).filter(|values| positive(values));
@@ -150,7 +149,7 @@ impl Size {
         };
         match axes.filter(|(lines, pixels)| lines.horizontal != pixels.horizontal) {
             Some((lines, pixels)) => Ok(Self { lines, pixels }),
-            None => Err(source.malformed(place, "a size such as '-Y 512 +X 1024'", excerpt(line.as_bytes()))),
+            None => Err(source.malformed(place, "a size such as '-Y 512 +X 1024'", excerpt(line))),
         }
     }
 

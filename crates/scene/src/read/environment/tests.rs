@@ -5,6 +5,7 @@ use std::io::Cursor;
 use ::exr::prelude::{WritableImage, f16};
 use proptest::prelude::*;
 
+use super::source::PIXEL;
 use super::*;
 
 type Rgbe = [u8; 4];

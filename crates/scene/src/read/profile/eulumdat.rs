@@ -1,9 +1,10 @@
 //! EULUMDAT (A. Stockmar, 1990): one value a line, in fixed order.
 
-use super::Source;
+use glanz_color::read::{Place, ReadError};
+
 use super::planes::{Planes, Symmetry, increasing};
+use super::source::Source;
 use crate::Profile;
-use crate::read::{Place, ReadError};
 
 /// Lines from the report's number to the luminous area (8 to 21), which are not needed.
 const DESCRIPTION: usize = 14;

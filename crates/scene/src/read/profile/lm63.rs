@@ -4,10 +4,11 @@
 //! ten of the luminaire, three of its operation, the angles γ ("vertical"), the half planes C
 //! ("horizontal"), and the intensities by half planes.
 
-use super::Source;
+use glanz_color::read::{Place, ReadError};
+
 use super::planes::{Planes, Symmetry, increasing};
+use super::source::Source;
 use crate::Profile;
-use crate::read::{Place, ReadError};
 
 /// Reads a file.
 pub fn read(text: &str, source: &mut Source) -> Result<Profile, ReadError> {

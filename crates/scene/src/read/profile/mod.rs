@@ -5,18 +5,17 @@
 mod eulumdat;
 mod lm63;
 mod planes;
+mod source;
 #[cfg(test)]
 pub(super) mod tests;
 
-use super::error::excerpt;
-use super::notes::Notes;
-use super::{Place, ReadError};
-use crate::Profile;
+use glanz_color::read::{Place, ReadError};
 
-/// The most bytes of a file. A profile at every degree of both angles takes half a megabyte.
-pub const MAX_PROFILE_BYTES: u64 = 16 << 20;
-/// The most that any number of a file may be, in cd, lm or as a factor.
-const MAX_VALUE: f64 = 1e12;
+pub use source::MAX_PROFILE_BYTES;
+
+use super::notes::Notes;
+use crate::Profile;
+use source::Source;
 
 /// Reads the profile of a luminaire: LM-63 of any year with type C photometry, or EULUMDAT. `file` is the
 /// file's name: its ending and its first bytes tell which.
@@ -53,47 +52,4 @@ fn is_lm63(text: &str, file: &str) -> bool {
     let ending = |ending: &str| file.to_ascii_lowercase().ends_with(ending);
     let tilt = || text.lines().any(|line| line.trim_start().starts_with("TILT="));
     text.starts_with("IESNA") || text.starts_with("IES:") || ending(".ies") || (!ending(".ldt") && tilt())
-}
-
-/// What both readers share.
-struct Source<'a> {
-    /// The file's name, for messages.
-    file: &'a str,
-    notes: Notes,
-}
-
-impl Source<'_> {
-    fn malformed(&self, place: Place, expected: impl Into<String>, found: impl Into<String>) -> ReadError {
-        ReadError::malformed(self.file, place, expected, found)
-    }
-
-    /// A number that stands in a line.
-    fn number(&self, text: &str, line: u64, what: &str) -> Result<f64, ReadError> {
-        let number = text.parse().ok().filter(|value: &f64| value.abs() <= MAX_VALUE);
-        number.ok_or_else(|| {
-            let expected = format!("{what}, a number of at most {MAX_VALUE:e}");
-            self.malformed(Place::Line(line), expected, excerpt(text.as_bytes()))
-        })
-    }
-
-    /// A number of things, at least 1.
-    fn count(&self, value: f64, line: u64, what: &str) -> Result<usize, ReadError> {
-        // That many would not fit into a file.
-        let most = MAX_PROFILE_BYTES as f64;
-        match value.fract() == 0.0 && (1.0..=most).contains(&value) {
-            true => Ok(value as usize),
-            false => Err(self.malformed(
-                Place::Line(line),
-                format!("{what}, a whole number of at least 1"),
-                value.to_string(),
-            )),
-        }
-    }
-
-    /// Intensities without negative ones, which measurements have where there is no light.
-    fn not_negative(&mut self, candela: &mut [f64]) {
-        let negative = candela.iter_mut().filter(|value| **value < 0.0);
-        let count = negative.map(|value| *value = 0.0).count();
-        self.notes.add_times("an intensity below 0 is taken as 0", count as u64);
-    }
 }

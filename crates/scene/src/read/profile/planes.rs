@@ -1,8 +1,9 @@
 //! From the half planes that a file gives to all of them.
 
-use super::Source;
+use glanz_color::read::{Place, ReadError};
+
+use super::source::Source;
 use crate::Profile;
-use crate::read::{Place, ReadError};
 
 /// Half planes nearer than this in degrees are the same: files give a few decimals.
 const SAME_DEG: f64 = 1e-4;

@@ -1,0 +1,229 @@
+//! `glanz modes`: one scene in several colour modes side by side, and how far they are from full spectra.
+
+use std::fmt::Write;
+
+use clap::Args;
+use glanz_picture::compare::frames::{DeltaE, Developed};
+use glanz_picture::compare::{Spread, heat_colors};
+use glanz_plot::{Canvas, ContactSheet};
+use glanz_scene::ColorMode;
+use serde_json::{Value, json};
+
+use super::side_by_side::SideBySideArgs;
+use crate::args::{InputArgs, Target};
+use crate::load::Input;
+use crate::pipeline;
+use crate::print::failure::Failure;
+use crate::print::{self, Format};
+use crate::progress::Progress;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz modes scene.toml -o modes.png
+  glanz modes scene.toml --modes rgb,sampled:4,sampled:8,sampled:16 --format json
+  glanz modes scene.toml --modes rgb,spectral --against reference --size 160x120
+
+Only pixels that show a surface count. ΔE00 is CIEDE2000 between the pictures before tone mapping, for the
+screen's white; below 1 hardly anyone sees a difference. The lower row shows it as heat, from black (0) to
+pale yellow (the number under the row).";
+
+/// The modes that are drawn if none are named.
+const DEFAULT_MODES: &str = "rgb,meyer,meyer-adapted,sampled:8,spectral";
+
+/// Options of `glanz modes`.
+#[derive(Args, Debug)]
+pub struct ModesArgs {
+    #[command(flatten)]
+    input: InputArgs,
+
+    /// The colour modes, in the order of the columns
+    #[arg(long, value_name = "MODE,…", value_delimiter = ',', default_value = DEFAULT_MODES,
+          value_parser = |text: &str| text.parse::<ColorMode>())]
+    modes: Vec<ColorMode>,
+
+    /// The mode that the others are compared with
+    #[arg(long, value_name = "MODE", default_value = "spectral",
+          value_parser = |text: &str| text.parse::<ColorMode>())]
+    against: ColorMode,
+
+    /// The ΔE00 that is the hottest colour [default: the greatest there is, at least 1]
+    #[arg(long, value_name = "ΔE")]
+    heat: Option<f64>,
+
+    #[command(flatten)]
+    pictures: SideBySideArgs,
+}
+
+/// A picture in one mode, and its distance from the one that counts as right.
+struct Column {
+    mode: ColorMode,
+    picture: Developed,
+    delta: DeltaE,
+}
+
+impl ModesArgs {
+    /// Draws and measures.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.check()?;
+        let (target, input) = self.pictures.begin(&self.input, "_modes.png", "a comparison")?;
+        let columns = self.columns(&input)?;
+        if columns.is_empty() {
+            return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
+        }
+        let top = self.heat.unwrap_or_else(|| greatest(&columns));
+        self.pictures.deliver(self.sheet(&columns, top)?, &target, input.hash)?;
+        self.tell(&target, &columns)
+    }
+
+    /// The pictures, and how far each is from the one that counts as right.
+    fn columns(&self, input: &Input) -> Result<Vec<Column>, Failure> {
+        let ev = self.look_ev(input)?;
+        let sees_otherwise = self.sees_otherwise(input);
+        let others = self.modes.iter().filter(|mode| **mode != self.against);
+        let mut progress = Progress::new(1 + others.count(), "pictures");
+        let right = self.draw(input, self.against, &mut progress)?;
+        let mut columns = Vec::with_capacity(self.modes.len());
+        for &mode in &self.modes {
+            if is_meyer(mode) && sees_otherwise {
+                print::note(format_args!("note: mode '{mode}' is left out: it samples for cie1931 alone"));
+                continue;
+            }
+            let is_right = mode == self.against;
+            let picture = if is_right { right.clone() } else { self.draw(input, mode, &mut progress)? };
+            let delta = DeltaE::between(&picture.frame, &right.frame, ev);
+            columns.push(Column { mode, picture, delta });
+        }
+        Ok(columns)
+    }
+
+    fn draw(&self, input: &Input, mode: ColorMode, progress: &mut Progress) -> Result<Developed, Failure> {
+        let mut look = self.pictures.look.clone();
+        look.color.mode = Some(mode);
+        if mode == ColorMode::Rgb {
+            // RGB is what a screen shows, whoever looks.
+            look.color.observer = None;
+        }
+        let plan = self.pictures.plan(input, &look)?;
+        let picture = pipeline::developed(&mut plan.shot(&input.scene)?, progress)?;
+        progress.step();
+        Ok(picture)
+    }
+
+    /// The exposure at which differences are judged.
+    fn look_ev(&self, input: &Input) -> Result<f32, Failure> {
+        Ok(self.pictures.develop.resolve(&input.scene.render)?.ev)
+    }
+
+    /// Whether someone else looks than the standard observer.
+    fn sees_otherwise(&self, input: &Input) -> bool {
+        let own = || input.scene.observer.as_ref().map(|observer| observer.name.as_str());
+        self.pictures.look.color.observer.as_deref().or_else(own).is_some_and(|name| name != "cie1931")
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        if self.pictures.look.color.mode.is_some() {
+            return Err(Failure::Usage("--mode has no place here: --modes names those to draw".to_owned()));
+        }
+        if self.pictures.look.show.is_some_and(|show| !show.is_light()) {
+            return Err(Failure::Usage(
+                "--show must be a view of light here: the others have no colour mode".to_owned(),
+            ));
+        }
+        match self.heat {
+            Some(heat) if !(heat > 0.0 && heat.is_finite()) => {
+                Err(Failure::Usage(format!("--heat is {heat}, but must be a number above 0")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn sheet(&self, columns: &[Column], top: f64) -> Result<Canvas, Failure> {
+        let count = columns.len();
+        let first = &columns[0].picture.frame;
+        let cell = (first.width, first.height);
+        let numbers = columns.iter().map(|Column { delta, mode, .. }| {
+            let s = delta.spread;
+            match *mode == self.against {
+                true => vec!["the others are compared with this".to_owned()],
+                false => vec![
+                    format!("dE00 mean {:.2}, median {:.2}", s.mean, s.median),
+                    format!("95 % {:.2}, max {:.2}", s.p95, s.max),
+                ],
+            }
+        });
+        let captions = columns.iter().map(|_| Vec::new()).chain(numbers).collect();
+        let sheet = ContactSheet {
+            columns: columns.iter().map(|column| column.mode.to_string()).collect(),
+            rows: vec!["picture".to_owned(), format!("dE00\n0..{}", print::number(rounded(top)))],
+            captions,
+            per_row: count,
+            count: 2 * count,
+            cell,
+            ..ContactSheet::default()
+        };
+        let mut canvas = sheet.begin()?;
+        for (index, Column { picture, delta, .. }) in columns.iter().enumerate() {
+            let drawn = Canvas { width: cell.0, height: cell.1, rgba: picture.codes.clone() };
+            sheet.put(&mut canvas, index, &drawn);
+            sheet.put(&mut canvas, count + index, &heat_map(delta, cell, top));
+        }
+        Ok(canvas)
+    }
+
+    fn tell(&self, target: &Target, columns: &[Column]) -> Result<(), Failure> {
+        let Target::File(path) = target else {
+            print::note(table(columns, self.against).trim_end());
+            return Ok(());
+        };
+        if self.pictures.format.format == Format::Text {
+            return print::text(&table(columns, self.against));
+        }
+        let modes: serde_json::Map<_, _> =
+            columns.iter().map(|column| (column.mode.to_string(), json_of(&column.delta))).collect();
+        print::json(&json!({
+            "file": path.display().to_string(), "against": self.against.to_string(),
+            "pixels": columns.first().map_or(0, |column| column.delta.pixels), "delta_e_00": modes,
+        }))
+    }
+}
+
+/// The map in false colours, `top` the hottest.
+fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas {
+    Canvas { width, height, rgba: heat_colors(&delta.map, top) }
+}
+
+/// The numbers for programs.
+fn json_of(delta: &DeltaE) -> Value {
+    let Spread { mean, median, p95, max } = delta.spread;
+    json!({ "mean": mean, "median": median, "p95": p95, "max": max })
+}
+
+/// Whether a mode belongs to the standard observer.
+fn is_meyer(mode: ColorMode) -> bool {
+    matches!(mode, ColorMode::Meyer | ColorMode::MeyerAdapted)
+}
+
+/// The hottest difference, but no less than what an eye can see.
+fn greatest(columns: &[Column]) -> f64 {
+    columns.iter().map(|column| column.delta.spread.max).fold(1.0, f64::max)
+}
+
+/// Two digits are enough for a scale.
+fn rounded(top: f64) -> f64 {
+    (top * 100.0).round() / 100.0
+}
+
+/// The numbers for people.
+fn table(columns: &[Column], against: ColorMode) -> String {
+    let pixels = columns.first().map_or(0, |column| column.delta.pixels);
+    let mut text = format!("ΔE00 to mode {against}, over the {pixels} pixels that show a surface\n");
+    text.push_str("mode               mean     median       95 %        max\n");
+    for Column { mode, delta, .. } in columns.iter().filter(|column| column.mode != against) {
+        let s = delta.spread;
+        let mode = mode.to_string();
+        writeln!(text, "{mode:<14} {:>8.3} {:>10.3} {:>10.3} {:>10.3}", s.mean, s.median, s.p95, s.max)
+            .expect("a string takes everything");
+    }
+    text
+}

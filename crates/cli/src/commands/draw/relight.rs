@@ -1,0 +1,186 @@
+//! `glanz relight`: one scene under several light sources side by side.
+
+use clap::Args;
+use glanz_color::{Observer, xyz_of_light};
+use glanz_plot::{Canvas, ContactSheet};
+use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
+use serde_json::json;
+
+use super::side_by_side::SideBySideArgs;
+use crate::args::{InputArgs, LookArgs, Target};
+use crate::input::spectra::light_source;
+use crate::load::Input;
+use crate::pipeline;
+use crate::print;
+use crate::print::failure::Failure;
+use crate::print::timings::Timings;
+use crate::progress::Progress;
+
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz relight scene.toml --light A --light D65 --light FL11 --light UV365 -o lights.png
+  glanz relight scene.toml --light A --light D65 --white scene
+
+Every light of the scene keeps its place and its luminance and gets the spectrum that is named; one that the
+eye hardly sees, such as UV365, gets the power of D65 instead. Where something fluoresces, a second row shows
+the scene without its fluorescence.";
+
+/// Options of `glanz relight`.
+#[derive(Args, Debug)]
+pub struct RelightArgs {
+    #[command(flatten)]
+    input: InputArgs,
+
+    /// A light source, from `glanz color list lights`, such as A, D50, FL11, D(9300), blackbody(3000),
+    /// gaussian(450,20), or a file with its spectrum; repeated, one for each column
+    #[arg(long, value_name = "NAME", required = true)]
+    light: Vec<String>,
+
+    #[command(flatten)]
+    pictures: SideBySideArgs,
+}
+
+impl RelightArgs {
+    /// Draws.
+    pub fn run(&self) -> Result<(), Failure> {
+        let spectra = self.spectra()?;
+        let (target, mut input) = self.pictures.begin(&self.input, "_lights.png", "a sheet of lights")?;
+        let mut look = self.pictures.look.clone();
+        if look.color.mode.is_none() && input.scene.render.mode == ColorMode::Rgb {
+            look.color.mode = Some(ColorMode::Spectral);
+        }
+        let mut rows = Vec::new();
+        let looks = self.looks(&mut input, &look, &spectra)?;
+        let plain = without_fluorescence(&input.scene.materials);
+        let count = spectra.len() * if plain.is_some() { 2 } else { 1 };
+        let mut progress = Progress::new(count, "pictures");
+        let mut pictures = self.row(&mut input, &looks, &spectra, &mut progress)?;
+        if let Some(plain) = plain {
+            rows = vec!["as it is".to_owned(), "without\nfluorescence".to_owned()];
+            input.scene.materials = plain;
+            pictures.extend(self.row(&mut input, &looks, &spectra, &mut progress)?);
+        }
+        drop(progress);
+        self.deliver(&target, &input, &spectra, rows, pictures)
+    }
+
+    fn spectra(&self) -> Result<Vec<LightColor>, Failure> {
+        let color = |name: &String| {
+            let spectrum = light_source(name)?.spectrum;
+            LightColor::unit(&spectrum)
+                .ok_or_else(|| Failure::Usage(format!("light '{name}' has no power between 300 and 780 nm")))
+        };
+        self.light.iter().map(color).collect()
+    }
+
+    /// The look of each picture. An eye cannot take every light for white, black light least of all: such a
+    /// picture is drawn for daylight, and said to be.
+    fn looks(
+        &self,
+        input: &mut Input,
+        look: &LookArgs,
+        spectra: &[LightColor],
+    ) -> Result<Vec<LookArgs>, Failure> {
+        let own = input.scene.lights.clone();
+        let mut looks = Vec::with_capacity(spectra.len());
+        for (color, name) in spectra.iter().zip(&self.light) {
+            relight(&mut input.scene.lights, &own, color);
+            let mut daylight = look.clone();
+            daylight.color.white = Some(White::D65);
+            looks.push(match (self.pictures.plan(input, look), self.pictures.plan(input, &daylight)) {
+                // The white is all that differs.
+                (Err(_), Ok(_)) => {
+                    print::note(format_args!("note: no eye takes {name} for white: drawn for D65"));
+                    daylight
+                }
+                (plan, _) => plan.map(|_| look.clone())?,
+            });
+        }
+        input.scene.lights = own;
+        Ok(looks)
+    }
+
+    /// One picture for each light.
+    fn row(
+        &self,
+        input: &mut Input,
+        looks: &[LookArgs],
+        spectra: &[LightColor],
+        progress: &mut Progress,
+    ) -> Result<Vec<Canvas>, Failure> {
+        let own = input.scene.lights.clone();
+        let mut pictures = Vec::with_capacity(spectra.len());
+        for (color, look) in spectra.iter().zip(looks) {
+            relight(&mut input.scene.lights, &own, color);
+            let plan = self.pictures.plan(input, look)?;
+            let mut shot = plan.shot(&input.scene)?;
+            pictures.push(pipeline::codes(&mut shot, &mut Timings::default(), progress)?);
+            progress.step();
+        }
+        input.scene.lights = own;
+        Ok(pictures)
+    }
+
+    fn deliver(
+        &self,
+        target: &Target,
+        input: &Input,
+        spectra: &[LightColor],
+        rows: Vec<String>,
+        pictures: Vec<Canvas>,
+    ) -> Result<(), Failure> {
+        let sheet = ContactSheet {
+            columns: self.light.clone(),
+            rows,
+            per_row: self.light.len(),
+            count: pictures.len(),
+            cell: (pictures[0].width, pictures[0].height),
+            ..ContactSheet::default()
+        };
+        let mut canvas = sheet.begin()?;
+        for (index, picture) in pictures.iter().enumerate() {
+            sheet.put(&mut canvas, index, picture);
+        }
+        self.pictures.deliver(canvas, target, input.hash)?;
+        let Target::File(path) = target else { return Ok(()) };
+        if self.pictures.format.is_json() {
+            let lights: Vec<_> = self.light.iter().zip(spectra).map(describe).collect();
+            return print::json(&json!({ "file": path.display().to_string(), "lights": lights }));
+        }
+        Ok(())
+    }
+}
+
+/// A light for programs.
+fn describe((name, color): (&String, &LightColor)) -> serde_json::Value {
+    let LightColor::Spectrum(spectrum) = color else { return json!({ "name": name }) };
+    let [x, y, z] = xyz_of_light(spectrum, &Observer::default());
+    json!({ "name": name, "xy": [x / (x + y + z), y / (x + y + z)] })
+}
+
+/// Gives the lights another spectrum in place of their own.
+fn relight(lights: &mut [Light], own: &[Light], color: &LightColor) {
+    for (light, own) in lights.iter_mut().zip(own) {
+        light.colors = relit(&own.colors, color);
+    }
+}
+
+/// The colours of a light with another spectrum in place of its own.
+fn relit(own: &LightColors, color: &LightColor) -> LightColors {
+    let part = |own: &LightColor| color.scaled(own.strength());
+    LightColors { ambient: part(&own.ambient), diffuse: part(&own.diffuse), specular: part(&own.specular) }
+}
+
+/// The materials without re-radiation; none where there is no re-radiation in them.
+fn without_fluorescence(materials: &[Material]) -> Option<Vec<Material>> {
+    let mut plain = materials.to_vec();
+    let mut found = false;
+    for lobe in plain.iter_mut().flat_map(|material| &mut material.lobes) {
+        if let Tint::Reradiation(matrix) = &lobe.tint {
+            lobe.tint = Tint::Spectrum(std::sync::Arc::new(matrix.reflectance()));
+            found = true;
+        }
+    }
+    found.then_some(plain)
+}

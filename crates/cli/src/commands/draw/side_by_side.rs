@@ -1,0 +1,57 @@
+//! What commands share that draw one scene several times, side by side.
+
+use clap::Args;
+use glanz_plot::Canvas;
+
+use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
+use crate::encode;
+use crate::load::Input;
+use crate::pipeline::{Picture, Plan};
+use crate::print::failure::Failure;
+use crate::print::{self, FormatArgs};
+
+/// Where the pictures go, and how each is drawn and developed.
+#[derive(Args, Debug)]
+pub struct SideBySideArgs {
+    #[command(flatten)]
+    pub target: TargetArgs,
+    #[command(flatten)]
+    pub size: SizeArgs,
+    #[command(flatten)]
+    pub look: LookArgs,
+    #[command(flatten)]
+    pub camera: CameraArgs,
+    #[command(flatten)]
+    pub develop: DevelopArgs,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    #[command(flatten)]
+    pub format: FormatArgs,
+}
+
+impl SideBySideArgs {
+    /// Where the pictures go, without `-o` beside the scene with this ending, and the scene. `what` they are is said
+    /// where they cannot be written.
+    pub fn begin(&self, input: &InputArgs, ending: &str, what: &str) -> Result<(Target, Input), Failure> {
+        self.machine.apply()?;
+        let target = self.target.resolve(&input.input, ending)?;
+        encode::expect_png(&target, what)?;
+        let scene = input.load(Some(&self.camera), &[])?;
+        print::notes(&input.input, &scene.notes);
+        Ok((target, scene))
+    }
+
+    /// How a picture is drawn, with this look in place of that of the command line.
+    pub fn plan(&self, input: &Input, look: &LookArgs) -> Result<Plan, Failure> {
+        Plan::new(input, self.size.size, look, &self.camera, self.develop)
+    }
+
+    /// Brings the pictures, on one sheet, to where they go, and says so.
+    pub fn deliver(&self, sheet: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
+        encode::deliver(Picture::Codes8(sheet), target, &encode::metadata(hash))?;
+        if let Target::File(path) = target {
+            print::note(format_args!("wrote {}", path.display()));
+        }
+        Ok(())
+    }
+}

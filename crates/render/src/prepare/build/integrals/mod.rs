@@ -1,0 +1,7 @@
+//! What lobes make of area lights and environments.
+
+pub(crate) mod irradiance;
+pub(crate) mod lobe_integrals;
+pub(crate) mod ltc;
+pub(crate) mod prefilter;
+pub(crate) mod simplex;

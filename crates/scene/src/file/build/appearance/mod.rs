@@ -1,0 +1,7 @@
+//! Materials: lobes, layers, textures.
+
+pub(super) mod from_library;
+pub(super) mod layers;
+pub(super) mod lobes;
+pub(super) mod materials;
+pub(super) mod textures;

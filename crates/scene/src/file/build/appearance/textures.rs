@@ -1,0 +1,114 @@
+//! Textures.
+
+use std::ops::Range;
+
+use crate::file::build::builder::{Builder, in_order};
+use crate::file::build::files::unresolved;
+use crate::file::error::Problem;
+use crate::file::near::{did_you_mean, list};
+use crate::file::tables::appearance::textures::TextureValue;
+use crate::file::tables::scene::SceneTable;
+use crate::file::tables::values::At;
+use crate::read::{FolderFiles, Resolver, read_texture};
+use crate::{Texture, TextureFilter, TextureUse, Wrap};
+
+/// The picture of a texture and how it is taken. Its `Debug` text names it.
+#[derive(Debug)]
+struct TextureSource<'a> {
+    file: &'a str,
+    wrap: [Wrap; 2],
+    filter: TextureFilter,
+    srgb: bool,
+}
+
+impl Builder {
+    pub(in crate::file::build) fn named_textures(&mut self, table: &SceneTable) -> Result<(), Problem> {
+        for (name, texture) in in_order(&table.textures) {
+            let (wrap, filter, srgb) = (texture.wrap.0, texture.filter, texture.srgb);
+            let source = TextureSource { file: &texture.file, wrap, filter, srgb };
+            let read = self.texture(&source, &texture.file.span)?;
+            let people_call_it = texture.name.clone().unwrap_or_else(|| name.clone());
+            self.names.textures.insert(name.clone(), self.scene.textures.len());
+            self.scene.textures.push(Texture { name: people_call_it, ..read });
+        }
+        Ok(())
+    }
+
+    pub(in crate::file::build) fn texture_use(
+        &mut self,
+        value: Option<&At<TextureValue>>,
+        srgb: bool,
+    ) -> Result<Option<TextureUse>, Problem> {
+        let Some(value) = value else { return Ok(None) };
+        let table = &value.0;
+        let texture = match (&table.texture, &table.file) {
+            (Some(name), None) => self.named_texture(name, value)?,
+            (None, Some(file)) => {
+                let source = TextureSource {
+                    file,
+                    wrap: table.wrap.as_ref().map_or([Wrap::default(); 2], |wrap| wrap.value.0),
+                    filter: table.filter.as_ref().map_or(TextureFilter::default(), |filter| filter.value),
+                    srgb,
+                };
+                self.texture_of_file(&source, &value.span)?
+            }
+            _ => return Err(Problem::at(&value.span, "a texture needs 'file', or 'texture' in its place")),
+        };
+        let mut texture_use = TextureUse::plain(texture);
+        if let Some([u, v]) = table.repeat.as_ref().map(|repeat| repeat.value) {
+            texture_use.transform = [[u.0 as f32, 0.0, 0.0], [0.0, v.0 as f32, 0.0]];
+        }
+        if let Some(transform) = &table.transform {
+            if table.repeat.is_some() {
+                return Err(Problem::at(&transform.span, "'transform' beside 'repeat'"));
+            }
+            texture_use.transform = transform.value.map(|row| row.map(|number| number.0 as f32));
+        }
+        texture_use.scale = table.scale.map_or(1.0, |scale| scale.0 as f32);
+        Ok(Some(texture_use))
+    }
+
+    /// The number of one of the scene's own textures.
+    fn named_texture(&self, name: &str, value: &At<TextureValue>) -> Result<usize, Problem> {
+        if let Some(wrap) = &value.0.wrap {
+            return Err(Problem::at(&wrap.span, "'wrap' beside 'texture': it belongs into [textures]"));
+        }
+        if let Some(filter) = &value.0.filter {
+            return Err(Problem::at(&filter.span, "'filter' beside 'texture': it belongs into [textures]"));
+        }
+        self.names.textures.get(name).copied().ok_or_else(|| {
+            let known = || self.names.textures.keys().map(String::as_str);
+            let message = format!("unknown texture '{name}'{}", did_you_mean(name, known()));
+            Problem::at(&value.span, message).help(format!("the textures are: {}", list(known())))
+        })
+    }
+
+    /// The number of the texture of a file, read once.
+    fn texture_of_file(&mut self, source: &TextureSource, span: &Range<usize>) -> Result<usize, Problem> {
+        let key = format!("{source:?}");
+        if let Some(texture) = self.made.textures.get(&key) {
+            return Ok(*texture);
+        }
+        let texture = self.texture(source, span)?;
+        self.scene.textures.push(texture);
+        self.made.textures.insert(key, self.scene.textures.len() - 1);
+        Ok(self.scene.textures.len() - 1)
+    }
+
+    fn texture(&mut self, source: &TextureSource, span: &Range<usize>) -> Result<Texture, Problem> {
+        let TextureSource { file, wrap, filter, srgb } = *source;
+        let bytes = FolderFiles::new(&self.input.base, &self.input.options)
+            .read(file)
+            .map_err(|error| unresolved(file, &error, span))?;
+        self.input.hash.bytes(&bytes);
+        let texture = read_texture(&bytes, file, &self.input.options)
+            .map_err(|error| Problem::at(span, error.to_string()))?;
+        // What all textures of a scene may take together; each alone is limited by its reader.
+        let taken: u64 = self.scene.textures.iter().map(|texture| texture.rgba.len() as u64).sum();
+        if taken + texture.rgba.len() as u64 > self.input.options.max_texture_bytes {
+            let limit = self.input.options.max_texture_bytes;
+            return Err(Problem::at(span, format!("the textures take more than {limit} bytes of memory")));
+        }
+        Ok(Texture { wrap, filter, srgb, ..texture })
+    }
+}

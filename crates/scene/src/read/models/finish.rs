@@ -1,0 +1,110 @@
+//! The last steps of every reader: attributes as [`Mesh`] promises them.
+
+use glam::{DVec3, Vec3, Vec4};
+
+use crate::Mesh;
+use crate::read::notes::Notes;
+
+/// Makes normals and tangents unit vectors.
+///
+/// A normal of length zero says nothing: it is replaced by the area-weighted mean over the faces at
+/// its vertex. If all are zero the mesh has no normals. Tangents of length zero drop all tangents.
+pub(super) fn finish_mesh(mesh: &mut Mesh, notes: &mut Notes) {
+    let mut missing = 0;
+    for normal in &mut mesh.normals {
+        match unit(*normal) {
+            Some(normalized) => *normal = normalized,
+            None => {
+                *normal = Vec3::ZERO;
+                missing += 1;
+            }
+        }
+    }
+    if missing > 0 && missing == mesh.normals.len() {
+        mesh.normals = Vec::new();
+    } else if missing > 0 {
+        notes.add_times(
+            "normals that are missing or of length zero are computed from the faces",
+            missing as u64,
+        );
+        fill_normals(mesh);
+    }
+    finish_tangents(mesh, notes);
+    mesh.positions.shrink_to_fit();
+    mesh.corners.shrink_to_fit();
+}
+
+/// The unit vector of this direction. In double precision, where no float overflows or vanishes.
+fn unit(vector: Vec3) -> Option<Vec3> {
+    vector.as_dvec3().try_normalize().map(|unit| unit.as_vec3())
+}
+
+/// Fills in the normals that are zero.
+fn fill_normals(mesh: &mut Mesh) {
+    let mut sums = vec![DVec3::ZERO; mesh.positions.len()];
+    for [a, b, c] in mesh.triangles() {
+        let [p, q, r] = [a, b, c].map(|index| mesh.positions[index as usize].as_dvec3());
+        let normal = (q - p).cross(r - p);
+        for index in [a, b, c] {
+            sums[index as usize] += normal;
+        }
+    }
+    for (normal, sum) in mesh.normals.iter_mut().zip(sums) {
+        if *normal == Vec3::ZERO {
+            *normal = sum.try_normalize().unwrap_or(DVec3::Z).as_vec3();
+        }
+    }
+}
+
+fn finish_tangents(mesh: &mut Mesh, notes: &mut Notes) {
+    let complete = mesh.tangents.iter_mut().all(|tangent| match unit(tangent.truncate()) {
+        Some(direction) => {
+            *tangent = direction.extend(if tangent.w < 0.0 { -1.0 } else { 1.0 });
+            true
+        }
+        None => false,
+    });
+    if !complete {
+        notes.add("tangents are computed anew since some have length zero");
+        mesh.tangents = Vec::<Vec4>::new();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangle(normals: Vec<Vec3>) -> Mesh {
+        Mesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+            normals,
+            corners: vec![0, 1, 2],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn normals_become_unit_and_zero_ones_are_filled_from_faces() {
+        let mut mesh = triangle(vec![Vec3::X * 1e-30, Vec3::ZERO, Vec3::Y * 1e30]);
+        finish_mesh(&mut mesh, &mut Notes::default());
+        assert_eq!(mesh.normals, [Vec3::X, Vec3::Z, Vec3::Y]);
+    }
+
+    #[test]
+    fn normals_that_are_all_zero_are_none() {
+        let mut mesh = triangle(vec![Vec3::ZERO; 3]);
+        finish_mesh(&mut mesh, &mut Notes::default());
+        assert!(mesh.normals.is_empty());
+    }
+
+    #[test]
+    fn one_zero_tangent_drops_all() {
+        let mut mesh = triangle(Vec::new());
+        mesh.tangents = vec![Vec4::new(2.0, 0.0, 0.0, -0.5); 3];
+        finish_mesh(&mut mesh, &mut Notes::default());
+        assert_eq!(mesh.tangents, [Vec4::new(1.0, 0.0, 0.0, -1.0); 3]);
+        mesh.tangents[1] = Vec4::W;
+        finish_mesh(&mut mesh, &mut Notes::default());
+        assert!(mesh.tangents.is_empty());
+    }
+}

@@ -1,0 +1,325 @@
+//! Materials and textures. The mapping is described in the parent module.
+
+use std::collections::HashMap;
+
+use glanz_bsdf::Shape;
+use glanz_color::Rgb;
+use glanz_color::read::{Place, ReadError, excerpt};
+
+use super::super::context::Context;
+use super::super::model::Model;
+use super::container::load_uri;
+use super::json::{self, TextureInfo};
+use super::layers;
+use super::pbr::{self, PbrMaterial};
+use super::source::Source;
+use crate::read::texture;
+use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
+
+/// The most characters of a texture's name, which every use of its picture carries.
+const MAX_NAME: usize = 256;
+
+impl Source<'_> {
+    /// The set of texture coordinates that a material uses: that of its first texture. There is one
+    /// set in a mesh.
+    pub(super) fn uv_set(&self, material: usize) -> u32 {
+        let Some(material) = self.root.materials.get(material) else { return 0 };
+        maps(material).next().map_or(0, uv_set)
+    }
+}
+
+/// The textures of a material that are applied, the most important first.
+fn maps(material: &json::Material) -> impl Iterator<Item = &TextureInfo> {
+    let pbr = &material.pbr_metallic_roughness;
+    let more = [&pbr.metallic_roughness_texture, &material.emissive_texture];
+    [&pbr.base_color_texture, &material.normal_texture].into_iter().chain(more).flatten()
+}
+
+fn uv_set(info: &TextureInfo) -> u32 {
+    info.extensions.transform.as_ref().and_then(|transform| transform.tex_coord).unwrap_or(info.tex_coord)
+}
+
+/// Reads the materials of these numbers, and their textures.
+pub(super) fn read(
+    source: &Source<'_>,
+    used: &[Option<usize>],
+    model: &mut Model,
+    context: &mut Context<'_>,
+) -> Result<(), ReadError> {
+    let left = context.options.max_texture_bytes;
+    let (known, decoded) = (HashMap::new(), HashMap::new());
+    let mut reader = Reader { source, textures: Vec::new(), known, decoded, left };
+    let standard = json::Material::default();
+    for index in used {
+        let (json, path) = match index {
+            Some(index) => (&source.root.materials[*index], format!("materials[{index}]")),
+            None => (&standard, "the default material".to_owned()),
+        };
+        model.materials.push(reader.material(json, &path, context)?);
+    }
+    model.textures = reader.textures;
+    Ok(())
+}
+
+struct Reader<'a> {
+    source: &'a Source<'a>,
+    textures: Vec<Texture>,
+    /// By number in the file and whether it is a colour.
+    known: HashMap<(usize, bool), usize>,
+    /// The first texture here of each image of the file.
+    decoded: HashMap<usize, usize>,
+    /// Bytes that textures may still take.
+    left: u64,
+}
+
+impl Reader<'_> {
+    fn material(
+        &mut self,
+        json: &json::Material,
+        path: &str,
+        context: &mut Context<'_>,
+    ) -> Result<Material, ReadError> {
+        self.check(json, path)?;
+        let unlit = json.extensions.unlit.is_some();
+        let pbr = &json.pbr_metallic_roughness;
+        let mut material = if unlit {
+            let [r, g, b, _] = pbr.base_color_factor.map(|channel| channel as f32);
+            let shape = Shape::named("emission", &[]).expect("the shape exists");
+            Material::of_lobes(json.name.clone(), vec![Lobe::new(shape, Rgb([r, g, b])).textured()])
+        } else {
+            self.lit(json, path, context)?
+        };
+        self.textures_of(json, unlit, &mut material, path, context)?;
+        material.two_sided = json.double_sided;
+        material.cull_back = !json.double_sided;
+        material.alpha = pbr.base_color_factor[3].min(1.0) as f32;
+        material.alpha_mode = match json.alpha_mode.as_deref() {
+            None | Some("OPAQUE") => AlphaMode::Opaque,
+            Some("MASK") => AlphaMode::Mask { cutoff: json.alpha_cutoff.unwrap_or(0.5) as f32 },
+            Some("BLEND") => AlphaMode::Blend,
+            Some(other) => {
+                let place = Place::Path(format!("{path}.alphaMode"));
+                let found = excerpt(other);
+                return Err(self.source.malformed(place, "OPAQUE, MASK or BLEND", found));
+            }
+        };
+        Ok(material)
+    }
+
+    /// Checks what lit and unlit materials have.
+    fn check(&self, json: &json::Material, path: &str) -> Result<(), ReadError> {
+        let color =
+            ("pbrMetallicRoughness.baseColorFactor", &json.pbr_metallic_roughness.base_color_factor[..]);
+        let cutoff = json.alpha_cutoff.unwrap_or(0.5);
+        for (name, values) in [color, ("alphaCutoff", &[cutoff])] {
+            if !values.iter().all(|value| (0.0..=1e30).contains(value)) {
+                let place = Place::Path(format!("{path}.{name}"));
+                return Err(self.source.malformed(place, "numbers from 0 on", format!("{values:?}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// A lit material, without its textures.
+    fn lit(
+        &mut self,
+        json: &json::Material,
+        path: &str,
+        context: &mut Context<'_>,
+    ) -> Result<Material, ReadError> {
+        let metal = self.mean_metal(json, path, context)?;
+        let pbr = pbr::check(self.source, json, metal, path, context)?;
+        let mut material = Material::of_lobes(json.name.clone(), layers::lobes(&pbr));
+        material.aniso = json.extensions.anisotropy.anisotropy_rotation;
+        material.transmittance = layers::transmittance(&pbr);
+        tell(json, &pbr, context);
+        Ok(material)
+    }
+
+    fn textures_of(
+        &mut self,
+        json: &json::Material,
+        unlit: bool,
+        material: &mut Material,
+        path: &str,
+        context: &mut Context<'_>,
+    ) -> Result<(), ReadError> {
+        let pbr = &json.pbr_metallic_roughness;
+        material.base_color = self.map(pbr.base_color_texture.as_ref(), true, path, context)?;
+        if unlit {
+            return Ok(());
+        }
+        material.normal_map = self.map(json.normal_texture.as_ref(), false, path, context)?;
+        let metal_rough = pbr.metallic_roughness_texture.as_ref();
+        material.metal_rough_map = self.map(metal_rough, false, path, context)?;
+        material.emission_map = self.map(json.emissive_texture.as_ref(), true, path, context)?;
+        context
+            .notes
+            .add_times("glTF: occlusion textures are ignored", u64::from(json.occlusion_texture.is_some()));
+        let mut sets = maps(json).map(uv_set);
+        let first = sets.next();
+        if sets.any(|set| Some(set) != first) {
+            context.notes.add("glTF: all textures of a material use the texture coordinates of the first");
+        }
+        Ok(())
+    }
+
+    /// The mean of the texture that says where metal is.
+    fn mean_metal(
+        &mut self,
+        json: &json::Material,
+        path: &str,
+        context: &Context<'_>,
+    ) -> Result<Option<f64>, ReadError> {
+        let Some(info) = &json.pbr_metallic_roughness.metallic_roughness_texture else { return Ok(None) };
+        let texture = self.texture(info.index, false, path, context)?;
+        let rgba = &self.textures[texture].rgba;
+        let sum: u64 = rgba.chunks_exact(4).map(|texel| u64::from(texel[2])).sum();
+        Ok(Some(sum as f64 * 4.0 / (255.0 * rgba.len() as f64)))
+    }
+
+    /// A texture and how it is applied.
+    fn map(
+        &mut self,
+        info: Option<&TextureInfo>,
+        srgb: bool,
+        path: &str,
+        context: &Context<'_>,
+    ) -> Result<Option<TextureUse>, ReadError> {
+        let Some(info) = info else { return Ok(None) };
+        let texture = self.texture(info.index, srgb, path, context)?;
+        let transform = uv_transform(info);
+        let scale = info.scale.unwrap_or(1.0) as f32;
+        if !transform.as_flattened().iter().chain([&scale]).all(|value| value.is_finite()) {
+            let place = Place::Path(format!("{path}.KHR_texture_transform"));
+            return Err(self.source.malformed(place, "finite numbers", "others"));
+        }
+        Ok(Some(TextureUse { texture, transform, scale }))
+    }
+
+    /// The number here of a texture of the file.
+    fn texture(
+        &mut self,
+        index: usize,
+        srgb: bool,
+        path: &str,
+        context: &Context<'_>,
+    ) -> Result<usize, ReadError> {
+        if let Some(known) = self.known.get(&(index, srgb)) {
+            return Ok(*known);
+        }
+        let source = self.source;
+        let textures = &source.root.textures;
+        let texture = textures.get(index).ok_or_else(|| {
+            let expected = format!("one of {} textures", textures.len());
+            source.malformed(Place::Path(path.to_owned()), expected, format!("texture {index}"))
+        })?;
+        let place = || Place::Path(format!("textures[{index}]"));
+        let image =
+            texture.source.ok_or_else(|| source.malformed(place(), "a source in PNG or JPEG", "none"))?;
+        let picture = self.picture(image, place(), context)?;
+        let sampler = match texture.sampler {
+            Some(sampler) => *source.root.samplers.get(sampler).ok_or_else(|| {
+                let expected = format!("one of {} samplers", source.root.samplers.len());
+                source.malformed(place(), expected, format!("sampler {sampler}"))
+            })?,
+            None => json::Sampler::default(),
+        };
+        let wrap = [wrap(sampler.wrap_s), wrap(sampler.wrap_t)];
+        const NEAREST: u32 = 9728;
+        let filter = match sampler.mag_filter {
+            Some(NEAREST) => TextureFilter::Nearest,
+            _ => TextureFilter::Trilinear,
+        };
+        self.textures.push(Texture { srgb, wrap, filter, ..picture });
+        let number = self.textures.len() - 1;
+        self.known.insert((index, srgb), number);
+        self.decoded.entry(image).or_insert(number);
+        Ok(number)
+    }
+
+    /// The picture of an image of the file, which is decoded only once.
+    fn picture(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
+        let Some(known) = self.decoded.get(&index).map(|known| &self.textures[*known]) else {
+            return self.image(index, user, context);
+        };
+        let size = known.rgba.len() as u64;
+        texture::spend(size, self.source.file, &user, context.options, &mut self.left)?;
+        Ok(known.clone())
+    }
+
+    fn image(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
+        let source = self.source;
+        let images = &source.root.images;
+        let image = images.get(index).ok_or_else(|| {
+            source.malformed(user, format!("one of {} images", images.len()), format!("image {index}"))
+        })?;
+        let place = Place::Path(format!("images[{index}]"));
+        let loaded;
+        let bytes = match (&image.uri, image.buffer_view) {
+            (Some(uri), _) => {
+                loaded = load_uri(uri, place.clone(), context)?;
+                &loaded[..]
+            }
+            (None, Some(view)) => source.buffers.view(source.root, view, source.file)?.0,
+            (None, None) => return Err(source.malformed(place, "a uri or a bufferView", "neither")),
+        };
+        let picture = texture::decode(bytes, source.file, place, context.options, &mut self.left)?;
+        Ok(Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture })
+    }
+}
+
+/// Notes what of a lit material is left out or cannot be had together.
+fn tell(json: &json::Material, pbr: &PbrMaterial, context: &mut Context<'_>) {
+    let notes = &mut context.notes;
+    for name in json.extensions.textures() {
+        notes.add(&format!("glTF: {name} textures are ignored, the factors hold everywhere"));
+    }
+    let has_colors = json.pbr_metallic_roughness.base_color_texture.is_some();
+    let (open, iridescent) = (pbr.open() > 0.0, pbr.iridescence > 0.0);
+    let varies = pbr.metal_varies;
+    let glows = pbr.emission != [0.0; 3];
+    let all = [
+        (
+            iridescent,
+            "glTF: thin films are calculated after Airy, over a base of the real index that its reflectance has",
+        ),
+        (
+            iridescent && has_colors && pbr.metallic > 0.0,
+            "glTF: base colour textures do not change metals under thin films",
+        ),
+        (open && json.extensions.volume.thickness_factor > 0.0, "glTF: volumes do not bend light"),
+        (
+            open && (has_colors || (varies && pbr.metallic > 0.0)),
+            "glTF: textures do not change the transmittance of a surface",
+        ),
+        (varies && pbr.coat > 0.0, "glTF: roughness textures change the clear coat too"),
+        (
+            varies && pbr.anisotropy > 0.0,
+            "glTF: roughness textures multiply both widths of anisotropic highlights",
+        ),
+        (glows && pbr.coat > 0.0, "glTF: clear coats do not dim light of the surface itself"),
+    ];
+    all.into_iter().filter(|(holds, _)| *holds).for_each(|(_, note)| notes.add(note));
+}
+
+fn wrap(code: Option<u32>) -> Wrap {
+    const CLAMP_TO_EDGE: u32 = 33071;
+    const MIRRORED_REPEAT: u32 = 33648;
+    match code {
+        Some(CLAMP_TO_EDGE) => Wrap::Clamp,
+        Some(MIRRORED_REPEAT) => Wrap::Mirror,
+        _ => Wrap::Repeat,
+    }
+}
+
+/// The affine map of texture coordinates. The extension's prose and example turn the coordinates
+/// counter-clockwise as seen with v downwards; its line of GLSL, read by columns, would turn them
+/// the other way. We follow the example, as viewers do.
+fn uv_transform(info: &TextureInfo) -> [[f32; 3]; 2] {
+    let Some(transform) = &info.extensions.transform else { return TextureUse::plain(0).transform };
+    let (sin, cos) = libm::sincos(transform.rotation);
+    let ([scale_u, scale_v], [offset_u, offset_v]) = (transform.scale, transform.offset);
+    [[cos * scale_u, sin * scale_v, offset_u], [-sin * scale_u, cos * scale_v, offset_v]]
+        .map(|row| row.map(|value| value as f32))
+}

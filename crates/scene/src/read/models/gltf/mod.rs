@@ -1,0 +1,140 @@
+//! glTF 2.0, as JSON with buffers and pictures beside it, or in one binary file.
+//!
+//! Read: the default scene with all its nodes, triangles of every mode, sparse and normalised
+//! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
+//! `KHR_texture_transform`, `KHR_mesh_quantization` and of `KHR_materials_…`: `unlit`,
+//! `emissive_strength`, `ior`, `specular`, `clearcoat`, `sheen`, `transmission`, `volume`,
+//! `anisotropy` and `iridescence`. Other extensions are ignored with a note, or refused where the file
+//! requires them. Skins, animations and morph targets are ignored: meshes are drawn as they are
+//! bound.
+//!
+//! # Materials
+//! As Appendix B of the specification (Khronos Group, glTF 2.0, 2021) and the extensions have them.
+//! With α = roughness², p = (1 − v·h)⁵ and f0 = min(((ior − 1)/(ior + 1))² · specularColor, 1):
+//!
+//! - dielectric: `lambert` · base · (1 − F) + `ggx` · specular · (f0 + (1 − f0) p), where F is specular · the
+//!   greatest channel of the same;
+//! - metal: `ggx` · (base + (1 − base) p); both weighed by metallicFactor times the texture's blue;
+//! - sheen: `charlie` of α = sheenRoughness², the rest times 1 − its greatest channel · the greater albedo;
+//! - clear coat: the rest times 1 − c, `ggx` times c = clearcoat · (0.04 + 0.96 (1 − n·v)⁵);
+//! - transmission t: the dielectric's Lambert part times 1 − t, and `ggx-thin-transmission` · base · t (1 − F);
+//! - anisotropy: the width along the tangent, turned by the rotation, is α + (1 − α) strength²;
+//! - iridescence: that fraction of each F is a film's.
+//!
+//! Where it differs:
+//! - Masking is Smith's with correlated heights, as in KHR_materials_anisotropy; the sample code of Appendix B,
+//!   which binds nobody, has the product of both directions.
+//! - Films are Airy's sum at each wavelength with both polarisations, in air, over a base of the real index that
+//!   f0 or the metal's base colour has. The extension takes two orders of it, Schlick's form for the
+//!   boundaries, and three Gaussians for the eye (Belcour and Barla 2017). Textures of the base colour do not
+//!   change a metal below a film. A thickness that a texture says is taken in the middle of its range.
+//! - The transmittance of a surface is neither blurred nor changed by textures. At normal incidence it is
+//!   base · t (1 − F); towards grazing light a pane with that reflectance goes by Fresnel's law and its colour
+//!   deepens. Volumes absorb by their `thicknessFactor`, half at each face where both sides are drawn, and do
+//!   not bend light.
+//! - A roughness texture multiplies the widths of the clear coat too, and both widths where they differ.
+//! - A clear coat does not dim light of the surface itself.
+//! - Textures of the extensions and occlusion textures are ignored.
+//!
+//! All of these but the first are noted where they matter. Ambient light, which glTF does not have, finds the
+//! base colour less what passes through, of metals nothing; a texture of metal counts by its mean. An unlit
+//! material is emission alone. Factors above 1 count as 1; negative ones are refused.
+//!
+//! # Lights
+//! A light of intensity I (candela, or lux where directional) on a white Lambert surface facing it
+//! at 1 m gives I/π; a classic light of value 1 gives 1. So the classic value is I·colour/π, fading
+//! by the inverse square law. Lights and cameras look along −z of their node. Ranges are ignored.
+//!
+//! The JSON is read into types of this module's own: the validation of the usual crate panics on
+//! indices out of range.
+
+mod accessor;
+mod budget;
+mod container;
+mod extensions;
+mod json;
+mod layers;
+mod material;
+mod nodes;
+mod pbr;
+mod primitive;
+mod source;
+
+use glanz_color::read::{Place, ReadError, excerpt};
+
+use super::context::Context;
+use super::model::Model;
+use budget::Budget;
+use container::Buffers;
+use json::Root;
+use source::Source;
+
+/// Extensions that are read.
+const SUPPORTED: [&str; 13] = [
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
+    "KHR_materials_anisotropy",
+    "KHR_materials_iridescence",
+    "KHR_texture_transform",
+    "KHR_mesh_quantization",
+];
+
+/// Reads a file.
+pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, ReadError> {
+    let (json, binary) = container::split(bytes, context.file)?;
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let root: Root = serde_json::from_slice(json).map_err(|error| json_error(&error, context.file))?;
+    check_version(&root, context)?;
+    let buffers = Buffers::load(&root, binary, context)?;
+    let source = Source { file: context.file, root: &root, buffers: &buffers };
+    let mut budget = Budget::new(bytes.len() as u64 + buffers.total());
+    let mut model = Model::default();
+    let mut builder = primitive::Builder::new(&source, &mut budget);
+    nodes::read(&source, &mut builder, &mut model, &mut context.notes)?;
+    let used = builder.finish(&mut model);
+    material::read(&source, &used, &mut model, context)?;
+    if model.objects.is_empty() {
+        context.notes.add("the scene holds no triangles: nothing can be drawn");
+    }
+    if !root.animations.is_empty() {
+        context.notes.add_times("animations are ignored", root.animations.len() as u64);
+    }
+    Ok(model)
+}
+
+fn json_error(error: &serde_json::Error, file: &str) -> ReadError {
+    let place = Place::Column { line: error.line() as u64, column: error.column() as u64 };
+    // The message of the parser says what it expected and found, and repeats the place.
+    let text = error.to_string();
+    let found = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
+    ReadError::malformed(file, place, "glTF 2.0 as JSON", found)
+}
+
+fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError> {
+    let version = &root.asset.version;
+    let path = |path: &str| Place::Path(path.to_owned());
+    if version != "2" && !version.starts_with("2.") {
+        let found = excerpt(version);
+        return Err(ReadError::unsupported(context.file, path("asset.version"), "version 2 of glTF", found));
+    }
+    let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
+    if let Some(name) = root.extensions_required.iter().find(unknown) {
+        let expected = format!("only extensions of {}", SUPPORTED.join(", "));
+        let found = excerpt(name);
+        return Err(ReadError::unsupported(context.file, path("extensionsRequired"), expected, found));
+    }
+    for name in root.extensions_used.iter().filter(unknown) {
+        context.notes.add(&format!("glTF: the extension {name} is ignored"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+pub(in crate::read) mod tests;

@@ -1,0 +1,261 @@
+//! Nodes: where meshes, lights and cameras are placed.
+
+use glam::{DMat4, DQuat, DVec3};
+use glanz_color::Rgb;
+use glanz_color::read::{Place, ReadError, excerpt};
+
+use super::super::model::Model;
+use super::json::{self, Node};
+use super::primitive::Builder;
+use super::source::Source;
+use crate::read::notes::Notes;
+use crate::{Attenuation, Camera, Light, LightColors, LightKind, Object, Projection};
+
+/// Reads the default scene, or all nodes where there is none.
+pub(super) fn read(
+    source: &Source<'_>,
+    builder: &mut Builder<'_>,
+    model: &mut Model,
+    notes: &mut Notes,
+) -> Result<(), ReadError> {
+    let nodes = &source.root.nodes;
+    // Nodes are a forest: one that is met twice is its own ancestor or has two parents.
+    let mut seen = vec![false; nodes.len()];
+    let roots = roots(source, notes)?;
+    let mut stack: Vec<(usize, DMat4, Option<usize>)> =
+        roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY, None)).collect();
+    while let Some((index, parent_transform, parent)) = stack.pop() {
+        let place = || match parent {
+            Some(parent) => Place::Path(format!("nodes[{parent}].children")),
+            None => Place::Path("scenes".to_owned()),
+        };
+        let node = nodes.get(index).ok_or_else(|| {
+            source.malformed(place(), format!("one of {} nodes", nodes.len()), format!("node {index}"))
+        })?;
+        if std::mem::replace(&mut seen[index], true) {
+            let found = format!("node {index}, which is one already");
+            return Err(source.malformed(place(), "nodes that are no part of the scene yet", found));
+        }
+        let transform = parent_transform * local(node);
+        if !transform.is_finite() {
+            let place = Place::Path(format!("nodes[{index}]"));
+            return Err(source.malformed(place, "a finite transform", "one that is not"));
+        }
+        stack.extend(node.children.iter().rev().map(|&child| (child, transform, Some(index))));
+        Visit { source, index, node, transform }.add(builder, model, notes)?;
+    }
+    Ok(())
+}
+
+/// The nodes at the top.
+fn roots(source: &Source<'_>, notes: &mut Notes) -> Result<Vec<usize>, ReadError> {
+    let root = source.root;
+    if root.scenes.is_empty() {
+        let mut is_child = vec![false; root.nodes.len()];
+        for &child in root.nodes.iter().flat_map(|node| &node.children) {
+            if let Some(flag) = is_child.get_mut(child) {
+                *flag = true;
+            }
+        }
+        return Ok((0..root.nodes.len()).filter(|&node| !is_child[node]).collect());
+    }
+    notes.add_times("glTF: scenes other than the default one are ignored", root.scenes.len() as u64 - 1);
+    let index = root.scene.unwrap_or(0);
+    root.scenes.get(index).map(|scene| scene.nodes.clone()).ok_or_else(|| {
+        let expected = format!("one of {} scenes", root.scenes.len());
+        source.malformed(Place::Path("scene".to_owned()), expected, format!("scene {index}"))
+    })
+}
+
+/// The transform of a node to its parent.
+fn local(node: &Node) -> DMat4 {
+    if let Some(matrix) = &node.matrix {
+        let mut matrix = DMat4::from_cols_array(matrix);
+        // Transforms are affine; what rounding left in the last row is taken out.
+        (matrix.x_axis.w, matrix.y_axis.w, matrix.z_axis.w, matrix.w_axis.w) = (0.0, 0.0, 0.0, 1.0);
+        return matrix;
+    }
+    let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
+    // A quaternion of length zero rotates nothing.
+    let length = rotation.length();
+    let rotation = if length > 0.0 { rotation * (1.0 / length) } else { DQuat::IDENTITY };
+    DMat4::from_scale_rotation_translation(
+        node.scale.map_or(DVec3::ONE, DVec3::from),
+        rotation,
+        node.translation.map_or(DVec3::ZERO, DVec3::from),
+    )
+}
+
+/// A node on the way through the scene.
+struct Visit<'a> {
+    source: &'a Source<'a>,
+    index: usize,
+    node: &'a Node,
+    /// To the world.
+    transform: DMat4,
+}
+
+impl Visit<'_> {
+    fn path(&self, field: &str) -> String {
+        format!("nodes[{}].{field}", self.index)
+    }
+
+    /// Adds what is at the node.
+    fn add(&self, builder: &mut Builder<'_>, model: &mut Model, notes: &mut Notes) -> Result<(), ReadError> {
+        if let Some(mesh) = self.node.mesh {
+            self.add_objects(mesh, builder, model, notes)?;
+        }
+        if let Some(camera) = self.node.camera {
+            self.add_camera(camera, builder, model)?;
+        }
+        if let Some(light) = &self.node.extensions.light {
+            self.add_light(light.light, builder, model, notes)?;
+        }
+        notes.add_times("glTF: skins are ignored", u64::from(self.node.skin.is_some()));
+        Ok(())
+    }
+
+    fn add_objects(
+        &self,
+        mesh: usize,
+        builder: &mut Builder<'_>,
+        model: &mut Model,
+        notes: &mut Notes,
+    ) -> Result<(), ReadError> {
+        let path = self.path("mesh");
+        let count = builder.mesh(mesh, &path, notes)?.len() as u64;
+        let name = match self.node.name.is_empty() {
+            true => &self.source.root.meshes[mesh].name,
+            false => &self.node.name,
+        };
+        builder.spend(count * (size_of::<Object>() + name.len()) as u64, || path.clone())?;
+        model.objects.extend(builder.mesh(mesh, &path, notes)?.iter().map(|&(mesh, material)| Object {
+            name: name.clone(),
+            mesh,
+            material,
+            transform: self.transform,
+            shading: None,
+            interpolation: None,
+        }));
+        Ok(())
+    }
+
+    /// The direction in the world that the node looks along.
+    fn forward(&self, field: &str) -> Result<DVec3, ReadError> {
+        self.transform.transform_vector3(DVec3::NEG_Z).try_normalize().ok_or_else(|| {
+            let place = Place::Path(self.path(field));
+            self.source.malformed(place, "a node that is not scaled to nothing", "one that is")
+        })
+    }
+
+    fn add_camera(
+        &self,
+        index: usize,
+        builder: &mut Builder<'_>,
+        model: &mut Model,
+    ) -> Result<(), ReadError> {
+        let source = self.source;
+        let camera = source.root.cameras.get(index).ok_or_else(|| {
+            let expected = format!("one of {} cameras", source.root.cameras.len());
+            source.malformed(Place::Path(self.path("camera")), expected, format!("camera {index}"))
+        })?;
+        let projection = projection(camera).ok_or_else(|| {
+            let expected = "a perspective with a yfov between 0 and π, or an orthographic with a ymag";
+            source.malformed(Place::Path(format!("cameras[{index}]")), expected, "neither")
+        })?;
+        let eye = self.transform.w_axis.truncate();
+        let target = eye + self.forward("camera")?;
+        let up = self.transform.transform_vector3(DVec3::Y).try_normalize().unwrap_or(DVec3::Y);
+        let name = if camera.name.is_empty() { &self.node.name } else { &camera.name };
+        builder.spend((size_of::<Camera>() + name.len()) as u64, || self.path("camera"))?;
+        model.cameras.push((name.clone(), Camera { eye, target, up, projection }));
+        Ok(())
+    }
+
+    fn add_light(
+        &self,
+        index: usize,
+        builder: &mut Builder<'_>,
+        model: &mut Model,
+        notes: &mut Notes,
+    ) -> Result<(), ReadError> {
+        let source = self.source;
+        let lights = &source.root.extensions.lights.lights;
+        let light = lights.get(index).ok_or_else(|| {
+            let expected = format!("one of {} lights", lights.len());
+            let place = self.path("extensions.KHR_lights_punctual.light");
+            source.malformed(Place::Path(place), expected, format!("light {index}"))
+        })?;
+        let wrong = |expected: &str, found: String| {
+            let place = format!("extensions.KHR_lights_punctual.lights[{index}]");
+            source.malformed(Place::Path(place), expected, found)
+        };
+        let kind = self.light_kind(light, wrong)?;
+        let strength = light.intensity.unwrap_or(1.0) / std::f64::consts::PI;
+        let color = light.color.unwrap_or([1.0; 3]).map(|channel| (channel * strength) as f32);
+        if !color.iter().all(|channel| channel.is_finite() && *channel >= 0.0) {
+            return Err(wrong("a colour and an intensity from 0 on", format!("{color:?}")));
+        }
+        notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
+        let name = if light.name.is_empty() { &self.node.name } else { &light.name };
+        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
+        let colors = LightColors::direct(Rgb(color));
+        model.lights.push(Light { name: name.clone(), ..Light::new(kind, colors) });
+        Ok(())
+    }
+
+    /// The geometry of a light at the node.
+    fn light_kind(
+        &self,
+        light: &json::Light,
+        wrong: impl Fn(&str, String) -> ReadError,
+    ) -> Result<LightKind, ReadError> {
+        let position = self.transform.w_axis.truncate();
+        let (direction, attenuation) = (self.forward("light")?, Attenuation::PHYSICAL);
+        Ok(match light.kind.as_str() {
+            "directional" => LightKind::Directional { direction },
+            "point" => LightKind::Point { position, attenuation },
+            "spot" => {
+                let (inner, outer) = cone(light)
+                    .ok_or_else(|| wrong("cone angles with 0 ≤ inner < outer ≤ π/2", "others".to_owned()))?;
+                let smooth_edge = Some((libm::cos(inner), libm::cos(outer)));
+                LightKind::Spot {
+                    position,
+                    direction,
+                    cutoff: outer,
+                    exponent: 0.0,
+                    smooth_edge,
+                    attenuation,
+                }
+            }
+            other => {
+                let found = excerpt(other);
+                return Err(wrong("the type directional, point or spot", found));
+            }
+        })
+    }
+}
+
+/// The cone's inner and outer half angle, in radians.
+fn cone(light: &json::Light) -> Option<(f64, f64)> {
+    let spot = light.spot.as_ref();
+    let inner = spot.map_or(0.0, |spot| spot.inner_cone_angle);
+    let outer = spot.and_then(|spot| spot.outer_cone_angle).unwrap_or(std::f64::consts::FRAC_PI_4);
+    // Exporters round π/2 in single precision, upwards.
+    let right_angle = f64::from(std::f32::consts::FRAC_PI_2);
+    (0.0 <= inner && inner < outer && outer <= right_angle).then_some((inner, outer))
+}
+
+fn projection(camera: &json::Camera) -> Option<Projection> {
+    match (camera.kind.as_str(), &camera.perspective, &camera.orthographic) {
+        ("perspective", Some(perspective), _) => {
+            let fov_y = perspective.yfov;
+            (fov_y > 0.0 && fov_y < std::f64::consts::PI).then_some(Projection::Perspective { fov_y })
+        }
+        ("orthographic", _, Some(orthographic)) => {
+            let height = 2.0 * orthographic.ymag.abs();
+            (height > 0.0 && height.is_finite()).then_some(Projection::Orthographic { height })
+        }
+        _ => None,
+    }
+}
