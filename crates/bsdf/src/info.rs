@@ -75,7 +75,7 @@ pub struct ModelInfo {
     /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. Only environments
     /// and areas show in it, not punctual lights: its `f_cos` is 0.
     pub delta: bool,
-    /// About how many arithmetic operations one evaluation takes with the default parameters: sums, products, quotients,
+    /// About how many arithmetic operations one evaluation of a pair takes with the default parameters: sums, products, quotients,
     /// roots and choices as 1, a logarithm as 24, an exponential as 20. A test counts them.
     pub operations: u32,
     /// Laws that it breaks, each with the reason.

@@ -29,10 +29,7 @@ impl Angle {
     fn cosine<R: Real>(self, pair: &DirectionPair<R>) -> R {
         match self {
             Self::Half => pair.cos_view_half(),
-            Self::HalfThrough => {
-                let height = pair.cos_o * pair.cos_i;
-                DirectionPair { cos_io: pair.cos_io - height - height, ..*pair }.cos_view_half()
-            }
+            Self::HalfThrough => pair.mirrored().cos_view_half(),
             Self::View => pair.cos_o.abs(),
         }
     }
