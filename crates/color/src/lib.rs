@@ -26,7 +26,7 @@ pub use display::tone_map::ToneMap;
 #[cfg(feature = "exr")]
 pub use file::exr;
 pub use file::{read, write};
-pub use lights::{LightInfo, light, lights};
+pub use lights::{DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, light, lights, planck};
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{
     adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, temperature,
