@@ -37,6 +37,18 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("../.
 /// Names are those of [`lights`], in capital or small letters; names joined by `+` are a mixture in which
 /// each part has the same radiant power within 300 … 780 nm.
 ///
+/// ```
+/// use glanz_color::light;
+///
+/// assert_eq!(light("D65")?.at(560.0), 1.0);
+/// // A lamp for fluorescence: as much ultraviolet as daylight.
+/// let mixture = light("D65 + UV365")?;
+/// assert!((mixture.integral() / light("D65")?.integral() - 1.0).abs() < 1e-12);
+/// let error = light("FL22").unwrap_err();
+/// assert_eq!(error.to_string(), "there is no light 'FL22'; did you mean 'FL2' or 'FL12'?");
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`UnknownName`] suggests near names, or says which numbers are possible.

@@ -4,6 +4,16 @@
 //! temperature (a black body below 5000 K, a phase of daylight from there), the difference in CIE 1964
 //! U\*V\*W\* after von Kries's adaptation in CIE 1960 u, v; Rᵢ = 100 − 4.6 ΔEᵢ. Sums are those of the grid,
 //! every 5 nm; light below 360 nm, which is not seen, does not count.
+//!
+//! ```
+//! use glanz_color::cri::color_rendering;
+//! use glanz_color::light;
+//!
+//! // The general index of a fluorescent lamp is 64 (CIE 15), that of a lamp with a filament 100.
+//! assert!((color_rendering(&light("FL2")?)?.ra - 64.0).abs() < 0.5);
+//! assert!((color_rendering(&light("A")?)?.ra - 100.0).abs() < 0.1);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::lights::daylight;
 use crate::lights::formulas::blackbody;

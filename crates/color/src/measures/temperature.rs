@@ -1,4 +1,16 @@
 //! Colour temperature: the Planckian locus, correlated colour temperature and the distance from it.
+//!
+//! ```
+//! use glanz_color::chromaticity::Chromaticity;
+//! use glanz_color::light;
+//! use glanz_color::temperature::color_temperature;
+//!
+//! let fl2 = Chromaticity::of_light(&light("FL2")?).expect("it is seen");
+//! let found = color_temperature(fl2).expect("it is nearly white");
+//! // CIE 15 gives 4230 K; a little above the locus.
+//! assert!((found.cct_k - 4224.7).abs() < 1.0 && (found.duv - 0.0018).abs() < 1e-4);
+//! # Ok::<_, glanz_color::UnknownName>(())
+//! ```
 
 use std::sync::LazyLock;
 

@@ -8,6 +8,16 @@ use super::space::{D65_XY, D65_XYZ};
 /// CIE 1931 tristimulus values relative to white: Y = 1 for the white D65 of all models.
 ///
 /// Not bounded; light may be brighter than white.
+///
+/// ```
+/// use glanz_color::models::{ColorModel, Srgb, XyY, Xyz};
+///
+/// // The green of sRGB has the luminance 0.7152 and the chromaticity 0.30, 0.60.
+/// let Xyz([_, luminance, _]) = Srgb([0.0, 1.0, 0.0]).to_xyz();
+/// assert!((luminance - 0.7152).abs() < 5e-5);
+/// let XyY([x, y, _]) = Srgb([0.0, 1.0, 0.0]).to();
+/// assert!((x - 0.30).abs() < 1e-12 && (y - 0.60).abs() < 1e-12);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Xyz(pub [f64; 3]);
 
