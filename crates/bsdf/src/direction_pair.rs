@@ -47,6 +47,19 @@ impl<R: Real> DirectionPair<R> {
 
     /// The pair for models that do not read the tangent: the cosine to the normal of each of two unit vectors, and the
     /// vectors in any frame.
+    ///
+    /// ```
+    /// use glanz_bsdf::DirectionPair;
+    /// use glanz_math::Vec3;
+    ///
+    /// // Among the world's axes, on a slope: viewer and light low on both sides of it.
+    /// let normal = Vec3::new(0.6_f32, 0.8, 0.0);
+    /// let (wo, wi) = (Vec3::new(0.8016_f32, -0.5979, 0.0), Vec3::new(-0.799, 0.6013, 0.0));
+    /// let pair = DirectionPair::between((normal.dot(wo), wo), (normal.dot(wi), wi));
+    /// // wo + wi is (0.0026, 0.0034, 0), which is the normal times 0.00428.
+    /// assert!((pair.half2.sqrt() - 0.00428).abs() < 1e-6);
+    /// assert!((pair.cos_half() - 1.0).abs() < 1e-3);
+    /// ```
     #[inline(always)]
     pub fn between((cos_o, wo): (R, Vec3<R>), (cos_i, wi): (R, Vec3<R>)) -> Self {
         let mut pair = Self::isotropic(cos_o, cos_i, wo.dot(wi));
@@ -89,6 +102,16 @@ impl<R: Real> DirectionPair<R> {
     }
 
     /// R·wo, where R is `wi` mirrored about the normal: 2 (n·wi)(n·wo) − wi·wo.
+    ///
+    /// ```
+    /// use glanz_bsdf::DirectionPair;
+    ///
+    /// // Viewer along the normal, light 60° off it: the mirrored light is 60° off the viewer.
+    /// let pair = DirectionPair::isotropic(1.0_f64, 0.5, 0.5);
+    /// assert_eq!(pair.cos_mirror(), 0.5);
+    /// // The half vector is 30° off both.
+    /// assert!((pair.cos_half() - 0.75_f64.sqrt()).abs() < 1e-15);
+    /// ```
     #[inline(always)]
     pub fn cos_mirror(&self) -> R {
         let half = self.cos_i * self.cos_o;

@@ -53,6 +53,17 @@ impl ParamInfo {
 }
 
 /// All that is known of a model without evaluating it.
+///
+/// ```
+/// use glanz_bsdf::{Law, MODELS};
+///
+/// let phong = MODELS.iter().find(|info| info.name == "phong").expect("it is in the list");
+/// assert_eq!(phong.formula, "max(R·wo, 0)ⁿ / π where cosθi > 0");
+/// let [shininess] = phong.params else { panic!("it has one parameter") };
+/// assert!(shininess.accepts(1e5) && !shininess.accepts(-1.0) && !shininess.accepts(f64::NAN));
+/// // It says that it breaks the law of reciprocity, and why.
+/// assert!(phong.exempt.iter().any(|(law, _)| *law == Law::Reciprocity));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelInfo {
     /// Its name in files and on the command line.
