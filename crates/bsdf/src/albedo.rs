@@ -33,6 +33,18 @@ const POINTS: usize = 6;
 
 /// The directional albedo for a view in the plane of normal and tangent: [`albedo_at`] with azimuth 0. It is all
 /// that there is to know of a model that is not anisotropic.
+///
+/// ```
+/// use glanz_bsdf::{Shape, albedo};
+///
+/// // Lambert's surface reflects all light, whatever the view.
+/// let lambert = Shape::named("lambert", &[])?;
+/// assert!((albedo(&lambert, 0.3) - 1.0).abs() < 1e-5);
+/// // Phong's highlight of exponent n along the normal reflects 2/(n+1).
+/// let phong = Shape::named("phong", &[("shininess", 9.0)])?;
+/// assert!((albedo(&phong, 1.0) - 0.2).abs() < 2e-5);
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
 pub fn albedo(shape: &Shape, cos_o: f64) -> f64 {
     albedo_at(shape, cos_o, 0.0)
 }
@@ -47,6 +59,16 @@ pub fn albedo(shape: &Shape, cos_o: f64) -> f64 {
 /// The error is below 2e-5 for Phong's exponents from 1 to 10⁵ and below 2e-4 between 0 and 1, where the lobe
 /// has an infinite slope at its edge. For anisotropic models the grid is in the slopes of the half vector
 /// along tangent and bitangent, which is where a lobe that is narrow one way only lies along the grid.
+///
+/// ```
+/// use glanz_bsdf::{Shape, albedo_at};
+///
+/// // Brushed metal by Ward's model, rough across the tangent: a flat view across it gets more light.
+/// let ward = Shape::named("ward", &[("alpha", 0.05), ("alpha_y", 0.4)])?;
+/// let (along, across) = (albedo_at(&ward, 0.2, 0.0), albedo_at(&ward, 0.2, std::f64::consts::FRAC_PI_2));
+/// assert!(across > 1.8 * along);
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
 pub fn albedo_at(shape: &Shape, cos_o: f64, azimuth: f64) -> f64 {
     directional(shape.info(), shape.eta(), (cos_o, azimuth), |pair| shape.f_cos(pair))
 }

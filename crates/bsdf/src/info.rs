@@ -53,6 +53,17 @@ impl ParamInfo {
 }
 
 /// All that is known of a model without evaluating it.
+///
+/// ```
+/// use glanz_bsdf::{Law, MODELS};
+///
+/// let phong = MODELS.iter().find(|info| info.name == "phong").expect("it is in the list");
+/// assert_eq!(phong.formula, "max(R·wo, 0)ⁿ / π where cosθi > 0");
+/// let [shininess] = phong.params else { panic!("it has one parameter") };
+/// assert!(shininess.accepts(1e5) && !shininess.accepts(-1.0) && !shininess.accepts(f64::NAN));
+/// // It says that it breaks the law of reciprocity, and why.
+/// assert!(phong.exempt.iter().any(|(law, _)| *law == Law::Reciprocity));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelInfo {
     /// Its name in files and on the command line.
@@ -75,7 +86,7 @@ pub struct ModelInfo {
     /// Whether it is a delta lobe, which sends light into a single direction as a mirror does. Only environments
     /// and areas show in it, not punctual lights: its `f_cos` is 0.
     pub delta: bool,
-    /// About how many arithmetic operations one evaluation takes with the default parameters: sums, products, quotients,
+    /// About how many arithmetic operations one evaluation of a pair takes with the default parameters: sums, products, quotients,
     /// roots and choices as 1, a logarithm as 24, an exponential as 20. A test counts them.
     pub operations: u32,
     /// Laws that it breaks, each with the reason.

@@ -1,4 +1,20 @@
 //! The list of models, and what follows from it.
+//!
+//! ```
+//! use glanz_bsdf::models::{ggx::Ggx, ward::Ward};
+//! use glanz_bsdf::{Model, MODELS, Shape, Side};
+//!
+//! // By the list: every model that reflects, and knows a tangent.
+//! let brushed = MODELS.iter().filter(|info| info.anisotropic && info.side == Side::Reflection);
+//! assert!(brushed.clone().any(|info| info.name == "ward"));
+//! // By type, for code that is compiled for one model.
+//! let ward = Ward::with_params(&[("alpha", 0.05), ("alpha_y", 0.16)])?;
+//! assert!(ward.is_anisotropic());
+//! // As a shape, whichever model it is.
+//! let shapes = [Shape::Ward(ward), Shape::Ggx(Ggx::with_params(&[])?)];
+//! assert_eq!(shapes.map(|shape| shape.id()), [30, 10]);
+//! # Ok::<(), glanz_bsdf::ParamError>(())
+//! ```
 
 use glanz_math::names::nearest;
 use glanz_math::{Real, Vec3};
@@ -234,6 +250,17 @@ impl Shape {
     }
 
     /// The shape called `name`, with the parameters in `set` and the defaults for the others.
+    ///
+    /// ```
+    /// use glanz_bsdf::Shape;
+    ///
+    /// let gold = Shape::named("ggx", &[("alpha", 0.15)])?;
+    /// assert_eq!(gold.info().title, "GGX (Walter 2007, Heitz 2014) that keeps its energy");
+    /// assert_eq!(gold.params(), [0.15, 0.0, 1.0]);
+    /// let error = Shape::named("blin-phong", &[]).unwrap_err();
+    /// assert_eq!(error.to_string(), "unknown model 'blin-phong'; did you mean 'blinn-phong'?");
+    /// # Ok::<(), glanz_bsdf::ParamError>(())
+    /// ```
     ///
     /// # Errors
     ///

@@ -3,6 +3,25 @@
 //!
 //! One grid for all spectra, 300 to 780 nm by 5 nm ([`Spectrum`]); f64 throughout; only pure-Rust functions,
 //! so that numbers are the same on every machine.
+//!
+//! ```
+//! use glanz_color::colorimetry::DisplayColor;
+//! use glanz_color::difference::ciede2000;
+//! use glanz_color::models::{Lab, Xyz};
+//! use glanz_color::{Observer, ior, light, xyz_of_light, xyz_of_reflectance};
+//!
+//! // Gold along the normal under a tungsten lamp, for the CIE 1931 observer.
+//! let (a, observer) = (light("A")?, Observer::default());
+//! let white = xyz_of_light(&a, &observer);
+//! let gold = xyz_of_reflectance(&ior("gold")?.normal_reflectance(), &a, &observer);
+//! // As it looks to an eye that is adapted to the lamp, on a display.
+//! let color = DisplayColor::adapted(gold, white).expect("the lamp is seen by all cones");
+//! assert_eq!(color.hex(), "#ffe1a1");
+//! // It is far from white.
+//! let difference = ciede2000(Lab::for_white(Xyz(gold), Xyz(white)), Lab([100.0, 0.0, 0.0]));
+//! assert!(difference > 20.0);
+//! # Ok::<_, glanz_color::UnknownName>(())
+//! ```
 
 mod algebra;
 mod catalog;
@@ -26,7 +45,7 @@ pub use display::tone_map::ToneMap;
 #[cfg(feature = "exr")]
 pub use file::exr;
 pub use file::{read, write};
-pub use lights::{LightInfo, light, lights};
+pub use lights::{DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, light, lights, planck};
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{
     adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, temperature,

@@ -1,6 +1,6 @@
 //! What laws judge: a shape, or any function of two directions with a description.
 
-use glanz_math::{Lanes, Real, SimdLevel, Vec3, at_level};
+use glanz_math::{Lanes, SimdLevel, Vec3, at_level};
 
 use crate::{DirectionPair, LightTerm, ModelInfo, Shape, Side};
 
@@ -103,7 +103,7 @@ impl Subject for Shape {
         let level = SimdLevel::named(level).ok()?;
         let column =
             |get: fn(&DirectionPair<f32>) -> f32| -> [f32; 16] { core::array::from_fn(|i| get(&pairs[i])) };
-        let cosines = [column(|p| p.cos_o), column(|p| p.cos_i), column(|p| p.cos_io)];
+        let cosines = [column(|p| p.cos_o), column(|p| p.cos_i), column(|p| p.cos_io), column(|p| p.half2)];
         let tangents = [
             column(|p| p.tangent_o.0),
             column(|p| p.tangent_o.1),
@@ -112,10 +112,14 @@ impl Subject for Shape {
         ];
         let mut values = [0.0; 16];
         at_level!(level, simd => {
-            let [cos_o, cos_i, cos_io] = cosines.map(|c| Lanes::load(simd, &c));
+            let [cos_o, cos_i, cos_io, half2] = cosines.map(|c| Lanes::load(simd, &c));
             let [ox, oy, ix, iy] = tangents.map(|t| Lanes::load(simd, &t));
-            let alpha_scale = cos_o.one();
-            let pair = DirectionPair { cos_o, cos_i, cos_io, tangent_o: (ox, oy), tangent_i: (ix, iy), alpha_scale };
+            let pair = DirectionPair {
+                half2,
+                tangent_o: (ox, oy),
+                tangent_i: (ix, iy),
+                ..DirectionPair::isotropic(cos_o, cos_i, cos_io)
+            };
             self.f_cos(&pair).store(&mut values);
         });
         Some(values)

@@ -6,6 +6,17 @@ use crate::ModelInfo;
 
 /// A law that lobes are judged by. A model may be exempt from a law, with a reason
 /// ([`ModelInfo::exempt`](crate::ModelInfo::exempt)).
+///
+/// ```
+/// use glanz_bsdf::Shape;
+/// use glanz_bsdf::laws::{Law, judge};
+///
+/// // Below the exponent 1 Phong's highlight reflects more than arrives: 2/(n+1) along the normal.
+/// let finding = judge(Law::Energy, &Shape::named("phong", &[("shininess", 0.5)])?);
+/// assert!(finding.is_broken());
+/// assert!((finding.value.expect("it was measured") - 4.0 / 3.0).abs() < 1e-3);
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// f(wo, wi) = f(wi, wo).

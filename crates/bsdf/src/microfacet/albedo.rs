@@ -12,6 +12,15 @@ use crate::terms::smith_g2;
 ///
 /// Quadrature over the cumulative distribution of the facets, within 5e-4: dωi = 4 (wo·h) dωh, and D (n·h) dωh is its
 /// differential.
+///
+/// ```
+/// use glanz_bsdf::microfacet::{GgxDistribution, smith_albedo};
+///
+/// // Along the normal a smooth surface reflects nearly all light at its first facet, the roughest a third of it: the rest
+/// // meets a second one.
+/// let at = |alpha: f64| smith_albedo::<GgxDistribution>((alpha, alpha), 1.0, 0.0);
+/// assert!(at(0.1) > 0.98 && (at(1.0) - (1.0 - std::f64::consts::LN_2)).abs() < 1e-5);
+/// ```
 pub fn smith_albedo<D: Distribution>(alpha: (f64, f64), cos_o: f64, azimuth: f64) -> f64 {
     // E is even in the azimuth where wo lies in a plane of symmetry: half of the circle is enough.
     let even = alpha.0 == alpha.1 || azimuth == 0.0;

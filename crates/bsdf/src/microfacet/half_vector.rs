@@ -21,8 +21,7 @@ impl<R: Real> HalfVector<R> {
     #[inline(always)]
     pub fn new(pair: &DirectionPair<R>) -> Self {
         let up2 = (pair.cos_o + pair.cos_i).sqr().max(pair.cos_o.lit(1e-12));
-        let length2 = ((pair.cos_io + pair.cos_io.one()) * pair.cos_io.lit(2.0)).max(up2);
-        Self { up2, length2 }
+        Self { up2, length2: pair.half2.max(up2) }
     }
 
     /// The tangential part of H in parts of the widths, squared. `inverse2` is (1/αx², 1/αy²); where both are equal

@@ -71,7 +71,7 @@ fn a_single_reflection_is_the_product_of_its_terms<D: Distribution>() {
 fn equal_widths_read_no_tangent<D: Distribution>() {
     let (one, two) = (smith::<D>(0.3, 0.0, 1.0), smith::<D>(0.3, 0.3, 1.0));
     for (wo, wi) in directions() {
-        let bare = DirectionPair::isotropic(wo.z, wi.z, wo.dot(wi));
+        let bare = DirectionPair::between((wo.z, wo), (wi.z, wi));
         assert_eq!(one.f_cos(&bare), one.f_cos(&DirectionPair::new(wo, wi)));
         assert_eq!(one.f_cos(&bare), two.f_cos(&bare));
     }

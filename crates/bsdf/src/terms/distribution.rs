@@ -32,6 +32,18 @@ pub fn d_beckmann<R: Real>(h: Vec3<R>, alpha: (R, R)) -> R {
 /// T. S. Trowbridge and K. P. Reitz, Average irregularity representation of a rough surface for ray reflection,
 /// 1975; named GGX by B. Walter, S. R. Marschner, H. Li and K. E. Torrance, Microfacet Models for Refraction through
 /// Rough Surfaces, 2007. `h` of length 1, its z > 0.
+///
+/// ```
+/// use glanz_bsdf::terms::d_ggx;
+/// use glanz_math::Vec3;
+///
+/// // 1/(π α²) along the normal.
+/// let (normal, alpha) = (Vec3::new(0.0, 0.0, 1.0), (0.5_f64, 0.5));
+/// assert!((d_ggx(normal, alpha) * std::f64::consts::PI * 0.25 - 1.0).abs() < 1e-12);
+/// // All facets together have the area of the surface.
+/// let area = glanz_math::hemisphere(400, |h| d_ggx(h, alpha) * h.z);
+/// assert!((area - 1.0).abs() < 1e-5);
+/// ```
 #[inline(always)]
 pub fn d_ggx<R: Real>(h: Vec3<R>, alpha: (R, R)) -> R {
     let t = (h.x / alpha.0).sqr() + (h.y / alpha.1).sqr() + h.z.sqr();

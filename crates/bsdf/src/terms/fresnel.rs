@@ -2,6 +2,17 @@
 //!
 //! Source: A. Fresnel 1823; the forms for computing in M. Born and E. Wolf, Principles of Optics, §1.5
 //! and §14.2. Schlick: "An Inexpensive BRDF Model for Physically-based Rendering", 1994.
+//!
+//! ```
+//! use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_polarized};
+//!
+//! // Glass of index 1.5 at 60°, and a metal of η = 1.5, k = 3 along the normal.
+//! assert!((fresnel_dielectric(0.5_f64, 1.5) - 0.089187).abs() < 1e-6);
+//! assert!((fresnel_conductor(1.0_f64, 1.5, 3.0) - 0.606557).abs() < 1e-6);
+//! // At Brewster's angle, whose tangent is the index, no light polarised in the plane of incidence is reflected.
+//! let (s, p) = fresnel_polarized(1.0 / 3.25_f64.sqrt(), 1.5, 0.0);
+//! assert!(s > 0.14 && p < 1e-12);
+//! ```
 
 use glanz_math::Real;
 

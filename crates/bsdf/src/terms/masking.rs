@@ -37,6 +37,16 @@ pub fn lambda_beckmann<R: Real>(w: Vec3<R>, alpha: (R, R)) -> R {
 /// Smith's G1, the fraction of the facets turned to a direction that is visible from it: 1 / (1 + Λ).
 ///
 /// B. G. Smith, Geometrical shadowing of a random rough surface, 1967.
+///
+/// ```
+/// use glanz_bsdf::terms::{lambda_ggx, smith_g1, smith_g2};
+/// use glanz_math::Vec3;
+///
+/// // At 45°, α = 1: Λ is (√2 − 1)/2, so that 83 % of the facets are visible and 71 % both visible and lit.
+/// let w = Vec3::from_angles(std::f64::consts::FRAC_PI_4, 0.0);
+/// let lambda = lambda_ggx(w, (1.0, 1.0));
+/// assert!((smith_g1(lambda) - 0.8284).abs() < 1e-4 && (smith_g2(lambda, lambda) - 0.7071).abs() < 1e-4);
+/// ```
 #[inline(always)]
 pub fn smith_g1<R: Real>(lambda: R) -> R {
     lambda.one() / (lambda.one() + lambda)

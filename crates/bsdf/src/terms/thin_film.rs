@@ -13,6 +13,17 @@ use glanz_math::PI;
 ///
 /// Source: G. B. Airy 1833; M. Born and E. Wolf, Principles of Optics, §1.6.4 and §14.4. Coherent over any
 /// thickness: wavelengths must lie closely enough to show the fringes of a thick film.
+///
+/// ```
+/// use glanz_bsdf::terms::fresnel_film;
+///
+/// // A quarter of a wavelength of magnesium fluoride on glass, at 550 nm: ((n1² − n2)/(n1² + n2))², 1.26 %.
+/// let thickness_nm = 550.0 / (4.0 * 1.38);
+/// let coated = fresnel_film(1.0, 550.0, 1.38, thickness_nm, (1.52, 0.0));
+/// assert!((coated - 0.0126).abs() < 1e-4);
+/// // Bare glass reflects 4.26 %.
+/// assert!((fresnel_film(1.0, 550.0, 1.38, 0.0, (1.52, 0.0)) - 0.0426).abs() < 1e-4);
+/// ```
 pub fn fresnel_film(
     cos_theta: f64,
     lambda_nm: f64,

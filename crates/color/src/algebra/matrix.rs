@@ -4,6 +4,14 @@
 ///
 /// Everything is `const`, so that the matrices of colour spaces are worked out by the compiler from
 /// primaries and white instead of being copied with rounded digits.
+///
+/// ```
+/// use glanz_color::Matrix3;
+///
+/// const TURN: Matrix3 = Matrix3([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+/// assert_eq!(TURN.apply([1.0, 2.0, 3.0]), [-2.0, 1.0, 3.0]);
+/// assert_eq!(TURN.inverse().times(&TURN), Matrix3::IDENTITY);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Matrix3(pub [[f64; 3]; 3]);
 

@@ -5,6 +5,19 @@
 //! wavelength by wavelength; in three channels that is an approximation.
 //!
 //! Nothing is clipped. Two colours are complementary where together they make white.
+//!
+//! ```
+//! use glanz_color::mixing::{add_lights, complement, overprint};
+//! use glanz_color::models::{Cmy, ColorModel, LinearSrgb, Srgb, Xyz};
+//!
+//! // Red and green light make yellow.
+//! let lights = [Srgb([1.0, 0.0, 0.0]), Srgb([0.0, 1.0, 0.0])].map(Srgb::to_xyz);
+//! let LinearSrgb(sum) = add_lights(lights).to();
+//! assert!(sum.iter().zip([1.0, 1.0, 0.0]).all(|(found, expected)| (found - expected).abs() < 1e-12));
+//! // Cyan over yellow ink prints green, the complement of magenta.
+//! assert_eq!(overprint([Cmy([1.0, 0.0, 0.0]), Cmy([0.0, 0.0, 1.0])]), Cmy([1.0, 0.0, 1.0]));
+//! assert_eq!(complement(LinearSrgb([1.0, 0.0, 1.0])), LinearSrgb([0.0, 1.0, 0.0]));
+//! ```
 
 use crate::models::{Cmy, Hls, LinearSrgb, Srgb, Xyz};
 use crate::spectra::Spectrum;

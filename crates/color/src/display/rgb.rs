@@ -6,6 +6,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A colour as three linear amounts of the sRGB primaries; not limited to 0 … 1.
+///
+/// ```
+/// use glanz_color::Rgb;
+///
+/// let orange = Rgb([1.0, 0.5, 0.0]);
+/// assert!((orange.luminance() - 0.5702).abs() < 1e-6);
+/// assert_eq!(orange * Rgb::gray(2.0) + Rgb([0.0, 0.0, 1.0]), Rgb([2.0, 1.0, 1.0]));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Rgb(pub [f32; 3]);

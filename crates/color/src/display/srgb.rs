@@ -14,6 +14,14 @@ pub fn srgb_decode_u8(code: u8) -> f32 {
 }
 
 /// The sRGB code value of linear light. Odd-symmetric below zero, not clipped above one.
+///
+/// ```
+/// use glanz_color::{srgb_decode_u8, srgb_encode};
+///
+/// // Middle grey, which reflects 18 %, and half of the light.
+/// assert!((srgb_encode(0.18) - 0.4614).abs() < 1e-4 && (srgb_encode(0.5) - 0.7354).abs() < 1e-4);
+/// assert!((srgb_decode_u8(128) - 0.2159).abs() < 1e-4);
+/// ```
 pub fn srgb_encode(linear: f32) -> f32 {
     let magnitude = f64::from(linear.abs());
     let code = if magnitude <= 0.003_130_8 {

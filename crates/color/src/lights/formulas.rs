@@ -30,8 +30,8 @@ static DAYLIGHT: LazyLock<[Spectrum; 3]> = LazyLock::new(|| {
     ["S0", "S1", "S2"].map(|name| table.spectrum(name, Outside::Zero).expect("the table has S0, S1, S2"))
 });
 
-/// Planck's law, 1 at 560 nm. The temperature is in K.
-pub(super) fn blackbody(kelvin: f64) -> Spectrum {
+/// Planck's law, 1 at 560 nm. The temperature is in K, above 0.
+pub(crate) fn blackbody(kelvin: f64) -> Spectrum {
     planck(kelvin, C2_NM_K)
 }
 

@@ -11,10 +11,12 @@
 //! Sources of CIE that begin at 380 nm (FL, HP, LED) or 320 nm (B) are zero below; A and the D series
 //! are real down to 300 nm. [`lights`] says it of each.
 
-mod formulas;
+pub(crate) mod formulas;
 mod list;
 
 use std::sync::LazyLock;
+
+use thiserror::Error;
 
 use crate::names::{UnknownName, plain};
 use crate::observers::photopic;
@@ -35,6 +37,18 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("../.
 /// Names are those of [`lights`], in capital or small letters; names joined by `+` are a mixture in which
 /// each part has the same radiant power within 300 … 780 nm.
 ///
+/// ```
+/// use glanz_color::light;
+///
+/// assert_eq!(light("D65")?.at(560.0), 1.0);
+/// // A lamp for fluorescence: as much ultraviolet as daylight.
+/// let mixture = light("D65 + UV365")?;
+/// assert!((mixture.integral() / light("D65")?.integral() - 1.0).abs() < 1e-12);
+/// let error = light("FL22").unwrap_err();
+/// assert_eq!(error.to_string(), "there is no light 'FL22'; did you mean 'FL2' or 'FL12'?");
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`UnknownName`] suggests near names, or says which numbers are possible.
@@ -49,10 +63,92 @@ pub fn light(name: &str) -> Result<Spectrum, UnknownName> {
     }
 }
 
+/// The temperatures for which [`planck`] gives a spectrum, in K.
+pub const PLANCK_RANGE_K: [f64; 2] = [500.0, 1e6];
+
+/// The correlated colour temperatures for which daylight is defined, in K (CIE 15:2018, section 4.1.2).
+pub const DAYLIGHT_RANGE_K: [f64; 2] = [4_000.0, 25_000.0];
+
+/// Why there is no light of a temperature.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("expected {quantity} of {} to {} K, found {kelvin}", .range_k[0], .range_k[1])]
+pub struct KelvinError {
+    /// What the number should be.
+    pub quantity: &'static str,
+    /// The least and the greatest temperature, in K.
+    pub range_k: [f64; 2],
+    /// The number.
+    pub kelvin: f64,
+}
+
+impl KelvinError {
+    fn check(quantity: &'static str, range_k: [f64; 2], kelvin: f64) -> Result<f64, Self> {
+        match (range_k[0]..=range_k[1]).contains(&kelvin) {
+            true => Ok(kelvin),
+            false => Err(Self { quantity, range_k, kelvin }),
+        }
+    }
+}
+
+/// The relative spectral power, per nm, of a black body of a temperature in K: 1 at 560 nm (Planck 1900, in vacuum, with
+/// c₂ = 1.438776877·10⁷ nm K, SI 2019).
+///
+/// ```
+/// use glanz_color::{light, planck};
+///
+/// let bulb = planck(2700.0)?;
+/// assert_eq!(bulb.at(560.0), 1.0);
+/// // The wavelength of the greatest power is 2897772 nm K over the temperature (Wien).
+/// let sun = planck(5800.0)?;
+/// let (peak_nm, _) = sun.points().max_by(|a, b| a.1.total_cmp(&b.1)).expect("97 points");
+/// assert_eq!(peak_nm, 500.0);
+/// // Illuminant A is the black body of 2856 K.
+/// assert!((planck(2855.54)? - light("A")?).max() < 1e-4);
+/// assert_eq!(
+///     planck(20.0).unwrap_err().to_string(),
+///     "expected a temperature of 500 to 1000000 K, found 20"
+/// );
+/// # Ok::<_, Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// A temperature beyond [`PLANCK_RANGE_K`], or no number.
+pub fn planck(kelvin: f64) -> Result<Spectrum, KelvinError> {
+    KelvinError::check("a temperature", PLANCK_RANGE_K, kelvin).map(formulas::blackbody)
+}
+
+/// The relative spectral power, per nm, of daylight of a correlated colour temperature in K: 1 at 560 nm (CIE 15:2018,
+/// section 4.1.2).
+///
+/// The factors of S1 and S2 are not rounded, so that there are no steps between near temperatures; the named lights D50,
+/// D55, D65 and D75 ([`light`]) have rounded ones, as the CIE's tables do.
+///
+/// ```
+/// use glanz_color::chromaticity::Chromaticity;
+/// use glanz_color::temperature::color_temperature;
+/// use glanz_color::{daylight, light};
+///
+/// let noon = daylight(5600.0)?;
+/// let xy = Chromaticity::of_light(&noon).expect("it is seen");
+/// assert!((color_temperature(xy)?.cct_k - 5600.0).abs() < 3.0);
+/// // D65 is of 6504 K.
+/// assert!((daylight(6504.0)? - light("D65")?).max() < 2e-3);
+/// assert!(daylight(3000.0).is_err(), "the sun is not that red");
+/// # Ok::<_, Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// A temperature beyond [`DAYLIGHT_RANGE_K`], or no number.
+pub fn daylight(cct_k: f64) -> Result<Spectrum, KelvinError> {
+    KelvinError::check("a colour temperature", DAYLIGHT_RANGE_K, cct_k).map(formulas::daylight)
+}
+
 fn mixture(parts: &[&str]) -> Result<Spectrum, UnknownName> {
     let lights = parts.iter().map(|part| single(part)).collect::<Result<Vec<_>, _>>()?;
     let each = lights[0].integral() / lights.len() as f64;
-    Ok(lights.into_iter().map(|light| light * (each / light.integral())).fold(Spectrum::ZERO, |a, b| a + b))
+    Ok(lights.into_iter().map(|light| light * (each / light.integral())).sum())
 }
 
 /// A light that is no mixture.
@@ -70,7 +166,7 @@ fn single(name: &str) -> Result<Spectrum, UnknownName> {
     if let Some(digits) = plain.strip_prefix('d').filter(|rest| rest.bytes().all(|b| b.is_ascii_digit())) {
         match (digits.len(), digits.parse::<f64>()) {
             (2, Ok(hundreds)) if hundreds >= 40.0 => return Ok(formulas::daylight_named(hundreds)),
-            (4.., Ok(cct)) => return daylight(name, cct),
+            (4.., Ok(cct)) => return daylight_by_name(name, cct),
             _ => {}
         }
     }
@@ -93,11 +189,8 @@ fn tabled(plain: &str) -> Option<Spectrum> {
     })
 }
 
-fn daylight(name: &str, cct_k: f64) -> Result<Spectrum, UnknownName> {
-    match (4000.0..=25000.0).contains(&cct_k) {
-        true => Ok(formulas::daylight(cct_k)),
-        false => Err(wrong(name, "a colour temperature of 4000 to 25000 K".to_owned())),
-    }
+fn daylight_by_name(name: &str, cct_k: f64) -> Result<Spectrum, UnknownName> {
+    daylight(cct_k).map_err(|_| wrong(name, "a colour temperature of 4000 to 25000 K".to_owned()))
 }
 
 fn wrong(name: &str, expected: String) -> UnknownName {
@@ -123,8 +216,8 @@ impl<'a> Call<'a> {
         let numbers = self.numbers.as_deref().unwrap_or(&[]);
         let grid = FIRST_NM..=LAST_NM;
         match (self.name.as_str(), numbers) {
-            ("d", [cct]) => daylight(self.whole, *cct),
-            ("blackbody", [kelvin]) if (500.0..=1e6).contains(kelvin) => Ok(formulas::blackbody(*kelvin)),
+            ("d", [cct]) => daylight_by_name(self.whole, *cct),
+            ("blackbody", [kelvin]) => planck(*kelvin).map_err(|_| self.wrong()),
             ("gaussian", [nm, fwhm]) if grid.contains(nm) && (0.01..=1000.0).contains(fwhm) => {
                 Ok(formulas::gaussian(*nm, *fwhm))
             }

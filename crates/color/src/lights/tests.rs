@@ -108,3 +108,47 @@ fn daylight_is_never_dark_and_has_no_steps() {
         assert!(difference(here, near) < 1e-3, "{cct} K");
     }
 }
+
+#[test]
+fn black_bodies_and_daylight_of_a_temperature_agree_with_colour_science() {
+    // colour-science 0.4.7: sd_blackbody and sd_CIE_illuminant_D_series without rounding of M1 and M2, over their values
+    // at 560 nm; at 300, 400, 680 and 780 nm, and at 300, 450, 650 and 780 nm.
+    let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 2e-6;
+    for (kelvin, expected) in [
+        (2000.0, [0.000_331_195_2, 0.031_549_016_4, 3.655_597_423_5, 7.146_781_191_6]),
+        (2856.0, [0.009_316_474_9, 0.147_165_319_4, 1.853_821_238_0, 2.415_773_486_4]),
+        (10000.0, [2.276_575_010_6, 1.827_142_127_2, 0.625_861_231_6, 0.431_831_418_5]),
+    ] {
+        // Its second radiation constant is the older 1.4388e7 nm K.
+        let kelvin = kelvin * 1.438_776_877 / 1.4388;
+        let found = planck(kelvin).expect("within the range");
+        for (nm, expected) in [300.0, 400.0, 680.0, 780.0].into_iter().zip(expected) {
+            assert!(near(found.at(nm), expected), "{kelvin} K, {nm} nm: {} for {expected}", found.at(nm));
+        }
+        assert_eq!(found, light(&format!("blackbody({kelvin})")).expect("a light"));
+    }
+    for (cct_k, expected) in [
+        (4000.0, [0.000_099_081_3, 0.633_882_454_7, 1.186_326_124_4, 0.998_679_834_7]),
+        (5000.0, [0.000_191_985_3, 0.871_980_335_3, 0.957_054_207_3, 0.783_100_676_6]),
+        (25000.0, [0.000_981_375_9, 2.251_572_676_6, 0.628_784_249_7, 0.460_229_520_5]),
+    ] {
+        let found = daylight(cct_k).expect("within the range");
+        for (nm, expected) in [300.0, 450.0, 650.0, 780.0].into_iter().zip(expected) {
+            assert!(near(found.at(nm), expected), "{cct_k} K, {nm} nm: {} for {expected}", found.at(nm));
+        }
+        assert_eq!(found, light(&format!("D({cct_k})")).expect("a light"));
+    }
+}
+
+#[test]
+fn temperatures_beyond_the_range_are_refused_with_it() {
+    for kelvin in [499.0, 1.1e6, f64::NAN, -5000.0] {
+        let error = planck(kelvin).expect_err("out of range");
+        assert_eq!(error.range_k, PLANCK_RANGE_K);
+        assert!(error.to_string().contains(&format!("500 to 1000000 K, found {kelvin}")), "{error}");
+    }
+    for cct_k in [3999.0, 25001.0, f64::INFINITY] {
+        let text = daylight(cct_k).expect_err("out of range").to_string();
+        assert_eq!(text, format!("expected a colour temperature of 4000 to 25000 K, found {cct_k}"));
+    }
+}

@@ -3,6 +3,19 @@
 //! All three methods are von Kries's rule of 1902, each cone's signal scaled by the ratio of the whites,
 //! and differ in the matrix from XYZ to the cones. Adaptation is full; incomplete adaptation belongs to
 //! the eye.
+//!
+//! ```
+//! use glanz_color::adaptation::Adaptation;
+//! use glanz_color::models::Xyz;
+//!
+//! // From D65 to the D50 of print.
+//! let (d65, d50) = (Xyz([0.95047, 1.0, 1.08883]), Xyz([0.96422, 1.0, 0.82521]));
+//! let matrix = Adaptation::Bradford.matrix(d65, d50)?;
+//! // Lindbloom's first entry, and white becomes white.
+//! assert!((matrix.0[0][0] - 1.0478112).abs() < 1e-6);
+//! assert!((matrix.apply(d65.0)[2] - d50.0[2]).abs() < 1e-12);
+//! # Ok::<_, glanz_color::AdaptationError>(())
+//! ```
 
 use crate::algebra::Matrix3;
 use crate::models::Xyz;

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::observers::Observer;
+use crate::observers::{Observer, ObserverKind};
 use crate::spectra::Spectrum;
 
 /// The colour-matching functions x̄, ȳ, z̄ of the CIE 1931 observer on the grid.
@@ -19,7 +19,20 @@ pub(crate) fn tristimulus(light: &Spectrum) -> [f64; 3] {
     cie1931().map(|curve| curve.dot(light))
 }
 
-/// A chromaticity of the CIE 1931 diagram.
+/// A chromaticity x, y: of the CIE 1931 diagram, or of another observer with X, Y, Z ([`Chromaticity::of`]).
+///
+/// ```
+/// use glanz_color::chromaticity::Chromaticity;
+/// use glanz_color::{light, observer};
+///
+/// // Illuminant A for the 2° and the 10° observer (CIE 15:2018, table T.3).
+/// let a = light("A")?;
+/// let narrow = Chromaticity::of(&a, &observer("cie1931")?).expect("A is seen");
+/// assert!((narrow.x - 0.44758).abs() < 1e-5 && (narrow.y - 0.40745).abs() < 1e-5);
+/// let wide = Chromaticity::of(&a, &observer("cie1964")?).expect("A is seen");
+/// assert!((wide.x - 0.45117).abs() < 2e-5 && (wide.y - 0.40594).abs() < 2e-5);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chromaticity {
     /// X / (X + Y + Z).
@@ -41,6 +54,13 @@ impl Chromaticity {
     pub fn of_xyz([x, y, z]: [f64; 3]) -> Option<Self> {
         let sum = x + y + z;
         (sum > 0.0 && sum.is_finite()).then(|| Self { x: x / sum, y: y / sum })
+    }
+
+    /// That of a light for any observer of kind [`ObserverKind::Xyz`]: X / (X + Y + Z) and Y / (X + Y + Z). None for
+    /// observers of another kind, and for a light that is not seen.
+    pub fn of(light: &Spectrum, observer: &Observer) -> Option<Self> {
+        let xyz = observer.response(light).try_into().ok()?;
+        if observer.kind == ObserverKind::Xyz { Self::of_xyz(xyz) } else { None }
     }
 
     /// That of a light for the CIE 1931 observer; none for a light that is not seen.
@@ -81,6 +101,7 @@ impl Chromaticity {
 mod tests {
     use super::*;
     use crate::lights::light;
+    use crate::observers::observer;
     use proptest::prelude::*;
 
     #[test]
@@ -103,6 +124,33 @@ mod tests {
         // D65: u' 0.19783, v' 0.46834 (CIE 15:2018, table T.3).
         let [u, v] = Chromaticity::new(0.312_72, 0.329_03).uv1976();
         assert!((u - 0.197_83).abs() < 1e-5 && (v - 0.468_34).abs() < 1e-5);
+    }
+
+    #[test]
+    fn every_observer_with_xyz_has_its_own_diagram() {
+        // CIE 15:2018, table T.3: the 10° observer.
+        for (name, x, y) in
+            [("A", 0.451_17, 0.405_94), ("D65", 0.313_82, 0.331_00), ("D50", 0.347_73, 0.359_52)]
+        {
+            let found = Chromaticity::of(&light(name).unwrap(), &observer("cie1964").unwrap()).unwrap();
+            assert!((found.x - x).abs() < 3e-5 && (found.y - y).abs() < 3e-5, "{name}: {found:?}");
+        }
+        for info in crate::observers::observers() {
+            let found = Chromaticity::of(&Spectrum::ONE, &observer(info.name).unwrap());
+            match info.kind {
+                ObserverKind::Xyz => {
+                    let e = found.unwrap();
+                    assert!(
+                        (e.x - 1.0 / 3.0).abs() < 1e-4 && (e.y - 1.0 / 3.0).abs() < 1e-4,
+                        "{}: {e:?}",
+                        info.name
+                    );
+                }
+                _ => assert_eq!(found, None, "{}", info.name),
+            }
+        }
+        let d65 = light("D65").unwrap();
+        assert_eq!(Chromaticity::of(&d65, &Observer::default()), Chromaticity::of_light(&d65));
     }
 
     #[test]

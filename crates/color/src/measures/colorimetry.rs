@@ -35,9 +35,9 @@ pub fn relative_xyz(light: &Spectrum, white: &Spectrum, observer: &Observer) -> 
     (observer.kind == ObserverKind::Xyz && xyz.iter().all(|v| v.is_finite())).then_some(xyz)
 }
 
-/// CIELAB relative to any white: it depends on nothing but the ratios to it.
+/// CIELAB relative to any white; see [`Lab::for_white`].
 pub fn lab(xyz: [f64; 3], white: [f64; 3]) -> Lab {
-    Lab::from_xyz(Xyz(core::array::from_fn(|i| xyz[i] / white[i] * D65_XYZ[i])))
+    Lab::for_white(Xyz(xyz), Xyz(white))
 }
 
 /// A colour on an sRGB display, whose white is D65.

@@ -4,10 +4,21 @@
 //! temperature (a black body below 5000 K, a phase of daylight from there), the difference in CIE 1964
 //! U\*V\*W\* after von Kries's adaptation in CIE 1960 u, v; Rᵢ = 100 − 4.6 ΔEᵢ. Sums are those of the grid,
 //! every 5 nm; light below 360 nm, which is not seen, does not count.
+//!
+//! ```
+//! use glanz_color::cri::color_rendering;
+//! use glanz_color::light;
+//!
+//! // The general index of a fluorescent lamp is 64 (CIE 15), that of a lamp with a filament 100.
+//! assert!((color_rendering(&light("FL2")?)?.ra - 64.0).abs() < 0.5);
+//! assert!((color_rendering(&light("A")?)?.ra - 100.0).abs() < 0.1);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
-use crate::lights::light;
+use crate::lights::daylight;
+use crate::lights::formulas::blackbody;
 use crate::measures::chromaticity::{Chromaticity, cie1931, tristimulus};
-use crate::measures::temperature::{ColorTemperature, TemperatureError, color_temperature, planck};
+use crate::measures::temperature::{ColorTemperature, TemperatureError, color_temperature};
 use crate::spectra::Spectrum;
 use crate::surfaces::reflectances::reflectance;
 
@@ -67,9 +78,9 @@ pub fn color_rendering(test: &Spectrum) -> Result<ColorRendering, RenderingError
 /// The light that shows colours as they should be.
 fn reference(cct_k: f64) -> Result<Spectrum, RenderingError> {
     if cct_k < 5000.0 {
-        return Ok(planck(cct_k));
+        return Ok(blackbody(cct_k));
     }
-    light(&format!("D({cct_k})")).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
+    daylight(cct_k).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
 }
 
 /// The samples as a light shows them, Y = 100 for the perfect diffuser.
@@ -115,6 +126,7 @@ fn uv(xyz: [f64; 3]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lights::light;
 
     /// R1 to R14 by colour-science 0.4.7, `colour_rendering_index` ("CIE 1995").
     const KNOWN: [(&str, f64, [f64; SAMPLES]); 6] = [
@@ -198,6 +210,6 @@ mod tests {
         assert_eq!(color_rendering(&Spectrum::ZERO), Err(RenderingError::Unseen));
         let blue = Spectrum::from_fn(|nm| if nm < 480.0 { 1.0 } else { 0.0 });
         assert!(matches!(color_rendering(&blue), Err(RenderingError::Temperature(_))));
-        assert!(matches!(color_rendering(&planck(60_000.0)), Err(RenderingError::NoDaylight { .. })));
+        assert!(matches!(color_rendering(&blackbody(60_000.0)), Err(RenderingError::NoDaylight { .. })));
     }
 }

@@ -1,4 +1,15 @@
 //! Colour differences ΔE.
+//!
+//! ```
+//! use glanz_color::difference::{Cie94, cie76, cie94, ciede2000};
+//! use glanz_color::models::Lab;
+//!
+//! // The first pair of the test data of Sharma, Wu and Dalal (2005).
+//! let (first, second) = (Lab([50.0, 2.6772, -79.7751]), Lab([50.0, 0.0, -82.7485]));
+//! assert!((ciede2000(first, second) - 2.0425).abs() < 5e-5);
+//! assert!((cie76(first, second) - 4.0011).abs() < 5e-5);
+//! assert!((cie94(first, second, Cie94::GRAPHIC_ARTS) - 1.3950).abs() < 5e-5);
+//! ```
 
 use crate::models::{Lab, Oklab};
 

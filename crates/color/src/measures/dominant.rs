@@ -2,6 +2,21 @@
 //!
 //! CIE 15:2018, section 9.2, in the CIE 1931 diagram: the ray from the white through the colour meets the
 //! border of all colours, the spectral locus closed by the line of purples from 380 to 700 nm.
+//!
+//! ```
+//! use glanz_color::chromaticity::Chromaticity;
+//! use glanz_color::dominant::dominant;
+//! use glanz_color::light;
+//!
+//! // The light of a high-pressure sodium lamp has the hue of sodium's line.
+//! let sodium = Chromaticity::of_light(&light("HP1")?).expect("it is seen");
+//! let found = dominant(sodium, Chromaticity::E).expect("it is not white");
+//! assert!((found.nm - 589.0).abs() < 1.0 && found.purity > 0.8);
+//! // A magenta has no dominant wavelength; it goes by its complement, a green.
+//! let magenta = dominant(Chromaticity::new(0.35, 0.18), Chromaticity::E).expect("it is not white");
+//! assert!(magenta.is_purple() && magenta.nm < -500.0);
+//! # Ok::<_, glanz_color::UnknownName>(())
+//! ```
 
 use std::sync::LazyLock;
 

@@ -10,6 +10,21 @@
 //! | W/(m² nm) | illuminance, lx | scotopic illuminance, lx |
 //! | W/(sr nm) | luminous intensity, cd | scotopic intensity, cd |
 //! | W/nm | luminous flux, lm | scotopic flux, lm |
+//!
+//! ```
+//! use glanz_color::photometry::{Adapted, luminous, scale_to};
+//! use glanz_color::{Spectrum, light};
+//!
+//! // A watt at 555 nm is 683 lumens.
+//! let green = Spectrum::from_lines(&[(555.0, 1.0)])?;
+//! assert!((luminous(&green, Adapted::Photopic) - 683.0).abs() < 0.1);
+//! // Illuminant A as a screen of 250 cd/m²; the rods make 1.4 times as much of it.
+//! let a = light("A")?;
+//! let screen = a * scale_to(&a, 250.0, Adapted::Photopic)?;
+//! assert!((luminous(&screen, Adapted::Photopic) - 250.0).abs() < 1e-9);
+//! assert!((luminous(&screen, Adapted::Scotopic) / 250.0 - 1.41).abs() < 0.01);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use std::sync::LazyLock;
 

@@ -12,6 +12,14 @@ use super::info::{Channel, ColorModel, ModelInfo};
 /// By the crate `palette`, with the matrices recomputed for the exact white 0.3127, 0.3290 (CSS Color 4),
 /// so that greys have a = b = 0 to 1e-7; the digits first published miss that by 4e-5. Unbounded; the cube
 /// root goes on below zero.
+///
+/// ```
+/// use glanz_color::models::{ColorModel, Oklab, Srgb};
+///
+/// // The red of sRGB, as CSS Color 4 has it.
+/// let Oklab([l, a, b]) = Srgb([1.0, 0.0, 0.0]).to();
+/// assert!((l - 0.6280).abs() < 1e-4 && (a - 0.2249).abs() < 1e-4 && (b - 0.1258).abs() < 1e-4);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oklab(pub [f64; 3]);
 

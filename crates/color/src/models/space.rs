@@ -16,6 +16,15 @@ const fn xyz_of([x, y]: [f64; 2]) -> [f64; 3] {
 }
 
 /// An RGB space: everything that tells it from the others.
+///
+/// ```
+/// use glanz_color::models::RgbSpace;
+///
+/// // The red of Display P3 is beyond that of sRGB: linear components above 1 and below 0.
+/// let matrix = RgbSpace::DISPLAY_P3.to_linear_srgb_matrix().expect("the primaries differ");
+/// let [r, g, b] = matrix.apply([1.0, 0.0, 0.0]);
+/// assert!((r - 1.2249).abs() < 1e-4 && (g + 0.0420).abs() < 1e-4 && (b + 0.0196).abs() < 1e-4);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RgbSpace {
     /// Chromaticities x, y of red, green and blue.

@@ -23,6 +23,23 @@ fn the_cies_models_agree_with_colour_science() {
 }
 
 #[test]
+fn the_cies_models_are_for_any_white() {
+    // colour-science 0.4.7, XYZ_to_Lab and XYZ_to_Luv of 0.20654008, 0.12197225, 0.05136952 for xy 0.34570, 0.35850 (D50)
+    // and 0.44757, 0.40745 (A).
+    let xyz = Xyz([0.206_540_08, 0.121_972_25, 0.051_369_52]);
+    let white = |x: f64, y: f64| Xyz([x / y, 1.0, (1.0 - x - y) / y]);
+    let (d50, a) = (white(0.345_70, 0.358_50), white(0.447_57, 0.407_45));
+    let luv_d50 = [41.527_875_294, 90.709_259_615, 7.084_552_734];
+    assert_near(Lab::for_white(xyz, d50).0, [41.527_875_294, 51.193_541_738, 19.918_430_978], 1e-8);
+    assert_near(Luv::for_white(xyz, d50).0, luv_d50, 1e-8);
+    assert_near(Lab::for_white(xyz, a).0, [41.527_875_294, 38.480_893_046, -5.732_951_225], 1e-8);
+    assert_near(Luv::for_white(xyz, a).0, [41.527_875_294, 65.451_809_401, -12.466_269_771], 1e-8);
+    // On any scale of both.
+    let [xyz_100, d50_100] = [xyz, d50].map(|Xyz(xyz)| Xyz(xyz.map(|v| 100.0 * v)));
+    assert_near(Luv::for_white(xyz_100, d50_100).0, luv_d50, 1e-8);
+}
+
+#[test]
 fn rgb_spaces_agree_with_colour_science() {
     // Its matrices are the rounded ones of the standards.
     const ROUNDED: f64 = 2e-4;
@@ -107,6 +124,26 @@ fn black_has_finite_numbers_in_every_model() {
 const ROUND_TRIP: f64 = 1e-6;
 
 proptest! {
+    #[test]
+    fn a_colour_for_a_white_is_found_again_and_for_d65_it_is_the_models(
+        rgb in prop::array::uniform3(0.0..1.0_f64),
+        white in prop::array::uniform3(0.3..100.0_f64),
+    ) {
+        let (xyz, white) = (Srgb(rgb).to_xyz(), Xyz(white));
+        for Xyz(found) in [
+            Lab::for_white(xyz, white).xyz_for_white(white),
+            Luv::for_white(xyz, white).xyz_for_white(white),
+        ] {
+            for (a, b) in found.iter().zip(xyz.0) {
+                prop_assert!((a - b).abs() < 1e-9, "{found:?} is not {xyz:?}");
+            }
+        }
+        let (lab, luv) = (Lab::for_white(xyz, Xyz::WHITE).0, Luv::for_white(xyz, Xyz::WHITE).0);
+        for (a, b) in lab.into_iter().chain(luv).zip(xyz.to::<Lab>().0.into_iter().chain(xyz.to::<Luv>().0)) {
+            prop_assert!((a - b).abs() < 1e-9, "{lab:?} {luv:?}");
+        }
+    }
+
     #[test]
     fn every_model_gives_back_the_colours_of_the_cube(rgb in prop::array::uniform3(0.0..1.0_f64)) {
         let Xyz(expected) = Srgb(rgb).to_xyz();

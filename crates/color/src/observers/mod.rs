@@ -58,6 +58,21 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("../.
 
 /// The observer of that name; [`observers`] lists them.
 ///
+/// ```
+/// use glanz_color::{light, observer};
+///
+/// let eye = observer("cie1964")?;
+/// assert_eq!(eye.channels[1].name, "y");
+/// // X, Y and Z of the equal-energy light are the same, up to the sums by 5 nm.
+/// let response = eye.response(&light("E")?);
+/// assert!((response[0] / response[1] - 1.0).abs() < 1e-3 && (response[2] / response[1] - 1.0).abs() < 1e-3);
+/// // The cones see the red end with L far more than with M.
+/// let cones = observer("lms2")?;
+/// let red = cones.response(&light("line(650)")?);
+/// assert!(red[0] > 5.0 * red[1]);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`UnknownName`] suggests near names.
@@ -137,6 +152,18 @@ pub fn xyz_of_light(light: &Spectrum, observer: &Observer) -> [f64; 3] {
 /// XYZ of a surface under a light, scaled so that the perfect diffuser has Y = 1.
 ///
 /// For an observer of kind `Xyz`; what others give, and when all is NaN, [`xyz_of_light`] says.
+///
+/// ```
+/// use glanz_color::{Observer, Spectrum, light, reflectance, xyz_of_reflectance};
+///
+/// let (d65, observer) = (light("D65")?, Observer::default());
+/// let [x, y, z] = xyz_of_reflectance(&Spectrum::ONE, &d65, &observer);
+/// assert!((x - 0.9505).abs() < 2e-4 && y == 1.0 && (z - 1.0888).abs() < 2e-4);
+/// // The grey of the ColorChecker that reflects a fifth.
+/// let [_, y, _] = xyz_of_reflectance(&reflectance("neutral-5")?, &d65, &observer);
+/// assert!((y - 0.2).abs() < 0.01);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
 pub fn xyz_of_reflectance(reflectance: &Spectrum, light: &Spectrum, observer: &Observer) -> [f64; 3] {
     let luminance = observer.luminance(light);
     observer.first_three(&(*reflectance * *light)).map(|response| response / luminance)

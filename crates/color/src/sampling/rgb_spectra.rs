@@ -5,6 +5,17 @@
 //!
 //! Observer and daylight are those of the grid from 300 to 780 nm; the white of that D65 is taken for the
 //! white of sRGB, so that white stays exactly white. That turns XYZ by less than 0.0005.
+//!
+//! ```
+//! use glanz_color::Rgb;
+//! use glanz_color::rgb_spectra::{daylight, luminance, rgb_of_light, spectrum_of_light};
+//!
+//! // The unit light is D65 with the luminance 1.
+//! assert!((luminance(&daylight()) - 1.0).abs() < 1e-12);
+//! let warm = spectrum_of_light(Rgb([1.0, 0.8, 0.5]));
+//! let [r, g, b] = rgb_of_light(&warm);
+//! assert!((r - 1.0).abs() < 1e-4 && (g - 0.8).abs() < 1e-4 && (b - 0.5).abs() < 1e-4);
+//! ```
 
 use std::sync::LazyLock;
 

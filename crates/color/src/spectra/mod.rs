@@ -1,5 +1,6 @@
 //! Functions of wavelength: the one grid, tables brought onto it, and units of wavelength.
 
+mod arithmetic;
 mod resample;
 mod spectrum;
 pub(crate) mod table;

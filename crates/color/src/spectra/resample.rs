@@ -101,6 +101,17 @@ impl Spectrum {
     /// `nm` are wavelengths in any increasing order of spacing. Whatever lies outside of the grid is
     /// dropped.
     ///
+    /// ```
+    /// use glanz_color::{Outside, Spectrum};
+    ///
+    /// // A filter that was measured every 100 nm.
+    /// let filter = Spectrum::from_table(&[400.0, 500.0, 600.0], &[0.1, 0.5, 0.9], Outside::Hold)?;
+    /// assert_eq!((filter.at(450.0), filter.at(700.0)), (0.3, 0.9));
+    /// let error = Spectrum::from_table(&[500.0, 400.0], &[0.1, 0.2], Outside::Hold).unwrap_err();
+    /// assert_eq!(error.to_string(), "expected increasing wavelengths, found 400 nm at index 1 after 500 nm");
+    /// # Ok::<_, glanz_color::TableError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// [`TableError`] says which wavelength or value is not possible.

@@ -1,7 +1,5 @@
 //! A function of wavelength on the one grid that all of Glanz uses.
 
-use core::ops::{Add, AddAssign, Index, Mul, Sub};
-
 use serde::{Deserialize, Serialize};
 
 /// The first wavelength of the grid, in nm. Ultraviolet is part of light here.
@@ -22,9 +20,41 @@ pub const fn lambda_nm(index: usize) -> f64 {
 ///
 /// For light a value is spectral power per nm; for surfaces a pure number. Integrals are sums over the
 /// samples times 5 nm, so a sample stands for the band of 5 nm around it.
+///
+/// Spectra are added, subtracted, multiplied and divided wavelength by wavelength, among themselves and with scalars on
+/// either side of `*` and `/`; where a divisor is 0 the quotient is not finite, as with numbers. By serde a spectrum is the
+/// list of its 97 values.
+///
+/// ```
+/// use glanz_color::{Spectrum, light, reflectance};
+///
+/// // What the chart's green of leaves sends back under two lamps, one of them dimmed.
+/// let lamps = light("D65")? + 0.5 * light("A")?;
+/// let leaf = reflectance("foliage")?;
+/// let stimulus = leaf * lamps;
+/// assert_eq!(stimulus.at(550.0), leaf.at(550.0) * lamps.at(550.0));
+/// // The reflectance is found again as a quotient.
+/// assert!((stimulus / lamps - leaf).max() < 1e-15);
+/// let mean = [leaf, Spectrum::ONE].iter().sum::<Spectrum>() / 2.0;
+/// assert_eq!(mean[50], (leaf[50] + 1.0) / 2.0);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<f64>", into = "Vec<f64>")]
 pub struct Spectrum(pub [f64; SAMPLES]);
+
+impl Default for Spectrum {
+    /// Nothing at any wavelength.
+    fn default() -> Self {
+        Self::ZERO
+    }
+}
+
+impl From<[f64; SAMPLES]> for Spectrum {
+    fn from(values: [f64; SAMPLES]) -> Self {
+        Self(values)
+    }
+}
 
 impl From<Spectrum> for Vec<f64> {
     fn from(spectrum: Spectrum) -> Self {
@@ -88,6 +118,11 @@ impl Spectrum {
         self.0.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The least value.
+    pub fn min(&self) -> f64 {
+        self.0.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether every value is a finite number.
     pub fn is_finite(&self) -> bool {
         self.0.iter().all(|v| v.is_finite())
@@ -96,47 +131,6 @@ impl Spectrum {
     /// Wavelength in nm and value, in order.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         self.0.iter().enumerate().map(|(i, value)| (lambda_nm(i), *value))
-    }
-}
-
-impl Index<usize> for Spectrum {
-    type Output = f64;
-    fn index(&self, index: usize) -> &f64 {
-        &self.0[index]
-    }
-}
-
-impl Add for Spectrum {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
-    }
-}
-
-impl AddAssign for Spectrum {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl Sub for Spectrum {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] - other.0[i]))
-    }
-}
-
-impl Mul for Spectrum {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] * other.0[i]))
-    }
-}
-
-impl Mul<f64> for Spectrum {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
-        self.map(|value| value * factor)
     }
 }
 

@@ -1,4 +1,12 @@
 //! Wavelength, frequency and period of light in vacuum: λ = c T, T = 1 / f.
+//!
+//! ```
+//! use glanz_color::units::{frequency_hz, lambda_nm_of_frequency};
+//!
+//! // 540 THz, by which the candela is defined, are about 555 nm.
+//! assert!((lambda_nm_of_frequency(540e12) - 555.17).abs() < 0.01);
+//! assert!((frequency_hz(500.0) / 599.58e12 - 1.0).abs() < 1e-5);
+//! ```
 
 /// The speed of light in vacuum, in m/s: exact, it defines the metre (SI, 1983).
 pub const SPEED_OF_LIGHT: f64 = 299_792_458.0;

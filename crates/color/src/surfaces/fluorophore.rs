@@ -23,6 +23,25 @@ const BASE_LIMIT: f64 = 1.0 + 1e-9;
 /// **Limits.** One band each; no concentration quenching, no re-absorption of emitted light, and all of
 /// it leaves the material: `quantum_yield` is that of the whole layer.
 /// **Cost.** Some ten thousand operations, once.
+///
+/// ```
+/// use glanz_color::{Fluorophore, Spectrum, light};
+///
+/// // A dye that turns half of the light around 450 nm to around 520 nm.
+/// let dye = Fluorophore {
+///     absorption_nm: 450.0,
+///     absorption_fwhm_nm: 50.0,
+///     absorptance: 0.8,
+///     emission_nm: 520.0,
+///     emission_fwhm_nm: 50.0,
+///     quantum_yield: 0.6,
+/// };
+/// let paper = dye.over(&Spectrum::constant(0.9))?;
+/// assert!(paper.energy().ok);
+/// let under_blue = paper.apply(&light("line(450)")?);
+/// assert!(under_blue.at(520.0) > 0.0 && under_blue.at(400.0) == 0.0, "only to longer wavelengths");
+/// # Ok::<_, Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fluorophore {
     /// The wavelength of strongest absorption, in nm: 250 to 780.

@@ -52,6 +52,15 @@ pub fn reflectances() -> &'static [ReflectanceInfo] {
 }
 
 /// The 24 patches of the ColorChecker, row by row from dark skin to black, with their names.
+///
+/// ```
+/// use glanz_color::colorchecker;
+///
+/// assert_eq!(colorchecker().count(), 24);
+/// let (name, white) = colorchecker().nth(18).expect("the first patch of the last row");
+/// assert_eq!(name, "white-9.5");
+/// assert!((white.at(550.0) - 0.9).abs() < 0.02);
+/// ```
 pub fn colorchecker() -> impl Iterator<Item = (&'static str, Spectrum)> {
     CHECKER.names().map(|name| {
         (name, CHECKER.spectrum(name, Outside::Hold).expect("a table has the columns that it names"))

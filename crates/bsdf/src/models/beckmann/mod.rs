@@ -28,6 +28,6 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: true,
     delta: false,
-    operations: 127,
+    operations: 125,
     exempt: &[],
 };

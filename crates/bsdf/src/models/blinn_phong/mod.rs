@@ -32,7 +32,7 @@ impl Model for BlinnPhong {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 16,
+        operations: 14,
         exempt: &[
             (Law::Reciprocity, "f = (n·h)ⁿ / (π cosθi) divides by the cosine of the light alone"),
             (

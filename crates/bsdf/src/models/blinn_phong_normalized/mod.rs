@@ -32,7 +32,7 @@ impl Model for BlinnPhongNormalized {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 17,
+        operations: 15,
         exempt: &[],
     };
 

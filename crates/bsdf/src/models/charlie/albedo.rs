@@ -23,6 +23,15 @@ const POINTS: usize = 32;
 /// by 0.003 at most from 0.001 (narrow, where it comes to 4) to 1 (0.0003). Cosines below 0.002 count as
 /// that. It is more than 1 where the lobe breaks the law of energy, for α below 0.07 near the horizon: a
 /// layer below must then get nothing, and not less.
+///
+/// ```
+/// use glanz_bsdf::models::charlie::Albedo;
+///
+/// // The sheen of velvet grows towards the limb.
+/// let sheen = Albedo::new(0.25);
+/// let (facing, limb): (f64, f64) = (sheen.at(1.0), sheen.at(0.5));
+/// assert!((facing - 0.027).abs() < 3e-3 && (limb - 0.188).abs() < 3e-3);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Albedo {
     /// Of the Chebyshev polynomials in √cosθ, from the flattest view to the normal.

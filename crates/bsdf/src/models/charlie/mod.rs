@@ -55,7 +55,7 @@ impl Model for Charlie {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 223,
+        operations: 221,
         exempt: &[(
             Law::Energy,
             "for α below 0.07 views within a few degrees of the horizon get more than arrives",
@@ -76,10 +76,10 @@ impl Model for Charlie {
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
-        let (one, two) = (zero.one(), zero.lit(2.0));
+        let one = zero.one();
         let (cos_i, cos_o) = (pair.cos_i.max(zero), pair.cos_o.max(zero));
         // |H|², and what of it is not along the normal.
-        let length2 = (pair.cos_io * two + two).max(zero.lit(1e-12));
+        let length2 = pair.half2.max(zero.lit(1e-12));
         let flat2 = (length2 - (cos_i + cos_o).sqr()).max(zero);
         let power = (flat2 / length2).min(one).pow(zero.lit(0.5 / self.alpha));
         let shadow = one + self.lambda(cos_o) + self.lambda(cos_i);

@@ -64,7 +64,7 @@ impl Model for CookTorrance {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 45,
+        operations: 43,
         exempt: &[(
             Law::Precision,
             "tan²θh is formed as 1/cos²θh − 1, of which f32 keeps 6e-8: for m below 0.002 flat views are off by up to 6 %",

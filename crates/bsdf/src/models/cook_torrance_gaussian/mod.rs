@@ -41,7 +41,7 @@ impl Model for CookTorranceGaussian {
         side: Side::Reflection,
         anisotropic: false,
         delta: false,
-        operations: 76,
+        operations: 74,
         exempt: &[],
     };
 

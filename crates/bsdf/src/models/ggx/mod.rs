@@ -30,7 +30,7 @@ pub const INFO: ModelInfo = ModelInfo {
     side: Side::Reflection,
     anisotropic: true,
     delta: false,
-    operations: 85,
+    operations: 83,
     exempt: &[],
 };
 

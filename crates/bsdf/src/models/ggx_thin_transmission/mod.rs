@@ -47,12 +47,12 @@ impl Model for GgxThinTransmission {
 
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-        self.reflection.f_cos(&mirrored(pair))
+        self.reflection.f_cos(&pair.mirrored())
     }
 
     #[inline(always)]
     fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
-        mirrored(pair).cos_view_half()
+        pair.mirrored().cos_view_half()
     }
 
     fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
@@ -62,13 +62,6 @@ impl Model for GgxThinTransmission {
     fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
         self.reflection.shadowing(pair)
     }
-}
-
-/// The pair with the light mirrored at the surface.
-#[inline(always)]
-fn mirrored<R: Real>(pair: &DirectionPair<R>) -> DirectionPair<R> {
-    let height = pair.cos_o * pair.cos_i;
-    DirectionPair { cos_i: -pair.cos_i, cos_io: pair.cos_io - height - height, ..*pair }
 }
 
 #[cfg(test)]

@@ -96,6 +96,17 @@ impl Model for Lafortune {
 impl Lafortune {
     /// The tint that makes this lobe the raw one of a published fit, whose f is (Cx wox wix + …)ⁿ: 2π/(n+2)
     /// max|C|ⁿ.
+    ///
+    /// ```
+    /// use glanz_bsdf::{DirectionPair, Model, models::lafortune::Lafortune};
+    ///
+    /// let raw = [("cx", -0.9), ("cy", -0.9), ("cz", 0.8), ("n", 10.0)];
+    /// let lobe = Lafortune::with_params(&raw)?;
+    /// // Along the normal f is Czⁿ as published.
+    /// let f: f64 = lobe.f_cos(&DirectionPair::isotropic(1.0, 1.0, 1.0)) * lobe.raw_tint();
+    /// assert!((f - 0.8_f64.powi(10)).abs() < 1e-12);
+    /// # Ok::<(), glanz_bsdf::ParamError>(())
+    /// ```
     pub fn raw_tint(&self) -> f64 {
         let greatest = self.cx.abs().max(self.cy.abs()).max(self.cz.abs());
         2.0 * PI / (self.n.n() + 2.0) * libm::pow(greatest, self.n.n())

@@ -14,6 +14,24 @@
 //! The attribute `emissiveUnits` is a text; by custom `W.m^-2.sr^-1` is said of radiance per nm.
 //!
 //! Beneath lie [`ExrFile`] and [`write_planes`], which read and write any named planes.
+//!
+//! ```
+//! use std::io::Cursor;
+//!
+//! use glanz_color::exr::{
+//!     Band, MAX_PICTURE_BYTES, SpectralImage, read_spectral_exr, write_spectral_exr,
+//! };
+//!
+//! // Two pixels of light at three wavelengths.
+//! let band = |nm: f64| Band { nm, values: vec![0.5, 2.0] };
+//! let emissive = [450.0, 550.0, 650.0].map(band).to_vec();
+//! let image = SpectralImage { width: 2, height: 1, emissive, ..SpectralImage::default() };
+//! let mut file = Cursor::new(Vec::new());
+//! write_spectral_exr(&mut file, image.clone())?;
+//! let read = read_spectral_exr(file.get_ref(), "two.exr", MAX_PICTURE_BYTES)?;
+//! assert_eq!(read.emissive, image.emissive);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 mod channels;
 mod file;

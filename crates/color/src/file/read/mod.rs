@@ -14,6 +14,20 @@
 //! returns what the file holds or one error that names file, place and what was expected. Its memory and
 //! time are bounded by the size of the file, which is at most 16 MiB, never by a number that the file
 //! claims. What a reader had to assume stands in the `notes` of what it returns.
+//!
+//! ```
+//! use glanz_color::read::{Quantity, read_spectra};
+//!
+//! let file = "wavelength (nm),leaf reflectance (%)\n400,5\n550,12\n700,45\n";
+//! let spectra = read_spectra(file.as_bytes(), "leaf.csv")?;
+//! assert_eq!(spectra[0].quantity, Quantity::Reflectance);
+//! let (leaf, remarks) = spectra[0].to_spectrum(None)?;
+//! assert!((leaf.at(550.0) - 0.12).abs() < 1e-12);
+//! assert!(!remarks.is_empty(), "it was measured from 400 to 700 nm only");
+//! let error = read_spectra(b"nm,a\n400,1\n410,x\n", "bad.csv").unwrap_err();
+//! assert!(error.to_string().starts_with("bad.csv: line 3"));
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 mod bfc;
 mod cgats;

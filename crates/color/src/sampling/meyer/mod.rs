@@ -16,6 +16,19 @@
 //! worse. With weights re-solved for the light ([`MeyerSamples::adapted`]) it is 2 to 3 under all of these.
 //!
 //! **Source.** G. W. Meyer, "Wavelength Selection for Synthetic Image Generation", CVGIP 41:57–79, 1988.
+//!
+//! ```
+//! use glanz_color::meyer::{MeyerSamples, curves, gauss, sample};
+//! use glanz_color::{Spectrum, light};
+//!
+//! // Four numbers for a spectrum; the constant one has Y = 1.
+//! let [_, y, _] = MeyerSamples::published().xyz(sample(&Spectrum::ONE));
+//! assert!((y - 1.0).abs() < 1e-5);
+//! // The wavelengths are the nodes of a Gauss quadrature: those of C1 are 490.9 and 631.4 nm.
+//! let nodes = gauss(&curves()[1], 2).expect("C1 has a rule of two nodes").nodes_nm;
+//! assert!((nodes[0] - 490.88).abs() < 0.01 && (nodes[1] - 631.44).abs() < 0.01);
+//! # Ok::<_, glanz_color::UnknownName>(())
+//! ```
 
 mod gauss;
 mod interpolants;

@@ -5,6 +5,17 @@
 //!
 //! RGB here is linear sRGB of a surface under D65 for the CIE 1931 observer, summed on the grid: see
 //! [`rgb_of_reflectance`], the way back.
+//!
+//! ```
+//! use glanz_color::models::LinearSrgb;
+//! use glanz_color::upsample::{JakobHanika, rgb_of_reflectance};
+//!
+//! let reflectance = JakobHanika::fit(LinearSrgb([0.6, 0.1, 0.05]))?.spectrum();
+//! assert!(reflectance.at(650.0) > 0.5 && reflectance.max() <= 1.0);
+//! let LinearSrgb([r, g, b]) = rgb_of_reflectance(&reflectance);
+//! assert!((r - 0.6).abs() < 1e-6 && (g - 0.1).abs() < 1e-6 && (b - 0.05).abs() < 1e-6);
+//! # Ok::<_, glanz_color::upsample::UpsampleError>(())
+//! ```
 
 mod jakob_hanika;
 mod mallett_yuksel;

@@ -3,6 +3,15 @@
 use crate::spectra::Spectrum;
 
 /// η as a formula of the wavelength λ in vacuum, in µm.
+///
+/// ```
+/// use glanz_color::Dispersion;
+///
+/// // Cauchy's formula for an ordinary crown glass: blue is bent more than red.
+/// let crown = Dispersion::Cauchy(&[1.5046, 0.0042]);
+/// assert!((crown.eta(589.3) - 1.5167).abs() < 1e-4);
+/// assert!(crown.eta(450.0) > crown.eta(650.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dispersion<'a> {
     /// W. Sellmeier 1871: η² = 1 + Σ B λ² / (λ² − C); pairs of B and C, with C in µm².

@@ -53,6 +53,18 @@ pub struct IorInfo {
 
 /// The refractive index of that name, or of that title; [`iors`] lists both.
 ///
+/// ```
+/// use glanz_color::ior;
+///
+/// // BK7 at the yellow line d of helium, 587.6 nm.
+/// let glass = ior("BK7")?;
+/// assert!((glass.eta.at(587.6) - 1.5168).abs() < 1e-4);
+/// // Gold reflects red and swallows blue.
+/// let gold = ior("gold")?.normal_reflectance();
+/// assert!(gold.at(650.0) > 0.9 && gold.at(450.0) < 0.45);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
+///
 /// # Errors
 ///
 /// [`UnknownName`] suggests near names.

@@ -25,6 +25,21 @@ pub use measured::MeasuredError;
 ///
 /// Entry `[out][in]` is what one unit of light in the band of 5 nm around `in` gives in the band of 5
 /// nm around `out`. The diagonal is ordinary reflectance.
+///
+/// ```
+/// use glanz_color::{Reradiation, Spectrum, fluorescent, light};
+///
+/// // Paper with a brightener gives back more blue daylight than comes in.
+/// let paper = fluorescent("paper-brightened")?;
+/// let d65 = light("D65")?;
+/// assert!(paper.total_radiance_factor(&d65).at(440.0) > 1.0);
+/// // Without ultraviolet the brightener has nothing to turn.
+/// let visible = Spectrum::from_fn(|nm| if nm < 420.0 { 0.0 } else { 1.0 }) * d65;
+/// assert!(paper.total_radiance_factor(&visible).at(440.0) < 0.95);
+/// // A surface that does not fluoresce is a diagonal.
+/// assert_eq!(Reradiation::diagonal(&Spectrum::constant(0.5)).apply(&d65), d65 * 0.5);
+/// # Ok::<_, glanz_color::UnknownName>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Spectrum>", into = "Vec<Spectrum>")]
 pub struct Reradiation {

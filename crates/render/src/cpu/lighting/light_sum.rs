@@ -42,7 +42,7 @@ impl<'a, R: Real> LightSum<'a, R> {
     #[inline(always)]
     pub fn pair(&self, wi: Vec3<R>) -> DirectionPair<R> {
         let wo = self.point.wo;
-        let mut pair = DirectionPair::isotropic(self.cos_o, self.point.normal.dot(wi), wo.dot(wi));
+        let mut pair = DirectionPair::between((self.cos_o, wo), (self.point.normal.dot(wi), wi));
         pair.alpha_scale = self.point.alpha_scale;
         if let Some([x, y]) = self.axes {
             pair.tangent_o = (x.dot(wo), y.dot(wo));

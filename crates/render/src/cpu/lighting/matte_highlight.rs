@@ -104,7 +104,7 @@ impl MatteHighlight {
                 if !R::any(like.zero().lt(cos_i)) {
                     continue;
                 }
-                let pair = DirectionPair::isotropic(cos_o, cos_i, point.wo.dot(wi));
+                let pair = DirectionPair::between((cos_o, point.wo), (cos_i, wi));
                 // What does not fade is not multiplied: a factor of 1 would change no bit.
                 let value = matte(&pair);
                 from_matte.push(if FADES { value * attenuation } else { value }, &light.matte);

@@ -65,7 +65,7 @@ pub(crate) fn reflect_classic<R: Real>(
         if !R::any(like.zero().lt(cos_i)) {
             continue;
         }
-        let pair = DirectionPair::isotropic(cos_o, cos_i, point.wo.dot(incident.wi));
+        let pair = DirectionPair::between((cos_o, point.wo), (cos_i, incident.wi));
         let first = number * lobes.len();
         let row = &material.tints[first..][..lobes.len()];
         // A factor of 1 rather than none: the compiler multiplies in either case, and where there is
