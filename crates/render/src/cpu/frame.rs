@@ -23,6 +23,8 @@ pub(crate) struct ObjectView {
     pub layout: Layout,
     /// The anchor along right, up and away from the eye.
     pub anchor: [f32; 3],
+    /// See [`ViewObject::steep`].
+    pub steep: f32,
     pub polygons: Option<PolygonView>,
     /// Whether its colours need neither textures nor vertex colours nor a special view.
     pub simple: bool,
@@ -90,7 +92,7 @@ impl ObjectView {
         show: DebugView,
     ) -> Self {
         let material = &materials[object.material];
-        let ViewObject { pass, cull_back, anchor } = ViewObject::new(object, material, camera);
+        let ViewObject { pass, cull_back, anchor, steep } = ViewObject::new(object, material, camera);
         let scanline = object.interpolation == Interpolation::Scanline;
         let mut view = Self {
             material: object.material,
@@ -100,6 +102,7 @@ impl ObjectView {
             cull_back,
             layout: Layout::new(object, material, show),
             anchor,
+            steep,
             polygons: None,
             simple: false,
         };

@@ -9,8 +9,9 @@ use crate::prepare::PreparedObject;
 use crate::view::View;
 use glanz_math::inline::inlined;
 
-/// Nearest visible distance, as a fraction of the greatest distance in the scene.
-const NEAR_FRACTION: f64 = 1e-5;
+/// The least distance at which something is seen, in metres: none but what numbers need. Depth is the inverse of the
+/// distance, as precise near as far, so that no plane before the eye has to be given up for it.
+const NEAR: f32 = 1e-20;
 
 /// The camera of a view in single precision: its position is the origin, the axes are those of the world.
 #[derive(Clone, Debug)]
@@ -33,14 +34,14 @@ pub struct ViewCamera {
     pub back: [f32; 3],
     /// Whether distances shrink what is seen.
     pub perspective: bool,
-    /// The least distance at which something is seen, in metres.
+    /// The least distance at which something is seen, in metres; all but none.
     pub near: f32,
     /// The least and the greatest distance in the scene, in metres.
     pub range: [f32; 2],
     /// `right`, `up` and `back` in double precision.
-    pub(crate) axes: [DVec3; 3],
+    pub(super) axes: [DVec3; 3],
     /// Where the camera is in the world, in metres.
-    pub(crate) position: DVec3,
+    pub(super) position: DVec3,
 }
 
 impl ViewCamera {
@@ -48,18 +49,10 @@ impl ViewCamera {
     pub fn new(prepared: &Prepared, view: &View) -> Self {
         let axes = view.axes.map(DVec3::from_array);
         let [right, up, back] = axes;
-        let position = DVec3::from_array(view.eye);
-        let mut range = [f64::INFINITY, 0.0f64];
-        for object in &prepared.objects {
-            for corner in corners(object) {
-                let distance = -back.dot(DVec3::from_array(object.anchor) + corner - position);
-                range = [range[0].min(distance), range[1].max(distance)];
-            }
-        }
         let perspective = matches!(view.projection, Projection::Perspective { .. });
-        let near = if perspective { (range[1] * NEAR_FRACTION).max(1e-30) } else { 0.0 };
+        let near = if perspective { NEAR } else { 0.0 };
         let scale = view.pixels_per_unit();
-        Self {
+        let mut camera = Self {
             width: view.width as usize,
             height: view.height as usize,
             center: [view.width as f32 * 0.5, view.height as f32 * 0.5],
@@ -69,11 +62,23 @@ impl ViewCamera {
             up: up.as_vec3().to_array(),
             back: back.as_vec3().to_array(),
             perspective,
-            near: near as f32,
-            range: [range[0].max(near) as f32, range[1].max(near) as f32],
+            near,
+            range: [f32::INFINITY, 0.0],
             axes,
-            position,
-        }
+            position: DVec3::from_array(view.eye),
+        };
+        let ranges = prepared.objects.iter().map(|object| camera.range_of(object));
+        let whole = ranges.fold([f64::INFINITY, 0.0], |[a, b], [low, high]| [a.min(low), b.max(high)]);
+        camera.range = whole.map(|distance| (distance as f32).max(near));
+        camera
+    }
+
+    /// The least and the greatest distance of the object's box, in metres; below 0 is behind the camera.
+    pub fn range_of(&self, object: &PreparedObject) -> [f64; 2] {
+        let back = self.axes[2];
+        let distances =
+            corners(object).map(|c| -back.dot(DVec3::from_array(object.anchor) + c - self.position));
+        distances.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)])
     }
 
     /// The unit vectors to the right, up and against the direction in which the camera looks, in double precision.
@@ -104,7 +109,7 @@ impl ViewCamera {
         let camera = self.position - DVec3::from_array(object.anchor);
         let [low, high] = object.bounds.map(DVec3::from_array);
         let size = high - low;
-        let margin = DVec3::splat(size.length() * 1e-3 + f64::from(self.near) * 2.0);
+        let margin = DVec3::splat(size.length() * 1e-3);
         if !self.perspective {
             return corners(object).all(|c| -self.axes[2].dot(c - camera) > 0.0);
         }

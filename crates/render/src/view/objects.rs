@@ -25,7 +25,13 @@ pub struct ViewObject {
     pub cull_back: bool,
     /// The object's anchor along right, up and away from the camera.
     pub anchor: [f32; 3],
+    /// Triangles that come nearer than this many metres may have depths that differ too much to be interpolated from any
+    /// corner in single precision: from their farthest only.
+    pub steep: f32,
 }
+
+/// The part of an object's greatest distance below which its triangles may be steep.
+const STEEP: f64 = 1e-5;
 
 impl ViewObject {
     /// An object of this material.
@@ -37,6 +43,13 @@ impl ViewObject {
             AlphaMode::Blend => Pass::Blended,
         };
         let hidden = object.closed && pass == Pass::Opaque && camera.is_outside(object);
-        Self { pass, cull_back: material.cull_back || hidden, anchor: camera.anchor(object) }
+        let [_, farthest] = camera.range_of(object);
+        let steep = if camera.perspective { (farthest * STEEP) as f32 } else { 0.0 };
+        Self {
+            pass,
+            cull_back: material.cull_back || hidden,
+            anchor: camera.anchor(object),
+            steep: steep.max(camera.near),
+        }
     }
 }

@@ -10,6 +10,9 @@ use crate::view::samples::SUBPIXEL;
 /// Names with this bit are indices of [`ClippedTriangle`]s, not triangles of the geometry.
 pub(crate) const EXTRA: u32 = 1 << 31;
 
+/// A little outside the guard band of the vertex pass, so that only corners that it marked are cut.
+const OUTER_GUARD: f64 = GUARD as f64 * 1.01;
+
 /// A triangle that clipping made of a part of another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClippedTriangle {
@@ -47,6 +50,10 @@ pub(crate) fn clip(
             return;
         }
     }
+    // The farthest corner first: from there depth is interpolated, and small values bear no rounding of great ones.
+    let depth = |corner: &ClipVertex| project(frame, corner)[2];
+    let farthest = (0..polygon.len()).min_by(|&a, &b| depth(&polygon[a]).total_cmp(&depth(&polygon[b])));
+    polygon.rotate_left(farthest.unwrap_or(0));
     let screen: Vec<Screen> = polygon.iter().map(|corner| project(frame, corner)).collect();
     for i in 2..polygon.len() {
         let corner = [0, i - 1, i];
@@ -67,8 +74,8 @@ fn corners(frame: &FrameView, name: u32, screen: &[Screen]) -> Vec<ClipVertex> {
     let cluster = &geometry.clusters[(name >> 7) as usize];
     let object = &frame.prepared.objects[cluster.object as usize];
     let triangle = geometry.triangles[cluster.first_triangle as usize + (name & 127) as usize];
-    let [right, up, back] = frame.camera.axes;
-    let offset = DVec3::from_array(object.anchor) - frame.camera.position;
+    let [right, up, back] = frame.camera.axes().map(DVec3::from_array);
+    let offset = DVec3::from_array(object.anchor) - DVec3::from_array(frame.camera.position());
     let mut weights = [DVec3::X, DVec3::Y, DVec3::Z].into_iter();
     triangle
         .iter()
@@ -85,8 +92,7 @@ fn corners(frame: &FrameView, name: u32, screen: &[Screen]) -> Vec<ClipVertex> {
 /// Planes (normal, offset) whose positive side is kept: in front of the eye, inside the guard band.
 fn planes(frame: &FrameView) -> [(DVec3, f64); 5] {
     let camera = &frame.camera;
-    // A little outside the guard band of the vertex pass, so that only corners that it marked are cut.
-    let guard = f64::from(GUARD) * 1.01;
+    let guard = OUTER_GUARD;
     let scale = f64::from(camera.scale);
     let (cx, cy) = (f64::from(camera.center[0]), f64::from(camera.center[1]));
     let near = (DVec3::Z, -f64::from(camera.near));
@@ -128,14 +134,16 @@ fn project(frame: &FrameView, corner: &ClipVertex) -> Screen {
         return screen;
     }
     let camera = &frame.camera;
-    let distance = corner.at.z;
+    // Rounding may put a cut at the eye itself, or farther out than the planes.
+    let distance = if camera.perspective { corner.at.z.max(f64::from(camera.near)) } else { corner.at.z };
+    let guarded = |place: f64| place.clamp(-OUTER_GUARD, OUTER_GUARD) as f32;
     let (factor, depth) = match camera.perspective {
         true => (f64::from(camera.scale) / distance, 1.0 / distance),
         false => (f64::from(camera.scale), -distance),
     };
     let x = f64::from(camera.center[0]) + corner.at.x * factor;
     let y = f64::from(camera.center[1]) - corner.at.y * factor;
-    [x as f32, y as f32, depth as f32, 0.0]
+    [guarded(x), guarded(y), depth as f32, 0.0]
 }
 
 /// The first and last pixel whose samples the triangle may cover, if any.

@@ -125,7 +125,7 @@ fn project<S: Simd>(
     clipped
 }
 
-/// Screen x, y and depth, and whether the vertex is in front of the eye and within the guard band.
+/// Screen x, y and depth, and whether the vertex is far enough before the eye and within the guard band.
 #[inline(always)]
 fn project_lanes<S: Simd>(
     simd: S,
@@ -152,7 +152,7 @@ fn project_lanes<S: Simd>(
     };
     let x = splat(camera.center[0]) + right * factor;
     let y = splat(camera.center[1]) - up * factor;
-    let inside = splat(camera.near).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
+    let inside = splat(object.steep).le(distance) & x.abs().lt(splat(GUARD)) & y.abs().lt(splat(GUARD));
     let nan = splat(f32::NAN);
     (x.select(inside, splat(0.0)), y.select(inside, splat(0.0)), depth.select(inside, nan), inside)
 }

@@ -217,7 +217,8 @@ pub(crate) fn barycentric<R: Real>([a, b, c]: &[[R; 3]; 3]) -> ([R; GROUP], R::M
     let (x1, y1) = (b[0] - a[0], b[1] - a[1]);
     let (x2, y2) = (c[0] - a[0], c[1] - a[1]);
     let area = x1 * y2 - y1 * x2;
-    let inverse = area.one() / area;
+    // Long and thin triangles that cover samples on the grid of 1/256 pixel may have no area in single precision.
+    let inverse = (area.one() / area).select(area.zero().lt(area.abs()), area.zero());
     let rows = [
         a[0],
         a[1],
