@@ -11,9 +11,10 @@ use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
 use crate::cpu::lighting::light_sum::shape_value;
+use crate::cpu::lighting::point::ShadingPoint;
 use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
-use crate::prepare::{AreaIntegral, DirectLobe, LtcTable};
+use crate::prepare::{AreaIntegral, DirectLobe, LobeIntegrals, LtcTable};
 use crate::view::lights::{ViewArea, splat};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
@@ -67,23 +68,13 @@ struct Outline<R: Real> {
 #[inline(always)]
 pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &ViewArea, row: usize) {
     let outline = Outline::of(area, sum.point.position);
-    let mut attenuation = outline.shines;
-    if let Some(bvh) = lights.bvh {
-        attenuation = attenuation * shadow::free(bvh, sum.point, outline.middle, Some(outline.distance));
-    }
-    let normal = sum.point.normal;
-    let zero = attenuation.zero();
-    attenuation = attenuation.select(normal.dot(normal).gt(zero.lit(0.25)), zero);
-    if !R::any(zero.lt(attenuation)) {
+    let attenuation = attenuation(sum.point, lights, &outline);
+    if !R::any(attenuation.zero().lt(attenuation)) {
         return;
     }
-    let frame = view_frame(sum.point.wo, normal, sum.cos_o);
+    let frame = view_frame(sum.point.wo, sum.point.normal, sum.cos_o);
     let material = sum.material;
     for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
-        let map = match &integrals.area {
-            AreaIntegral::Ltc(map) => Some(&**map),
-            _ => None,
-        };
         let value = match &integrals.area {
             AreaIntegral::Mirror => apart(
                 attenuation,
@@ -96,37 +87,58 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &V
                 || by_points(sum, area, lobe),
             ),
             AreaIntegral::Cosine | AreaIntegral::Ltc(_) => {
-                let below = is_transmitting(lobe);
-                let local = inlined(
-                    #[inline(always)]
-                    |v: &Vec3<R>| {
-                        let v = frame.to_local(*v);
-                        if below { Vec3::new(v.x, v.y, -v.z) } else { v }
-                    },
-                );
-                transmitted_light(&outline, map, sum.cos_o, local) * integrals.albedo.at(sum.cos_o).max(zero)
+                by_polygon(&outline, &frame, sum.cos_o, lobe, integrals)
             }
         };
         sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));
     }
 }
 
-/// The fraction of a lobe that the light fills.
+/// The visibility of the light from the point; 0 behind a light with one side, and where there is no normal.
 #[inline(always)]
-fn transmitted_light<R: Real>(
+fn attenuation<R: Real>(point: &ShadingPoint<R>, lights: &ShadeLights, outline: &Outline<R>) -> R {
+    let mut attenuation = outline.shines;
+    if let Some(bvh) = lights.bvh {
+        attenuation = attenuation * shadow::free(bvh, point, outline.middle, Some(outline.distance));
+    }
+    let normal = point.normal;
+    let zero = attenuation.zero();
+    attenuation.select(normal.dot(normal).gt(zero.lit(0.25)), zero)
+}
+
+/// The integral of a lobe over the outline: the fraction of it that the light fills, times its albedo.
+#[inline(always)]
+fn by_polygon<R: Real>(
+    outline: &Outline<R>,
+    frame: &Frame<R>,
+    cos_o: R,
+    lobe: &DirectLobe,
+    integrals: &LobeIntegrals,
+) -> R {
+    let map = match &integrals.area {
+        AreaIntegral::Ltc(map) => Some(&**map),
+        _ => None,
+    };
+    let below = is_transmitting(lobe);
+    let local = inlined(
+        #[inline(always)]
+        |v: &Vec3<R>| {
+            let v = frame.to_local(*v);
+            if below { Vec3::new(v.x, v.y, -v.z) } else { v }
+        },
+    );
+    filled_fraction(outline, map, cos_o, local) * integrals.albedo.at(cos_o).max(cos_o.zero())
+}
+
+/// The fraction of a lobe that the light fills: its linearly transformed cosine over the clipped outline.
+#[inline(always)]
+fn filled_fraction<R: Real>(
     outline: &Outline<R>,
     map: Option<&LtcTable>,
     cos_o: R,
     local: impl Fn(&Vec3<R>) -> Vec3<R>,
 ) -> R {
     let inverse = map.map(|map| map.at(cos_o));
-    let mapped = inlined(
-        #[inline(always)]
-        |v: &Vec3<R>| match inverse {
-            Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
-            None => *v,
-        },
-    );
     let zero = cos_o.zero();
     let mut corners = [Vec3::new(zero, zero, zero); 2 * ROUND];
     let mut count = outline.count;
@@ -142,7 +154,7 @@ fn transmitted_light<R: Real>(
         count = above_horizon(&mut corners, count);
     }
     for corner in &mut corners[..count] {
-        *corner = mapped(corner);
+        *corner = to_cosine(inverse, corner);
     }
     let polygon = apart(
         cos_o,
@@ -153,14 +165,30 @@ fn transmitted_light<R: Real>(
         return polygon;
     }
     let middle = local(&outline.middle);
-    let (w, determinant) = match inverse {
-        Some([a, b, c, d, e]) => (mapped(&middle), (c * (a * e - b * d)).abs()),
-        None => (middle, zero.one()),
-    };
-    let squared = w.dot(w).max(zero.lit(1e-30));
-    let density = w.z.max(zero) * determinant / squared.sqr() * zero.lit(1.0 / PI);
+    let density = density(inverse, &middle);
     let lit = zero.lt(middle.z);
     (density * outline.solid).select(outline.small & lit, polygon.select(!outline.small, zero))
+}
+
+/// The vector by the inverse matrix of a linearly transformed cosine; itself where the lobe is the cosine.
+#[inline(always)]
+fn to_cosine<R: Real>(inverse: Option<[R; 5]>, v: &Vec3<R>) -> Vec3<R> {
+    match inverse {
+        Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+        None => *v,
+    }
+}
+
+/// The value of a linearly transformed cosine in a unit direction, per steradian.
+#[inline(always)]
+fn density<R: Real>(inverse: Option<[R; 5]>, direction: &Vec3<R>) -> R {
+    let zero = direction.z.zero();
+    let (w, determinant) = match inverse {
+        Some([a, b, c, d, e]) => (to_cosine(inverse, direction), (c * (a * e - b * d)).abs()),
+        None => (*direction, zero.one()),
+    };
+    let squared = w.dot(w).max(zero.lit(1e-30));
+    w.z.max(zero) * determinant / squared.sqr() * zero.lit(1.0 / PI)
 }
 
 /// The frame around the normal whose x axis is the viewer's tangential direction.

@@ -28,11 +28,7 @@ impl<'a, R: Real> LightSum<'a, R> {
     pub fn new(material: &'a ShadeMaterial<'a>, point: &'a ShadingPoint<R>, texel: Option<[R; 3]>) -> Self {
         let like = point.normal.x;
         let mix = material.mix.as_deref().zip(texel);
-        let textured = match &mix {
-            Some((mix, texel)) => mixed(&mix.ambient, texel),
-            None => literal(like, &material.ambient[0]),
-        };
-        let reflected = Reflected { textured, plain: literal(like, &material.ambient[1]) };
+        let reflected = Reflected::ambient(like, material, &mix);
         let cos_o = point.normal.dot(point.wo).max(like.lit(LEAST_COS_O));
         let axes = material.anisotropic.then(|| axes(material, point));
         Self { material, mix, point, cos_o, axes, reflected }

@@ -3,6 +3,8 @@
 use glanz_math::inline::{inlined, three};
 use glanz_math::{Real, Vec3};
 
+use crate::prepare::{MixTints, PreparedMaterial};
+
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadingPoint<R> {
@@ -33,6 +35,20 @@ impl<R: Real> ShadingPoint<R> {
 pub(crate) struct Reflected<R> {
     pub textured: [R; 3],
     pub plain: [R; 3],
+}
+
+impl<R: Real> Reflected<R> {
+    /// Ambient light times the ambient tints, the textured one mixed by the texel where that mixes spectra.
+    #[inline(always)]
+    pub fn ambient(like: R, material: &PreparedMaterial, mix: &Option<(&MixTints, [R; 3])>) -> Self {
+        Self {
+            textured: match mix {
+                Some((mix, texel)) => mixed(&mix.ambient, texel),
+                None => literal(like, &material.ambient[0]),
+            },
+            plain: literal(like, &material.ambient[1]),
+        }
+    }
 }
 
 /// The unit normal, or null where there is none.

@@ -42,13 +42,7 @@ pub(crate) fn reflect_classic<R: Real>(
 ) -> Reflected<R> {
     let like = point.normal.x;
     let mix = material.mix.as_deref().zip(texel);
-    let mut sum = Reflected {
-        textured: match &mix {
-            Some((mix, texel)) => mixed(&mix.ambient, texel),
-            None => literal(like, &material.ambient[0]),
-        },
-        plain: literal(like, &material.ambient[1]),
-    };
+    let mut sum = Reflected::ambient(like, material, &mix);
     let cos_o = point.normal.dot(point.wo);
     let lobes = &material.lobes[..];
     for (number, light) in lights.iter().enumerate() {

@@ -8,6 +8,7 @@ use crate::prepare::Cluster;
 use crate::view::camera::ViewCamera;
 use fearless_simd::Simd;
 use glanz_color::Rgb;
+use glanz_math::inline::three;
 use glanz_math::{Lanes, Real, Vec3};
 
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
@@ -40,13 +41,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
     let sides = if view.cull_back { 1 } else { 2 };
     for row in (0..lit.len()).step_by(16) {
         let first = cluster.first_vertex as usize + row;
-        let position = |axis: usize| {
-            let array = geometry.position[axis][first..].first_chunk::<16>();
-            Lanes::load(simd, array.expect("clusters are padded to sixteen vertices"))
-        };
-        let at = Vec3::new(position(0), position(1), position(2));
-        let shift = Vec3::new(offset.x, offset.y, offset.z);
-        let position = at + splat(simd, shift);
+        let position = positions(simd, &geometry.position, first) + splat(simd, offset);
         let normal = normals(simd, &geometry.normals[first..first + 16]);
         let wo = to_viewer(simd, &frame.camera, position);
         let colors = object.attributes.color.then(|| &geometry.colors[first..first + 16]);
@@ -112,6 +107,20 @@ impl<S: Simd> VertexBlock<'_, S> {
 #[inline(always)]
 fn splat<S: Simd>(simd: S, v: Vec3<f32>) -> Vec3<Lanes<S>> {
     Vec3::new(Lanes::splat(simd, v.x), Lanes::splat(simd, v.y), Lanes::splat(simd, v.z))
+}
+
+/// The positions of sixteen vertices from the first on, relative to their object's anchor.
+#[inline(always)]
+fn positions<S: Simd>(simd: S, columns: &[Vec<f32>; 3], first: usize) -> Vec3<Lanes<S>> {
+    let [x, y, z] = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |axis: usize| {
+            let array = columns[axis][first..].first_chunk::<16>();
+            Lanes::load(simd, array.expect("clusters are padded to sixteen vertices"))
+        },
+    );
+    Vec3::new(x, y, z)
 }
 
 #[inline(always)]

@@ -153,24 +153,7 @@ impl<S: Simd> ShadeBlock<'_, S> {
             textured = light.textured;
             plain = light.plain;
         }
-        let mut rgb = match &material.mix {
-            Some(mix) => {
-                let emitted = mixed(&mix.emission, &extra.emission);
-                three(
-                    [0, 1, 2],
-                    #[inline(always)]
-                    |c| textured[c] + plain[c] + emitted[c],
-                )
-            }
-            None => three(
-                [0, 1, 2],
-                #[inline(always)]
-                |c| {
-                    let emitted = self.px.lit(f64::from(material.emission[c])) * extra.emission[c];
-                    textured[c] * extra.base[c] + plain[c] + emitted
-                },
-            ),
-        };
+        let mut rgb = with_emission(material, extra, textured, plain);
         let mut alpha = self.px.lit(f64::from(material.alpha)) * extra.alpha;
         debug_view::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
         let transmittance = self.transmittance(material, place, point.normal);
@@ -201,5 +184,34 @@ impl<S: Simd> ShadeBlock<'_, S> {
             #[inline(always)]
             |fraction| fraction.clamp(0.0, 1.0),
         )
+    }
+}
+
+/// The light of a textured surface: what it reflects and what it emits.
+#[inline(always)]
+fn with_emission<S: Simd>(
+    material: &ShadeMaterial,
+    extra: &texturing::SurfaceAttributes<S>,
+    textured: [Lanes<S>; 3],
+    plain: [Lanes<S>; 3],
+) -> [Lanes<S>; 3] {
+    match &material.mix {
+        Some(mix) => {
+            let emitted = mixed(&mix.emission, &extra.emission);
+            three(
+                [0, 1, 2],
+                #[inline(always)]
+                |c| textured[c] + plain[c] + emitted[c],
+            )
+        }
+        None => three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| {
+                let emission = extra.emission[c];
+                let emitted = emission.lit(f64::from(material.emission[c])) * emission;
+                textured[c] * extra.base[c] + plain[c] + emitted
+            },
+        ),
     }
 }

@@ -85,14 +85,7 @@ impl<S: Simd> SurfaceAttributes<S> {
     /// Looks all the material's textures up at `self.uv`.
     #[inline(always)]
     fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &ShadeMaterial, footprint: &[f32; 16]) {
-        let uv = self.uv.map(
-            #[inline(always)]
-            |lanes| {
-                let mut array = [0.0; 16];
-                lanes.store(&mut array);
-                array
-            },
-        );
+        let uv = [array(self.uv[0]), array(self.uv[1])];
         let textures = &shade_block.frame.prepared.textures;
         let look = inlined(
             #[inline(always)]
@@ -124,12 +117,7 @@ impl<S: Simd> SurfaceAttributes<S> {
         }
         if let Some(map) = &material.normal_map {
             let [x, y, z, _] = look(map);
-            let centered = inlined(
-                #[inline(always)]
-                |c: Lanes<S>| c + c - c.one(),
-            );
-            let scale = shade_block.px.lit(f64::from(map.scale));
-            self.bend = [centered(x) * scale, centered(y) * scale, centered(z)];
+            self.bend = tangent_space_normal([x, y, z], map.scale);
         }
     }
 
@@ -159,6 +147,25 @@ impl<S: Simd> SurfaceAttributes<S> {
     }
 }
 
+/// The lanes as an array.
+#[inline(always)]
+fn array<S: Simd>(lanes: Lanes<S>) -> [f32; 16] {
+    let mut array = [0.0; 16];
+    lanes.store(&mut array);
+    array
+}
+
+/// The normal that a texel of a normal map stands for, along tangent, bitangent and normal; of any length.
+#[inline(always)]
+fn tangent_space_normal<S: Simd>([x, y, z]: [Lanes<S>; 3], scale: f32) -> [Lanes<S>; 3] {
+    let centered = inlined(
+        #[inline(always)]
+        |c: Lanes<S>| c + c - c.one(),
+    );
+    let scale = x.lit(f64::from(scale));
+    [centered(x) * scale, centered(y) * scale, centered(z)]
+}
+
 /// How far a pixel reaches in texture coordinates, along the longer of its two directions.
 #[inline(always)]
 fn footprint<S: Simd>(uv: [Lanes<S>; 2], across: [Lanes<S>; 2], down: [Lanes<S>; 2]) -> [f32; 16] {
@@ -166,9 +173,7 @@ fn footprint<S: Simd>(uv: [Lanes<S>; 2], across: [Lanes<S>; 2], down: [Lanes<S>;
         #[inline(always)]
         |to: [Lanes<S>; 2]| (to[0] - uv[0]).sqr() + (to[1] - uv[1]).sqr(),
     );
-    let mut array = [0.0; 16];
-    length(across).max(length(down)).sqrt().store(&mut array);
-    array
+    array(length(across).max(length(down)).sqrt())
 }
 
 /// One texture at sixteen places; the four channels.
@@ -194,22 +199,7 @@ pub(crate) fn scanline<S: Simd>(
     values: &mut [[Lanes<S>; 3]; 4],
     extra: &mut SurfaceAttributes<S>,
 ) {
-    let mut columns = [[0.0f32; 16]; CORNER];
-    let (mut px, mut py) = ([0.0; 16], [0.0; 16]);
-    shade_block.px.store(&mut px);
-    shade_block.py.store(&mut py);
-    let mut found = 0u32;
-    for run in shade_block.runs {
-        let setup = shade_block.setup(run);
-        for lane in (0..16).filter(|lane| run.bits >> lane & 1 == 1) {
-            if let Some(corner) = polygons.interpolate(setup.facet, setup.back, px[lane], py[lane]) {
-                found |= 1 << lane;
-                for (column, value) in columns.iter_mut().zip(corner) {
-                    column[lane] = value;
-                }
-            }
-        }
-    }
+    let (columns, found) = along_scanlines(shade_block, polygons);
     let mask = glanz_math::LanesMask::from_bits(shade_block.simd, found);
     let lanes = |i: usize, other: Lanes<S>| Lanes::load(shade_block.simd, &columns[i]).select(mask, other);
     let layout = &shade_block.object.layout;
@@ -238,4 +228,27 @@ pub(crate) fn scanline<S: Simd>(
             (color * texel[c]).select(mask, base[c])
         });
     }
+}
+
+/// The values that a block's pixels get from their polygons, as columns, and the bits of the pixels that get any.
+#[inline(always)]
+fn along_scanlines<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    polygons: &PolygonView,
+) -> ([[f32; 16]; CORNER], u32) {
+    let mut columns = [[0.0f32; 16]; CORNER];
+    let (px, py) = (array(shade_block.px), array(shade_block.py));
+    let mut found = 0u32;
+    for run in shade_block.runs {
+        let setup = shade_block.setup(run);
+        for lane in (0..16).filter(|lane| run.bits >> lane & 1 == 1) {
+            if let Some(corner) = polygons.interpolate(setup.facet, setup.back, px[lane], py[lane]) {
+                found |= 1 << lane;
+                for (column, value) in columns.iter_mut().zip(corner) {
+                    column[lane] = value;
+                }
+            }
+        }
+    }
+    (columns, found)
 }

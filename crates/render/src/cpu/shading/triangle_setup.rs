@@ -113,38 +113,22 @@ impl TriangleSetups {
         corners: &Corners,
     ) {
         let object = &frame.objects[setup.object as usize];
-        let material = &frame.materials[object.material];
-        let geometry = &frame.prepared.geometry;
         let layout = &object.layout;
-        let side = usize::from(setup.back && !object.cull_back);
         match object.shading {
             Shading::Phong => {
-                let sign = match (setup.back, material.two_sided) {
-                    (false, _) => 1.0,
-                    (true, true) => -1.0,
-                    (true, false) => 0.0,
-                };
+                let sign = normal_sign(setup, frame.materials[object.material].two_sided);
+                let normals = &frame.prepared.geometry.normals;
                 self.group(corners, |v| {
                     three(
-                        geometry.normals[v],
+                        normals[v],
                         #[inline(always)]
                         |c| c * sign,
                     )
                 });
             }
             Shading::Gouraud => {
-                let lit = |v: usize| projected.lit[v][side];
-                match layout.plain {
-                    Some(_) => {
-                        self.group(corners, |v| lit(v)[0]);
-                        self.group(corners, |v| lit(v)[1]);
-                        if layout.mix.is_some() {
-                            self.group(corners, |v| projected.lit_mix[v][side][0]);
-                            self.group(corners, |v| projected.lit_mix[v][side][1]);
-                        }
-                    }
-                    None => self.group(corners, |v| sum(lit(v))),
-                }
+                let side = usize::from(setup.back && !object.cull_back);
+                self.add_vertex_light(projected, layout, side, corners);
             }
             Shading::Flat => {
                 let lit = flat(frame, setup);
@@ -156,6 +140,23 @@ impl TriangleSetups {
             }
         }
         self.add_rest(frame, layout, corners);
+    }
+
+    /// Appends the light of the vertices on one side: what textures multiply and what not, or their sum.
+    #[inline(always)]
+    fn add_vertex_light(&mut self, projected: &Projected, layout: &Layout, side: usize, corners: &Corners) {
+        let lit = |v: usize| projected.lit[v][side];
+        match layout.plain {
+            Some(_) => {
+                self.group(corners, |v| lit(v)[0]);
+                self.group(corners, |v| lit(v)[1]);
+                if layout.mix.is_some() {
+                    self.group(corners, |v| projected.lit_mix[v][side][0]);
+                    self.group(corners, |v| projected.lit_mix[v][side][1]);
+                }
+            }
+            None => self.group(corners, |v| sum(lit(v))),
+        }
     }
 
     fn add_rest(&mut self, frame: &FrameView, layout: &Layout, corners: &Corners) {
@@ -191,6 +192,16 @@ impl TriangleSetups {
 
     fn constant(&mut self, value: [f32; 3]) {
         self.floats.extend_from_slice(&[value[0], value[1], value[2], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    }
+}
+
+/// What a normal is multiplied with on the side that is seen; 0 on a back face that is not lit.
+#[inline(always)]
+fn normal_sign(setup: &TriangleSetup, two_sided: bool) -> f32 {
+    match (setup.back, two_sided) {
+        (false, _) => 1.0,
+        (true, true) => -1.0,
+        (true, false) => 0.0,
     }
 }
 
@@ -250,11 +261,7 @@ fn flat<'a>(frame: &'a FrameView, setup: &TriangleSetup) -> FlatFacet<'a> {
     let facets = prepared.facets.as_ref().expect("objects that are shaded flat have their facets prepared");
     let facet = setup.facet as usize;
     let vector = |[x, y, z]: [f32; 3]| Vec3::new(x, y, z);
-    let sign = match (setup.back, material.two_sided) {
-        (false, _) => 1.0,
-        (true, true) => -1.0,
-        (true, false) => 0.0,
-    };
+    let sign = normal_sign(setup, material.two_sided);
     let position = frame.camera.offset(prepared) + vector(facets.centroids[facet]);
     let camera = &frame.camera;
     let wo = if camera.perspective { unit(-position) } else { vector(camera.back) };

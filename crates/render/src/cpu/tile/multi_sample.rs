@@ -92,11 +92,45 @@ fn shade_layers<S: Simd, const C: usize>(
     at: usize,
 ) {
     let background = ViewBackground::of(tile.frame);
-    let TileScratch { setups, transparency, pixels, .. } = scratch;
+    scratch.pixels.touch(simd, &background, &tile.grid, at);
+    let (mut sum, mut covered) = sum_layers(simd, tile, scratch, layers, at);
+    let (color, alpha) = background.block(simd, &tile.grid, at);
+    let open = of_channels(
+        &layers.open,
+        #[inline(always)]
+        |open| Lanes::load(simd, open),
+    );
+    sum = three(
+        [0, 1, 2],
+        #[inline(always)]
+        |c| sum[c] + open[c] * color[c],
+    );
+    covered = covered + Lanes::load(simd, &layers.open[C - 1]) * alpha;
+    if tile.blended {
+        let light = scratch.transparency.light(simd, at);
+        sum = three(
+            [0, 1, 2],
+            #[inline(always)]
+            |c| sum[c] + light[c],
+        );
+        covered = covered + light[3];
+    }
+    scratch.pixels.put(at, sum, covered);
+}
+
+/// The colours of the layers by their weights, and their coverage; keeps the planes that are asked for.
+#[inline(always)]
+fn sum_layers<S: Simd, const C: usize>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    layers: &CoverageLayers<C>,
+    at: usize,
+) -> ([Lanes<S>; 3], Lanes<S>) {
+    let TileScratch { setups, pixels, .. } = scratch;
     let zero = Lanes::splat(simd, 0.0);
     let mut sum = [zero; 3];
     let mut covered = zero;
-    pixels.touch(simd, &background, &tile.grid, at);
     for layer in &layers.list {
         let runs = &layers.runs[layer.runs.clone()];
         let place = block::coordinates(simd, &tile.grid, at, layer.at);
@@ -119,28 +153,7 @@ fn shade_layers<S: Simd, const C: usize>(
             keep_planes(simd, pixels, setups, &shaded, runs, at);
         }
     }
-    let (color, alpha) = background.block(simd, &tile.grid, at);
-    let open = of_channels(
-        &layers.open,
-        #[inline(always)]
-        |open| Lanes::load(simd, open),
-    );
-    sum = three(
-        [0, 1, 2],
-        #[inline(always)]
-        |c| sum[c] + open[c] * color[c],
-    );
-    covered = covered + Lanes::load(simd, &layers.open[C - 1]) * alpha;
-    if tile.blended {
-        let light = transparency.light(simd, at);
-        sum = three(
-            [0, 1, 2],
-            #[inline(always)]
-            |c| sum[c] + light[c],
-        );
-        covered = covered + light[3];
-    }
-    pixels.put(at, sum, covered);
+    (sum, covered)
 }
 
 /// One value for each channel, from one for all or from three and coverage.

@@ -173,11 +173,21 @@ fn colors<S: Simd>(
             _ => shade_block.locate(&[shade_block.gather(0), shade_block.gather(1)]),
         };
     }
-    let shade_block = ShadeBlock::bare(simd, frame, &scratch.setups, object, place);
+    located_colors(&ShadeBlock::bare(simd, frame, &scratch.setups, object, place), located, value)
+}
+
+/// The colours of a simple object whose pixels are located and have their first attribute group.
+#[inline(always)]
+fn located_colors<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    located: Place<S>,
+    value: [Lanes<S>; 3],
+) -> [Lanes<S>; 3] {
+    let ShadeBlock { frame, object, .. } = *shade_block;
     let Some(classic) = &frame.loops[object.material] else {
         // A variable of its own: what a call writes to lives in memory, for all that it is merged with.
         let mut own = value;
-        simple_colors(&shade_block, located, &mut own);
+        simple_colors(shade_block, located, &mut own);
         return [own[0], own[1], own[2]];
     };
     shade_block
