@@ -11,16 +11,23 @@ use glanz_scene::Shading;
 use crate::cpu::block::BLOCK;
 use crate::cpu::frame::{FrameView, ObjectView};
 use crate::cpu::shading::triangle_setup::{GROUP, Projected, barycentric, differences};
-use crate::cpu::visibility::visible::{Owners, Visible, is_named};
+use crate::cpu::visibility::visible::{NONE, Owners, Visible, is_named};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
 /// From this number of triangles on, setting all of them up at once is cheaper than one by one, where
 /// they are set up for the block alone; and where they serve several blocks.
 const MANY_TINY: usize = 3;
-pub(crate) const MANY: usize = 8;
+const MANY: usize = 8;
 
-/// Whether [`Dust`] is cheaper than records.
+/// How many owners of a block are enough to know that a batch is cheaper than records, judged by the first.
+#[inline(always)]
+pub(crate) fn enough(visible: &Visible, at: usize) -> usize {
+    let first = visible.each(at)[0];
+    if is_named(first) && first != NONE { MANY_TINY } else { MANY }
+}
+
+/// Whether a batch is cheaper than records.
 #[inline(always)]
 pub(crate) fn pays(owners: &Owners) -> bool {
     owners.count >= MANY || owners.count >= MANY_TINY && is_named(owners.runs[0].setup)

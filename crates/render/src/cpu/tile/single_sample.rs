@@ -26,7 +26,7 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
     tile.slot.for_each_block(
         #[inline(always)]
         |at| {
-            scratch.visible.owners(simd, at, triangle_batch::MANY, &mut owners);
+            scratch.visible.owners(simd, at, triangle_batch::enough(&scratch.visible, at), &mut owners);
             if let (true, Some(codes)) = (block_pair::pays(simd), &mut codes)
                 && let Some(block) = ready(tile, scratch, &owners, at)
             {
