@@ -1,5 +1,4 @@
-//! The command `glanz`. Data goes to stdout, everything else to stderr; the exit code is 0 when all is
-//! well, 1 when the work failed, 2 when the command line makes no sense.
+//! The command `glanz`. Data goes to stdout, everything else to stderr; [`print::failure`] has the exit codes.
 
 mod args;
 mod commands;
@@ -15,16 +14,22 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
+use crate::print::failure::Failure;
+
+/// Shown after the help.
+const EXAMPLES: &str = "\
+Examples:
+  glanz render model.glb
+  glanz render scene.toml -o picture.exr --size 3840x2160
+  glanz info model.glb";
+
 /// Draw real things under real lights, and tell how right the picture is
 #[derive(Parser, Debug)]
 #[command(
     name = "glanz",
     version,
     max_term_width = 100,
-    after_help = "Examples:\n  \
-        glanz render model.glb\n  \
-        glanz render scene.toml -o picture.exr --size 3840x2160\n  \
-        glanz info model.glb"
+    after_help = format!("{EXAMPLES}\n\n{}", print::failure::EXIT_CODES)
 )]
 struct Cli {
     #[command(subcommand)]
@@ -37,7 +42,10 @@ fn main() -> ExitCode {
         Err(error) => {
             // A closed stdout or stderr leaves nobody to tell.
             let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+            return ExitCode::from(match error.use_stderr() {
+                true => Failure::Usage(String::new()).code(),
+                false => 0,
+            });
         }
     };
     match cli.command.run(Cli::command) {

@@ -117,7 +117,7 @@ fn verdict(lobes: &[Lobe], certificates: &[Certificate]) -> Result<(), Failure> 
     let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };
     let report = Report::new(format_args!("{} {laws}: {}", broken.len(), names.join("; ")));
     Err(match broken.iter().all(|(_, finding)| !unknown(finding)) {
-        true => report.help("each is a fault that its model is known to have").into(),
-        false => report.into(),
+        true => report.help("each is a fault that its model is known to have").judged(),
+        false => report.judged(),
     })
 }

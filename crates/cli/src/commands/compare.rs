@@ -34,7 +34,8 @@ beside one, and with --as-shown, light is clipped to what a screen shows, and rm
 ssim are those of sRGB codes from 0 to 1. The peak of psnr is 1. Pictures are laid over black.
 
 The value of de2000, flip and ssim is the mean; de2000, flip and rmse also have .mean, .median,
-.p95 and .max over the pixels. The exit code is 1 when a bound is broken.";
+.p95 and .max over the pixels. The exit code is 1 when a bound is broken, 3 when the pictures cannot
+be read or compared.";
 
 /// Options of `glanz compare`.
 #[derive(Args, Debug)]
@@ -92,7 +93,9 @@ impl CompareArgs {
         let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();
         match broken.is_empty() {
             true => Ok(()),
-            false => Err(Failure::new(format_args!("the pictures differ too much: {}", broken.join("; ")))),
+            false => {
+                Err(Report::new(format_args!("the pictures differ too much: {}", broken.join("; "))).judged())
+            }
         }
     }
 

@@ -12,30 +12,46 @@ use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
 };
 
-/// Exit code of a command that was used rightly but could not do its work.
-const FAILED: u8 = 1;
-/// Exit code of a command that was used wrongly.
-const USAGE: u8 = 2;
+/// Shown after the help of the whole command.
+pub const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  judged and failed: a bound of compare is broken, a law fails in check
+  2  usage: the command line makes no sense
+  3  could not: a file that cannot be read or written, a scene with an error, pictures of two sizes";
 
-/// Why a command ends early.
+/// Why a command ends early. The kind alone decides the exit code.
 #[derive(Debug)]
 pub enum Failure {
-    /// The command line makes no sense; exit code 2.
+    /// The work is done, and what it judged has failed.
+    Judged(Box<Report>),
+    /// The command line makes no sense.
     Usage(String),
-    /// The work could not be done; exit code 1.
-    Failed(Box<Report>),
+    /// The work could not be done.
+    CouldNot(Box<Report>),
     /// Whoever read our output has had enough. Not an error.
     Closed,
 }
 
 impl Failure {
-    /// A failure that is told by its message alone.
+    /// The exit code, as [`EXIT_CODES`] tells it.
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::Closed => 0,
+            Self::Judged(_) => 1,
+            Self::Usage(_) => 2,
+            Self::CouldNot(_) => 3,
+        }
+    }
+
+    /// Work that could not be done, told by its message alone.
     pub fn new(message: impl fmt::Display) -> Self {
         Report::new(message).into()
     }
 
     /// Tells the failure on stderr, and the exit code.
     pub fn report<C: CommandFactory>(self, command: &[&str]) -> ExitCode {
+        let code = ExitCode::from(self.code());
         match self {
             Self::Usage(message) => {
                 let mut root = C::command();
@@ -43,20 +59,19 @@ impl Failure {
                 let error = subcommand(&mut root, command).error(ErrorKind::ValueValidation, message);
                 // Nothing is left to be done if stderr is closed.
                 let _ = error.print();
-                ExitCode::from(USAGE)
             }
-            Self::Failed(report) => {
+            Self::Judged(report) | Self::CouldNot(report) => {
                 let _ = report.print();
-                ExitCode::from(FAILED)
             }
-            Self::Closed => ExitCode::SUCCESS,
+            Self::Closed => {}
         }
+        code
     }
 }
 
 impl From<Report> for Failure {
     fn from(report: Report) -> Self {
-        Self::Failed(Box::new(report))
+        Self::CouldNot(Box::new(report))
     }
 }
 
@@ -114,6 +129,11 @@ impl Report {
     /// A report of this message.
     pub fn new(message: impl fmt::Display) -> Self {
         Self { message: message.to_string(), ..Self::default() }
+    }
+
+    /// The failure of something that was judged.
+    pub fn judged(self) -> Failure {
+        Failure::Judged(Box::new(self))
     }
 
     /// Adds what could be done about it.

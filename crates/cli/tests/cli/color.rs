@@ -137,7 +137,7 @@ fn values_below_0_are_refused_where_they_are_more_than_noise() {
     let folder = Folder::new();
     folder.write("a.csv", "nm,reflectance\n300,0.5\n540,-0.5\n780,0.5\n");
     let failure = folder.glanz(&["color", "spectrum", "a.csv"]).failure();
-    assert!(failure.starts_with("1\n") && failure.contains("found -0.5 at 540 nm"), "{failure}");
+    assert!(failure.starts_with("3\n") && failure.contains("found -0.5 at 540 nm"), "{failure}");
     folder.write("a.csv", "nm,reflectance\n300,0.5\n540,-0.001\n780,0.5\n");
     let run = folder.glanz(&["color", "spectrum", "a.csv"]);
     assert!(!run.text().is_empty() && run.stderr.contains("taken as noise"), "{}", run.stderr);
@@ -239,7 +239,7 @@ fn a_large_file_is_refused_before_it_fills_the_memory() {
     let folder = Folder::new();
     folder.write("large.csv", vec![b'1'; (16 << 20) + 10]);
     let failure = folder.glanz(&["color", "spectrum", "large.csv"]).failure();
-    assert!(failure.starts_with("1\n") && failure.contains("expected at most"), "{failure}");
+    assert!(failure.starts_with("3\n") && failure.contains("expected at most"), "{failure}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-const COMMANDS: [&[&str]; 36] = [
+pub const COMMANDS: [&[&str]; 36] = [
     &[],
     &["render"],
     &["sweep"],
@@ -42,7 +42,8 @@ const COMMANDS: [&[&str]; 36] = [
     &["completions"],
 ];
 
-fn help(words: &[&str]) -> String {
+/// The help of the command that `words` lead to.
+pub fn help(words: &[&str]) -> String {
     let folder = Folder::new();
     let run = folder.glanz(&[words, &["--help"]].concat());
     assert!(run.stderr.is_empty());

@@ -6,6 +6,7 @@ mod bytes;
 mod color;
 mod comparisons;
 mod errors;
+mod exits;
 mod folder;
 mod help;
 mod library;
