@@ -1,4 +1,4 @@
-//! Every task of the workspace: `cargo xtask test`, `golden`, `gallery`, `bench`, `data`.
+//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `gallery`, `bench`, `data`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
@@ -9,6 +9,7 @@ mod gallery;
 mod golden;
 mod picture;
 mod reference;
+mod renew;
 mod steps;
 mod test;
 mod tour;
@@ -33,6 +34,8 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --only WORD    only the steps with that in their name
   golden    Compare pictures with tests/golden/, and all SIMD levels and thread counts with each other
               --renew        write the pictures anew; target/golden/diff.png shows what changed
+  renew     Write anew what follows from the code: docs/MODELS.md, docs/COMMANDS.md, snapshots of the command's output
+              --pictures     the gold pictures too, of models and of tests/golden/; look at them before you commit
   gallery   Draw all examples at full size into target/gallery/, and the README's picture
               --readme       only the README's picture
   bench     Measure drawing and print the table of docs/BENCHMARKS.md
@@ -51,6 +54,7 @@ Example: cargo xtask test --keep-going";
 enum Task {
     Test(test::Options),
     Golden { renew: bool },
+    Renew { pictures: bool },
     Gallery { only_readme: bool },
     Bench(bench::Options),
     Data { check: bool },
@@ -80,6 +84,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Test(options) => test::run_all(&workspace, options),
         Task::Golden { renew: true } => golden::renew(&workspace),
         Task::Golden { renew: false } => golden::run(&workspace),
+        Task::Renew { pictures } => renew::run_all(&workspace, *pictures),
         Task::Gallery { only_readme } => gallery::run(&workspace, *only_readme),
         Task::Bench(options) => bench::run_all(&workspace, options),
         Task::Data { check: true } => data::check(&workspace),
@@ -133,6 +138,7 @@ fn task(
             only: only.take(),
         }),
         Some("golden") => Task::Golden { renew: take("renew") },
+        Some("renew") => Task::Renew { pictures: take("pictures") },
         Some("gallery") => Task::Gallery { only_readme: take("readme") },
         Some("bench") => Task::Bench(bench::Options {
             quick: take("quick"),
@@ -165,6 +171,7 @@ mod tests {
         assert!(parsed("golden --only gold").is_err());
         assert_eq!(parsed("data --check"), Ok(Task::Data { check: true }));
         assert_eq!(parsed("golden --renew"), Ok(Task::Golden { renew: true }));
+        assert_eq!(parsed("renew --pictures"), Ok(Task::Renew { pictures: true }));
         assert_eq!(parsed("test --renew"), Err("this task has no option '--renew'".to_owned()));
     }
 

@@ -58,6 +58,9 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     steps.run("documentation", || {
         run(workspace.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))
     });
+    steps.run("packages", || {
+        run(&mut workspace.cargo("package --workspace --exclude xtask --no-verify --allow-dirty --quiet"))
+    });
     steps.run("libraries without threads", || wasm::serial(workspace));
     steps.run("libraries for wasm32", || wasm::check(workspace));
     steps
