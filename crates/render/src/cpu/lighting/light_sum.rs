@@ -52,6 +52,8 @@ impl<'a, R: Real> LightSum<'a, R> {
     pub fn mirror_pair(&self) -> DirectionPair<R> {
         let c2 = self.cos_o.sqr();
         let mut pair = DirectionPair::isotropic(self.cos_o, self.cos_o, c2 + c2 - c2.one());
+        // 2 + 2 (2 cos²θ − 1), without the rounding of 1.
+        pair.half2 = c2 * c2.lit(4.0);
         pair.alpha_scale = self.point.alpha_scale;
         pair
     }
