@@ -13,6 +13,7 @@ mod shot;
 pub mod view;
 
 pub use backend::{Backend, default_backend, draw, draw_rgba8};
+pub use glam;
 pub use glanz_picture::{
     Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
@@ -21,5 +22,5 @@ pub use prepare::{
     Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
     prepare,
 };
-pub use shot::{Shot, ShotError, ShotOptions, Step};
-pub use view::{Aovs, DebugView, DrawOptions, View, ViewError};
+pub use shot::{SaveError, Shot, ShotError, ShotOptions, Step};
+pub use view::{Aovs, DebugView, DrawOptions, Samples, SamplesError, View, ViewError};

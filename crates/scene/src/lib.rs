@@ -13,6 +13,7 @@ mod light;
 mod material;
 mod mesh;
 mod names;
+mod open;
 pub mod read;
 mod scene;
 pub mod settings;
@@ -31,5 +32,6 @@ pub use material::{
     ParameterError, Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
 };
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
+pub use open::{OpenError, Opened, is_scene_file, open};
 pub use scene::{Key, LookupError, Object, Scene};
 pub use settings::{Background, DebugView, Image, Interpolation, RenderSettings, Shading, ToneMap};

@@ -1,7 +1,8 @@
-//! The whole of a scene: its parts, how they are put together and found again.
+//! The whole of a scene: its parts, how they are put together and found again, and a number for all of it.
 
 pub(crate) mod access;
 mod compose;
+pub(crate) mod hash;
 mod parts;
 
 pub use access::{Key, LookupError};
