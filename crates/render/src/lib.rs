@@ -9,6 +9,7 @@ pub mod cpu;
 mod observe;
 mod parallel;
 pub mod prepare;
+mod session;
 mod shot;
 pub mod view;
 
@@ -22,5 +23,6 @@ pub use prepare::{
     Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
     prepare,
 };
+pub use session::Session;
 pub use shot::{SaveError, Shot, ShotError, ShotOptions, Step};
 pub use view::{Aovs, DebugView, DrawOptions, Samples, SamplesError, View, ViewError};
