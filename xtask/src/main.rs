@@ -7,6 +7,7 @@ mod data;
 mod failure;
 mod gallery;
 mod golden;
+mod library_examples;
 mod picture;
 mod reference;
 mod renew;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, Workspace, run, works};
-use crate::{Result, data, gallery, golden, reference, tour, wasm};
+use crate::{Result, data, gallery, golden, library_examples, reference, tour, wasm};
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,6 +51,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             )
         })
     });
+    steps.run("examples of the library", || library_examples::run_all(workspace));
     steps.run("examples", || gallery::try_examples(workspace));
     steps.run("what the README shows", || tour::run(workspace));
     steps.run("reference of the scene file", || reference::check(workspace));

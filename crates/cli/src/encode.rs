@@ -1,21 +1,10 @@
 //! From pictures to files.
 
-use std::io::{Cursor, Seek, Write};
-
-use glanz_color::exr::{SpectralImage, write_spectral_exr};
-use glanz_picture::output::{
-    Animation, Effort, Format, Metadata, OutputError, write_apng, write_atomically, write_exr, write_gif,
-    write_png8, write_png16,
-};
-use glanz_plot::Canvas;
+use glanz_picture::output::{Format, Metadata, PictureData};
 
 use super::args::Target;
-use super::pipeline::{Picture, Plan};
 use super::print;
 use super::print::failure::Failure;
-
-/// How long a picture alone is shown in a format that moves.
-const STILL_MS: u32 = 1000;
 
 /// The format that the target asks for by its ending.
 pub fn format(target: &Target) -> Result<Format, Failure> {
@@ -38,62 +27,11 @@ pub fn metadata(hash: u64) -> Metadata {
     Metadata { scene_hash: Some(format!("{hash:016x}")), ..Metadata::default() }
 }
 
-/// What a picture tells about its scene, and about how its colours came to be.
-pub fn metadata_of(hash: u64, plan: &Plan) -> Metadata {
-    Metadata { entries: plan.facts(), ..metadata(hash) }
-}
-
-/// Writes a picture as it was drawn.
-pub fn write(
-    out: impl Write + Seek,
-    picture: Picture,
-    format: Format,
-    metadata: &Metadata,
-) -> Result<(), OutputError> {
-    match (picture, format) {
-        (Picture::Codes8(canvas), Format::Gif) => write_gif(out, &still(&canvas), [Ok(canvas.rgba)]),
-        (Picture::Codes8(canvas), Format::Apng) => {
-            write_apng(out, &still(&canvas), [Ok(canvas.rgba)], metadata)
-        }
-        (Picture::Codes8(canvas), _) => {
-            write_png8(out, (canvas.width, canvas.height), &canvas.rgba, Effort::Fast, metadata)
-        }
-        (Picture::Codes16 { width, height, rgba }, _) => {
-            write_png16(out, (width, height), &rgba, Effort::Fast, metadata)
-        }
-        (Picture::Spectrum(image), _) => write_spectrum(out, image, metadata),
-        (Picture::Light(light), _) => write_exr(out, light.screen, light.channels, metadata),
-    }
-}
-
-/// Writes the spectrum of each pixel, and what the picture tells about its scene.
-fn write_spectrum(
-    out: impl Write + Seek,
-    mut image: SpectralImage,
-    metadata: &Metadata,
-) -> Result<(), OutputError> {
-    image.texts = metadata.pairs().map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
-    Ok(write_spectral_exr(out, image)?)
-}
-
-fn still(canvas: &Canvas) -> Animation {
-    Animation { width: canvas.width, height: canvas.height, frames: 1, delay_ms: STILL_MS }
-}
-
-/// The bytes of a picture's file.
-pub fn to_memory(picture: Picture, format: Format, metadata: &Metadata) -> Result<Vec<u8>, OutputError> {
-    let mut out = Cursor::new(Vec::new());
-    write(&mut out, picture, format, metadata)?;
-    Ok(out.into_inner())
-}
-
 /// Brings a picture to where it goes. A file is old or new, but never half.
-pub fn deliver(picture: Picture, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
+pub fn deliver(picture: PictureData, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
     let format = format(target)?;
     match target {
-        Target::Stdout => print::bytes(&to_memory(picture, format, metadata)?),
-        Target::File(path) => {
-            write_atomically(path, |out| write(out, picture, format, metadata)).map_err(Failure::from)
-        }
+        Target::Stdout => print::bytes(&picture.to_bytes(format, metadata)?),
+        Target::File(path) => Ok(picture.save(path, metadata)?),
     }
 }

@@ -3,10 +3,11 @@
 use glanz_color::exr::SpectralImage;
 use glanz_math::SimdLevel;
 use glanz_picture::compare::frames::Developed;
+use glanz_picture::output::{PictureData, PictureKind};
 use glanz_picture::{Develop, Frame, develop};
 use glanz_plot::Canvas;
 use glanz_render::{Aovs, Shot, ShotError, ShotOptions, View, takes_several_frames};
-use glanz_scene::{Camera, Scene, Shading, White};
+use glanz_scene::{Camera, Scene, Shading};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
 use super::frames::turned;
@@ -14,48 +15,6 @@ use super::load::Input;
 use super::print::failure::Failure;
 use super::print::timings::{Stage, Timings};
 use super::progress::Progress;
-
-/// What is kept of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// 8-bit codes.
-    Codes8,
-    /// 16-bit codes.
-    Codes16,
-    /// Linear light, with depth, normals and object numbers.
-    Light,
-    /// The spectrum of each pixel.
-    Spectrum,
-}
-
-/// A drawn picture.
-#[derive(Clone, Debug)]
-pub enum Picture {
-    /// 8-bit codes.
-    Codes8(Canvas),
-    /// 16-bit codes, straight RGBA.
-    Codes16 {
-        /// Width in pixels.
-        width: usize,
-        /// Height in pixels.
-        height: usize,
-        /// `4·width·height` codes, rows from the top.
-        rgba: Vec<u16>,
-    },
-    /// Linear light.
-    Light(Light),
-    /// The spectrum of each pixel.
-    Spectrum(SpectralImage),
-}
-
-/// Linear light, as a screen shows it and as the observer sees it.
-#[derive(Clone, Debug)]
-pub struct Light {
-    /// Linear sRGB, with depth, normals and object numbers.
-    pub screen: Frame,
-    /// The observer's channels with their names; none in mode RGB.
-    pub channels: Vec<(String, Vec<f32>)>,
-}
 
 /// How pictures of one scene are made, as the command line has it.
 #[derive(Clone, Debug)]
@@ -77,7 +36,7 @@ impl Plan {
     ) -> Result<Self, Failure> {
         let image = look.image(&input.scene, size);
         let camera = camera.resolve(input, (image.width, image.height))?;
-        let draw = look.draw_options(&image, input.scene.render.show);
+        let draw = look.draw_options(&image, input.scene.render.show)?;
         let seen = look.color.resolve(&input.scene, draw.show)?;
         let develop = develop.resolve(&input.scene.render)?;
         let options = ShotOptions {
@@ -111,22 +70,6 @@ impl Plan {
         Ok(Shot::with(scene, options)?.on_level(self.level))
     }
 
-    /// Colour mode, observer and adaptation, in words; nothing for plain RGB.
-    pub fn facts(&self) -> Vec<(String, String)> {
-        let observation = &self.options.prepare.observation;
-        let Some(observer) = observation.observer() else { return Vec::new() };
-        let adaptation = match self.options.white {
-            White::None => "none".to_owned(),
-            white => format!("white {} to D65 by Bradford", white.name()),
-        };
-        let facts = [
-            ("Color-Mode", observation.mode().to_string()),
-            ("Observer", observer.name.clone()),
-            ("Adaptation", adaptation),
-        ];
-        facts.map(|(key, value)| (key.to_owned(), value)).to_vec()
-    }
-
     /// Width and height of the pictures.
     pub fn size(&self) -> (usize, usize) {
         (self.options.size.0 as usize, self.options.size.1 as usize)
@@ -149,29 +92,24 @@ pub fn turn(shot: &mut Shot, camera: &Camera, part: f64) -> Result<(), Failure> 
 /// Draws a picture.
 pub fn picture(
     shot: &mut Shot,
-    kind: Kind,
+    kind: PictureKind,
     timings: &mut Timings,
     progress: &mut Progress,
-) -> Result<Picture, Failure> {
+) -> Result<PictureData, Failure> {
     let (width, height) = (shot.view().width as usize, shot.view().height as usize);
-    Ok(match kind {
-        Kind::Codes8 => Picture::Codes8(codes(shot, timings, progress)?),
-        Kind::Codes16 => {
+    match kind {
+        PictureKind::Codes8 => Ok(codes(shot, timings, progress)?.into()),
+        PictureKind::Codes16 => {
             let frame = timings.measure(Stage::Draw, || frame(shot, Aovs::default(), progress))?;
             let rgba = timings.measure(Stage::Develop, || shot.codes16(frame))?;
-            Picture::Codes16 { width, height, rgba }
+            Ok(PictureData::Codes16 { width, height, rgba })
         }
-        Kind::Spectrum => {
-            let image =
-                timings.measure(Stage::Draw, || shot.spectral_image(&mut |part| progress.within(part)));
-            Picture::Spectrum(image.map_err(without_spectra)?)
+        PictureKind::Light | PictureKind::Spectrum => {
+            let picture =
+                timings.measure(Stage::Draw, || shot.picture(kind, &mut |part| progress.within(part)));
+            picture.map_err(without_spectra)
         }
-        Kind::Light => {
-            let aovs = Aovs { depth: true, normal: true, object: true };
-            let frame = timings.measure(Stage::Draw, || frame(shot, aovs, progress))?;
-            Picture::Light(light(shot, frame)?)
-        }
-    })
+    }
 }
 
 fn without_spectra(error: ShotError) -> Failure {
@@ -215,31 +153,23 @@ fn codes_of(shot: &Shot, screen: &Frame) -> Result<Vec<u8>, Failure> {
     Ok(develop(screen, &settings).map_err(ShotError::from)?)
 }
 
-/// The observer's channels beside what the screen shows of them.
-fn light(shot: &Shot, frame: Frame) -> Result<Light, Failure> {
-    let Some(observer) = frame.channels.observer.clone() else {
-        return Ok(Light { screen: shot.on_screen(frame)?, channels: Vec::new() });
-    };
-    let names = frame.channels.names.iter().map(|name| format!("{observer}.{name}"));
-    let channels = names.zip(frame.rgb.iter().chain(&frame.more).cloned()).collect();
-    Ok(Light { screen: shot.on_screen(frame)?, channels })
-}
-
 /// The picture as a screen shows it.
-pub fn on_screen(shot: &Shot, picture: &Picture) -> Result<Canvas, Failure> {
+pub fn on_screen(shot: &Shot, picture: &PictureData) -> Result<Canvas, Failure> {
     Ok(match picture {
-        Picture::Codes8(canvas) => canvas.clone(),
-        Picture::Codes16 { width, height, rgba } => {
+        PictureData::Codes8 { width, height, rgba } => {
+            Canvas { width: *width, height: *height, rgba: rgba.clone() }
+        }
+        PictureData::Codes16 { width, height, rgba } => {
             let rgba = rgba.iter().map(|code| (code >> 8) as u8).collect();
             Canvas { width: *width, height: *height, rgba }
         }
-        Picture::Spectrum(image) => {
+        PictureData::Spectrum(image) => {
             let SpectralImage { width, height, .. } = *image;
             let rgb = image.rgb.clone().unwrap_or_default();
             let frame = Frame { width, height, rgb, alpha: vec![1.0; width * height], ..Frame::default() };
             Canvas { width, height, rgba: codes_of(shot, &frame)? }
         }
-        Picture::Light(Light { screen, .. }) => {
+        PictureData::Light { screen, .. } => {
             Canvas { width: screen.width, height: screen.height, rgba: codes_of(shot, screen)? }
         }
     })

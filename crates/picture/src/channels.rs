@@ -42,6 +42,14 @@ pub enum Scale {
 }
 
 /// The channels of a frame: what they are called, what they mean, and on which scale.
+///
+/// ```
+/// use glanz_picture::{Channels, Meaning};
+///
+/// let rgb = Channels::default();
+/// assert_eq!(rgb.names, ["R", "G", "B"]);
+/// assert!(rgb.expect(Meaning::Xyz).is_err(), "XYZ is not shown as if it were RGB");
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channels {
     /// What they are.

@@ -6,6 +6,16 @@ use crate::{ChannelError, Channels, ToScreen};
 ///
 /// Every plane holds `width · height` values in rows from the top. Colours are premultiplied with
 /// alpha; where the background is a colour, alpha is 1 everywhere.
+///
+/// ```
+/// use glanz_picture::{Develop, Frame, develop};
+///
+/// // One pixel of mid grey in linear sRGB.
+/// let rgb = [vec![0.2140], vec![0.2140], vec![0.2140]];
+/// let frame = Frame { width: 1, height: 1, rgb, alpha: vec![1.0], ..Frame::default() };
+/// assert_eq!(develop(&frame, &Develop::default())?, [127, 127, 127, 255]);
+/// # Ok::<(), glanz_picture::ChannelError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frame {
     /// Width in pixels.

@@ -9,6 +9,26 @@ use crate::{DrawOptions, Prepared, View};
 ///
 /// A back end reads [`Prepared`] and what [`crate::view`] makes of it for one camera; it never sees the scene. All
 /// back ends are compared with the CPU's narrowest path.
+///
+/// ```
+/// use glanz_render::{Backend, DrawOptions, Frame, Prepared, Shot, View, cpu::Renderer};
+/// use glanz_scene::Scene;
+///
+/// /// Counts frames, and lets the CPU draw.
+/// struct Counting(Renderer, usize);
+///
+/// impl Backend for Counting {
+///     fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+///         self.1 += 1;
+///         self.0.draw(prepared, view, options)
+///     }
+/// }
+///
+/// let scene = Scene::new().with_size(8, 8);
+/// let counting = Box::new(Counting(Renderer::new(), 0));
+/// assert_eq!(Shot::new(&scene)?.on(counting).rgba8()?, Shot::new(&scene)?.rgba8()?);
+/// # Ok::<(), glanz_render::ShotError>(())
+/// ```
 pub trait Backend: Send {
     /// Draws into a frame of linear channels, three of them.
     fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame;

@@ -9,10 +9,12 @@ pub mod cpu;
 mod observe;
 mod parallel;
 pub mod prepare;
+mod session;
 mod shot;
 pub mod view;
 
 pub use backend::{Backend, default_backend, draw, draw_rgba8};
+pub use glam;
 pub use glanz_picture::{
     Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
@@ -21,5 +23,6 @@ pub use prepare::{
     Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
     prepare,
 };
-pub use shot::{Shot, ShotError, ShotOptions, Step};
-pub use view::{Aovs, DebugView, DrawOptions, View, ViewError};
+pub use session::Session;
+pub use shot::{SaveError, Shot, ShotError, ShotOptions, Step};
+pub use view::{Aovs, DebugView, DrawOptions, Samples, SamplesError, View, ViewError};

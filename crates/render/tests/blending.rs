@@ -21,7 +21,11 @@ fn glass() -> Material {
 fn each_way(scene: &Scene, size: u32, background: Background, check: impl Fn(&Frame, &str)) {
     for samples in COUNTS {
         for supersample in [false, true] {
-            let options = DrawOptions { samples, supersample, ..DrawOptions::new(background) };
+            let options = DrawOptions {
+                samples: samples.try_into().expect("one of those that there are"),
+                supersample,
+                ..DrawOptions::new(background)
+            };
             let what = format!("{samples} samples, supersampled: {supersample}");
             check(&picture(scene, size, size, &options), &what);
         }
@@ -55,7 +59,12 @@ fn an_opaque_edge_in_front_hides_glass_only_where_it_is() {
     for samples in COUNTS {
         let coverage = picture(&alone, 10, 10, &sampled(samples));
         let background = Background::Color(Rgb(behind));
-        let frame = picture(&scene, 10, 10, &DrawOptions { samples, ..DrawOptions::new(background) });
+        let frame = picture(
+            &scene,
+            10,
+            10,
+            &DrawOptions { samples: samples.try_into().unwrap(), ..DrawOptions::new(background) },
+        );
         for i in 0..100 {
             let covered = coverage.pixel(i % 10, i / 10)[3];
             let color = frame.pixel(i % 10, i / 10);

@@ -24,7 +24,12 @@ fn assert_sane_in_every_way(mut scene: Scene, what: &str) {
             render_as(&mut scene, shading, interpolation);
             for (samples, supersample) in [(1, false), (4, false), (4, true)] {
                 let base = DrawOptions::new(Background::Color(Rgb::gray(0.1)));
-                let options = DrawOptions { samples, supersample, aovs: ALL_LAYERS, ..base };
+                let options = DrawOptions {
+                    samples: samples.try_into().expect("one of those that there are"),
+                    supersample,
+                    aovs: ALL_LAYERS,
+                    ..base
+                };
                 let frame = picture(&scene, 70, 40, &options);
                 let way = format!("{what}, {shading:?}, {interpolation:?}, {samples} samples");
                 assert_sane(&frame, &way);
@@ -75,7 +80,11 @@ fn an_empty_scene_is_its_background() {
     let scene = empty(camera(3.0, 50.0));
     let color = Rgb([0.25, 0.5, 0.75]);
     for samples in [1, 4] {
-        let options = DrawOptions { samples, aovs: ALL_LAYERS, ..DrawOptions::new(Background::Color(color)) };
+        let options = DrawOptions {
+            samples: samples.try_into().unwrap(),
+            aovs: ALL_LAYERS,
+            ..DrawOptions::new(Background::Color(color))
+        };
         let frame = picture(&scene, 67, 35, &options);
         assert!((0..67 * 35).all(|i| frame.pixel(i % 67, i / 67) == [0.25, 0.5, 0.75, 1.0]));
         assert!(frame.depth.iter().all(|d| *d == f32::INFINITY));
@@ -228,7 +237,8 @@ fn every_view_of_an_awkward_scene_gives_numbers() {
     ] {
         for samples in [1, 4] {
             let base = DrawOptions::new(Background::Color(Rgb::BLACK));
-            let options = DrawOptions { show, samples, aovs: ALL_LAYERS, ..base };
+            let options =
+                DrawOptions { show, samples: samples.try_into().unwrap(), aovs: ALL_LAYERS, ..base };
             assert_sane(&picture(&scene, 70, 40, &options), &format!("{show:?}"));
         }
     }
@@ -258,7 +268,10 @@ fn pixels_on_the_rim_of_steep_triangles_stay_within_the_colours_of_their_corners
         for shading in [Shading::Gouraud, Shading::Phong] {
             render_as(&mut scene, shading, Interpolation::Perspective);
             for samples in [1, 8] {
-                let options = DrawOptions { samples, ..DrawOptions::new(Background::Color(Rgb::gray(0.75))) };
+                let options = DrawOptions {
+                    samples: samples.try_into().unwrap(),
+                    ..DrawOptions::new(Background::Color(Rgb::gray(0.75)))
+                };
                 let frame = picture(&scene, 64, 64, &options);
                 for (i, value) in frame.rgb[0].iter().enumerate() {
                     let (x, y) = (i % 64, i / 64);

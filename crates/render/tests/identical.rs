@@ -16,8 +16,8 @@ use glanz_math::SimdLevel;
 use glanz_picture::{Meaning, ScreenMatrix};
 use glanz_render::cpu::Renderer;
 use glanz_render::{
-    Backend, DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, ToneMap, View, develop, draw,
-    draw_rgba8, prepare,
+    Backend, DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, Samples, ToneMap, View,
+    develop, draw, draw_rgba8, prepare,
 };
 use glanz_scene::{
     AlphaMode, Background, Interpolation, LightKind, Lobe, Material, Scene, Shading, TextureUse,
@@ -94,23 +94,23 @@ fn variants() -> Vec<(String, Scene, DrawOptions)> {
         variants.push((format!("general, {shading:?}"), general_materials(shading), surrounded));
     }
     for (samples, supersample) in [(4, false), (2, true)] {
-        let options = DrawOptions { samples, supersample, ..surrounded };
+        let options = DrawOptions { samples: samples.try_into().unwrap(), supersample, ..surrounded };
         variants.push((format!("general, {samples} samples"), general_materials(Shading::Phong), options));
     }
     let scene = scene(Shading::Phong, Interpolation::Perspective);
     let transparent = Background::Transparent;
     let others = [
-        DrawOptions { samples: 4, ..base },
-        DrawOptions { samples: 8, background: transparent, ..base },
-        DrawOptions { samples: 2, supersample: true, ..base },
+        DrawOptions { samples: Samples::Four, ..base },
+        DrawOptions { samples: Samples::Eight, background: transparent, ..base },
+        DrawOptions { samples: Samples::Two, supersample: true, ..base },
         DrawOptions { show: DebugView::Wireframe, ..base },
-        DrawOptions { show: DebugView::Normals, samples: 4, background: transparent, ..base },
+        DrawOptions { show: DebugView::Normals, samples: Samples::Four, background: transparent, ..base },
         DrawOptions { show: DebugView::Lit, ..base },
         DrawOptions { show: DebugView::Uv, ..base },
         DrawOptions { show: DebugView::Specular, ..base },
     ];
     for options in others {
-        let what = format!("{:?}, {} samples", options.show, options.samples);
+        let what = format!("{:?}, {} samples", options.show, options.samples.count());
         variants.push((what, scene.clone(), options));
     }
     variants
@@ -210,7 +210,7 @@ fn reversed(mut scene: Scene) -> Scene {
 
 #[test]
 fn the_order_of_the_triangles_changes_no_bit() {
-    let single = |options: &DrawOptions| options.samples == 1;
+    let single = |options: &DrawOptions| options.samples == Samples::One;
     for (what, scene, options) in variants().into_iter().filter(|(_, _, options)| single(options)) {
         let view = view(&scene);
         let straight = draw(&prepared(&scene), &view, &options);

@@ -58,7 +58,12 @@ fn colours_are_premultiplied_with_coverage_and_laid_over_the_background() {
     for count in COUNTS {
         let clear = picture(&scene, 10, 10, &sampled(count));
         let color = Background::Color(Rgb([0.25, 0.75, 0.5]));
-        let over = picture(&scene, 10, 10, &DrawOptions { samples: count, ..DrawOptions::new(color) });
+        let over = picture(
+            &scene,
+            10,
+            10,
+            &DrawOptions { samples: count.try_into().unwrap(), ..DrawOptions::new(color) },
+        );
         for i in 0..100 {
             let [r, g, b, a] = clear.pixel(i % 10, i / 10);
             assert_eq!([r, g, b], [a, 0.5 * a, 0.25 * a], "{count} samples: eighths are exact");

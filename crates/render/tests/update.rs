@@ -280,6 +280,9 @@ fn check(scene: &Scene, cases: &[Case], mode: ColorMode) {
         // And back, which finds whatever the update left behind.
         updated.update(scene, told).unwrap();
         assert_same(&updated, &start, &format!("{what}, and back"));
+        // The changes are found by comparing, too.
+        updated.update(&changed, &Change::between(scene, &changed)).unwrap();
+        assert_same(&updated, &fresh, &format!("{what}, found"));
     }
 }
 
@@ -503,4 +506,24 @@ fn what_cannot_be_done_is_refused_and_changes_nothing() {
     for (change, told, message) in REFUSALS {
         assert_eq!(refused(&scene, *change, &[*told]), *message, "{told:?}");
     }
+}
+
+#[test]
+fn only_what_changed_is_found() {
+    let old = punctual();
+    assert_eq!(Change::between(&old, &old.clone()), []);
+    let found = |change: fn(&mut Scene)| {
+        let mut new = old.clone();
+        change(&mut new);
+        Change::between(&old, &new)
+    };
+    assert_eq!(found(|s| move_point(s, POINT)), [Change::Light(POINT)]);
+    assert_eq!(found(|s| set_shape(s, COATED, "ggx", &[("alpha", 0.15)])), [Change::Material(COATED)]);
+    assert_eq!(found(|s| turn(s, METAL, DMat4::from_rotation_z(0.7))), [Change::Object(METAL)]);
+    assert_eq!(found(|s| s.objects[PHONG].material = GROUND), [Change::Geometry]);
+    assert_eq!(found(|s| s.render.white = White::Scene), [Change::Colors]);
+    assert_eq!(found(|s| s.render.shadows = !s.render.shadows), [Change::Shadows]);
+    assert_eq!(found(|s| s.image.width += 1), [Change::Camera]);
+    assert_eq!(found(|s| s.render.ev = 1.0), [], "that is not prepared");
+    assert_eq!(found(|s| drop(s.lights.pop())), [Change::All]);
 }

@@ -37,6 +37,33 @@ pub struct Camera {
 const DEFAULT_FOV_DEG: f64 = 40.0;
 
 impl Camera {
+    /// A camera at `eye` that looks at `target`, +Y up, with a vertical field of view of 40°.
+    ///
+    /// ```
+    /// use glanz_scene::{Camera, Projection};
+    ///
+    /// let camera = Camera::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0]);
+    /// assert_eq!(camera.axes()[2].to_array(), [0.0, 0.0, 1.0]);
+    /// let flat = camera.orthographic(2.0);
+    /// assert_eq!(flat.projection, Projection::Orthographic { height: 2.0 });
+    /// ```
+    pub fn new(eye: impl Into<DVec3>, target: impl Into<DVec3>) -> Self {
+        let projection = Projection::Perspective { fov_y: DEFAULT_FOV_DEG.to_radians() };
+        Self { eye: eye.into(), target: target.into(), up: DVec3::Y, projection }
+    }
+
+    /// The same with this vertical field of view, in degrees.
+    #[must_use]
+    pub fn with_fov_deg(self, fov_deg: f64) -> Self {
+        Self { projection: Projection::Perspective { fov_y: fov_deg.to_radians() }, ..self }
+    }
+
+    /// The same with parallel rays, in a picture that shows this height in metres.
+    #[must_use]
+    pub fn orthographic(self, height: f64) -> Self {
+        Self { projection: Projection::Orthographic { height }, ..self }
+    }
+
     /// A camera that shows all of `bounds` in a picture of this aspect ratio (width / height), from
     /// the front, a little from the right and above. Empty bounds are framed like the unit sphere.
     pub fn framing(bounds: &Bounds, aspect: f64) -> Self {

@@ -13,6 +13,7 @@ mod light;
 mod material;
 mod mesh;
 mod names;
+mod open;
 pub mod read;
 mod scene;
 pub mod settings;
@@ -21,14 +22,16 @@ pub mod stage;
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
 pub use color_mode::{COLOR_MODES, ColorMode, White};
+pub use glam;
 pub use light::{
-    AreaShape, Attenuation, EnvironmentMap, Light, LightColors, LightKind, Luminaire, Profile, Space,
-    add_default_lights,
+    AreaShape, Attenuation, EnvironmentMap, Light, LightColors, LightError, LightKind, Luminaire, Profile,
+    Space, add_default_lights,
 };
 pub use material::{
     Absorption, AlphaMode, ClassicMaterial, Coat, Film, LightColor, Lobe, Material, Metalness, Pane,
-    Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
+    ParameterError, Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
 };
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
-pub use scene::{Object, Scene};
+pub use open::{OpenError, Opened, is_scene_file, open};
+pub use scene::{Key, LookupError, Object, Scene};
 pub use settings::{Background, DebugView, Image, Interpolation, RenderSettings, Shading, ToneMap};

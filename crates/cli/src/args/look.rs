@@ -1,10 +1,11 @@
 //! How it is drawn.
 
 use clap::Args;
-use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions};
+use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions, SamplesError};
 use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
 
 use super::{ColorArgs, choices, values};
+use crate::print::failure::Failure;
 
 /// What to draw otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
@@ -66,12 +67,12 @@ impl LookArgs {
     }
 
     /// How to draw this picture; `show` is the scene's own view.
-    pub fn draw_options(&self, image: &Image, show: DebugView) -> DrawOptions {
-        DrawOptions {
-            samples: image.samples,
+    pub fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
+        Ok(DrawOptions {
+            samples: image.samples.try_into().map_err(|error: SamplesError| Failure::new(error))?,
             supersample: image.supersample,
             show: self.show.unwrap_or(show),
             ..DrawOptions::new(image.background)
-        }
+        })
     }
 }

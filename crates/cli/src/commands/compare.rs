@@ -16,7 +16,6 @@ use serde_json::{Value, json};
 use crate::args::{MachineArgs, Target, TargetArgs};
 use crate::encode;
 use crate::input::thresholds::{Statistic, Threshold, is_spread};
-use crate::pipeline::Picture;
 use crate::print::failure::{Failure, Report, without_number};
 use crate::print::{self, Format, FormatArgs, number};
 use crate::progress::Progress;
@@ -87,7 +86,7 @@ impl CompareArgs {
         let measured = self.measure(&pair)?;
         if let Some(target) = &target {
             let sheet = heat_map_sheet(&pair, self.titles(), &measured)?;
-            encode::deliver(Picture::Codes8(sheet), target, &Metadata::default())?;
+            encode::deliver(sheet.into(), target, &Metadata::default())?;
         }
         self.tell(target.as_ref(), &pair, &measured)?;
         let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();

@@ -2,6 +2,7 @@
 
 use glanz_render::Shot;
 use glanz_scene::file::{LoadOptions, load};
+use glanz_scene::open;
 
 use crate::folder::Folder;
 use crate::pictures::Png;
@@ -78,5 +79,26 @@ fn the_library_draws_what_the_command_draws() {
     // Each value changes the picture: none of them is read past.
     for (settings, picture) in SETTINGS.iter().zip(&pictures).skip(1) {
         assert!(*picture != pictures[0], "{settings:?} changes nothing");
+    }
+}
+
+#[test]
+fn the_library_writes_the_files_of_the_command() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    folder.write("rgb.toml", SCENE.replace("mode = \"spectral\"", "mode = \"rgb\""));
+    folder
+        .write("tall.toml", SCENE.replace("[render]", "[render]\nobserver = \"cie1964\"\nwhite = \"scene\""));
+    folder.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for input in ["scene.toml", "rgb.toml", "tall.toml", "triangle.obj"] {
+        for ending in ["png", "exr", "gif", "apng"] {
+            let (ours, theirs) = (format!("library-{input}.{ending}"), format!("command-{input}.{ending}"));
+            let run = folder.glanz(&["render", input, "-o", &theirs]);
+            assert_eq!(run.code, 0, "{input}: {}", run.stderr);
+            let scene = open(&folder.path(input), &LoadOptions::default()).unwrap().scene;
+            Shot::new(&scene).unwrap().save(folder.path(&ours)).unwrap();
+            let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
+            assert!(bytes(&ours) == bytes(&theirs), "{input} as {ending}");
+        }
     }
 }

@@ -12,6 +12,19 @@
 //!
 //! Sums run in `f64` in the order of the rows, and all functions are those of `libm`, so numbers do not
 //! depend on the machine or on the number of threads.
+//!
+//! ```
+//! use glanz_picture::compare::{Metric, MetricOptions, Pair, Picture, Scale};
+//!
+//! let gray = |value: f32| {
+//!     let rgb = [vec![value; 16], vec![value; 16], vec![value; 16]];
+//!     Picture { width: 4, height: 4, rgb, scale: Scale::Light, notes: Vec::new() }
+//! };
+//! let pair = Pair::new(gray(0.2), gray(0.21), true)?;
+//! let difference = pair.measure(Metric::De2000, &MetricOptions::default())?;
+//! assert!((0.5..1.5).contains(&difference.value), "hardly seen: ΔE00 is about 1");
+//! # Ok::<(), glanz_picture::compare::CompareError>(())
+//! ```
 
 mod error;
 pub mod frames;

@@ -1,6 +1,13 @@
 //! How values are spread.
 
 /// Mean, median, 95th percentile and maximum.
+///
+/// ```
+/// use glanz_picture::compare::Spread;
+///
+/// let spread = Spread::of(&[0.0, 1.0, 2.0, 5.0]);
+/// assert_eq!((spread.mean, spread.median, spread.max), (2.0, 1.5, 5.0));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spread {
     /// The mean.

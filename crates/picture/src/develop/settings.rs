@@ -6,6 +6,19 @@ use super::ScreenMatrix;
 use crate::Meaning;
 
 /// How a frame becomes a picture.
+///
+/// ```
+/// use glanz_picture::{Develop, Frame, ToneMap, develop};
+///
+/// let rgb = [vec![4.0], vec![1.0], vec![0.25]];
+/// let frame = Frame { width: 1, height: 1, rgb, alpha: vec![1.0], ..Frame::default() };
+/// assert_eq!(develop(&frame, &Develop::default())?, [255, 255, 137, 255], "4 is clipped");
+/// let darker = Develop { ev: -2.0, ..Develop::default() };
+/// assert_eq!(develop(&frame, &darker)?, [255, 137, 71, 255]);
+/// let compressed = Develop { tone_map: ToneMap::Reinhard, ..Develop::default() };
+/// assert!(develop(&frame, &compressed)?[1] < 255, "where 1 was 255");
+/// # Ok::<(), glanz_picture::ChannelError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Develop {
     /// Exposure in stops: channels are multiplied by 2^ev.

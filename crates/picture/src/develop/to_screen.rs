@@ -17,6 +17,16 @@ pub struct ScreenMatrix {
 ///
 /// Colours outside of the screen's gamut get components below 0 or above 1; they are clipped when codes
 /// are made, and kept in linear pictures.
+///
+/// ```
+/// use glanz_picture::{Meaning, ToScreen};
+///
+/// // An eye with one channel, which a screen shows as grey.
+/// let gray = ToScreen::of_columns(Meaning::Receptors, [[1.0, 1.0, 1.0]].into_iter());
+/// assert_eq!(gray.apply([0.5].into_iter()), [0.5, 0.5, 0.5]);
+/// let [channel, ..] = gray.channels_of([0.25, 0.25, 0.25]);
+/// assert!((channel - 0.25).abs() < 1e-6);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToScreen {
     /// What the channels are.

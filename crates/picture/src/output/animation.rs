@@ -23,6 +23,17 @@ pub struct Animation {
 ///
 /// Each frame has a palette of its own of up to 256 colours. Pixels are opaque or transparent,
 /// whichever alpha is nearer to. A frame that fails ends the writing with its error.
+///
+/// ```
+/// use glanz_picture::output::{Animation, OutputError, write_gif};
+///
+/// let animation = Animation { width: 1, height: 1, frames: 2, delay_ms: 100 };
+/// let frames: [Result<Vec<u8>, OutputError>; 2] = [Ok(vec![255; 4]), Ok(vec![0, 0, 0, 255])];
+/// let mut file = Vec::new();
+/// write_gif(&mut file, &animation, frames)?;
+/// assert!(file.starts_with(b"GIF89a"));
+/// # Ok::<(), OutputError>(())
+/// ```
 pub fn write_gif<E: From<OutputError>>(
     out: impl Write,
     animation: &Animation,

@@ -26,6 +26,24 @@ pub struct LineMark {
 }
 
 /// Curves in a pair of axes.
+///
+/// ```
+/// use glanz_plot::{Axis, Curve, Figure, LineChart};
+///
+/// let points = (0..=90).map(|angle| (f64::from(angle), f64::from(angle).to_radians().cos())).collect();
+/// let curve = Curve { name: "cosine".to_owned(), points, color: [0, 0, 0], dash: None };
+/// let chart = LineChart {
+///     title: "Lambert's law".to_owned(),
+///     subtitle: String::new(),
+///     x: Axis::exact("angle in °", (0.0, 90.0), 9),
+///     y: Axis::exact("irradiance", (0.0, 1.0), 5),
+///     curves: vec![curve],
+///     marks: Vec::new(),
+/// };
+/// assert!(chart.csv().lines().count() > 90);
+/// assert!(chart.svg()?.starts_with("<svg"));
+/// # Ok::<(), glanz_plot::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineChart {
     /// What is seen.

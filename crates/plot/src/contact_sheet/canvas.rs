@@ -1,8 +1,20 @@
 //! A picture of 8-bit codes that other pictures and texts are put on.
 
+use glanz_picture::output::PictureData;
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
 /// A picture of straight RGBA codes.
+///
+/// ```
+/// use glanz_plot::Canvas;
+/// use glanz_picture::output::{Format, Metadata, PictureData};
+///
+/// let mut sheet = Canvas::new(4, 2, [0, 0, 0]);
+/// sheet.put(2, 0, &Canvas::new(2, 2, [255, 255, 255]));
+/// assert_eq!(sheet.rgba[..12], [0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255]);
+/// let file = PictureData::from(sheet).to_bytes(Format::Png, &Metadata::default())?;
+/// # Ok::<(), glanz_picture::output::OutputError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Canvas {
     /// Width in pixels.
@@ -11,6 +23,12 @@ pub struct Canvas {
     pub height: usize,
     /// `4·width·height` bytes, rows from the top.
     pub rgba: Vec<u8>,
+}
+
+impl From<Canvas> for PictureData {
+    fn from(Canvas { width, height, rgba }: Canvas) -> Self {
+        Self::Codes8 { width, height, rgba }
+    }
 }
 
 /// The size of letters.

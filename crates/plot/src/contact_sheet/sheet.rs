@@ -15,6 +15,17 @@ const MAX_SIDE: usize = 16_384;
 const LARGE_FROM: usize = 320;
 
 /// The layout of a contact sheet and its texts.
+///
+/// ```
+/// use glanz_plot::{Canvas, ContactSheet};
+///
+/// let captions = vec![vec!["first".to_owned()], vec!["second".to_owned()]];
+/// let layout = ContactSheet { captions, per_row: 2, count: 2, cell: (64, 48), ..ContactSheet::default() };
+/// let mut sheet = layout.begin()?;
+/// layout.put(&mut sheet, 1, &Canvas::new(64, 48, [200, 30, 30]));
+/// assert!(sheet.width >= 128);
+/// # Ok::<(), glanz_plot::Error>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactSheet {
     /// Over everything; may be empty.

@@ -45,6 +45,14 @@ const GAMUTS: [Gamut; 3] = [
 const TEMPERATURES_K: [f64; 5] = [2000.0, 3000.0, 4000.0, 6500.0, 10_000.0];
 
 /// The chromaticity diagram of CIE 1931 with the gamuts of displays, black bodies and marked colours.
+///
+/// ```
+/// use glanz_plot::{ChromaticityDiagram, Figure};
+///
+/// let diagram = ChromaticityDiagram::default();
+/// assert!(diagram.svg()?.contains("Chromaticity, CIE 1931"));
+/// # Ok::<(), glanz_plot::Error>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChromaticityDiagram {
     /// The colours that are marked.

@@ -15,6 +15,15 @@ pub struct NamedSpectrum {
 }
 
 /// The plot of one spectrum or of several.
+///
+/// ```
+/// use glanz_plot::{Figure, NamedSpectrum, spectra};
+///
+/// let lamp = NamedSpectrum { name: "A".to_owned(), spectrum: glanz_color::light("A")? };
+/// let chart = spectra("An incandescent lamp", "CIE illuminant A", "relative power", &[lamp]);
+/// assert!(chart.svg()?.starts_with("<svg"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedSpectrum]) -> WavelengthChart {
     let curves = spectra.iter().enumerate().map(|(index, named)| Curve {
         name: named.name.clone(),

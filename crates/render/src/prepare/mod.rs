@@ -18,14 +18,16 @@
 //! ```
 
 mod build;
+mod change;
 mod color;
 pub mod data;
 mod options;
 mod source;
 mod update;
 
+pub(crate) use build::check::check_background;
 pub use build::prepare;
+pub use change::Change;
 pub use color::observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
 pub use data::*;
 pub use options::{PrepareError, PrepareOptions};
-pub use update::Change;

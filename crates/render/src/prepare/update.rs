@@ -12,29 +12,7 @@ use super::color::fill::{fill_material, fill_table};
 use super::data::{Prepared, PreparedObject};
 use super::options::{PrepareError, PrepareOptions};
 use super::source::{Colors, ObjectSource};
-use super::{Observation, ObservationError};
-
-/// What of a scene has changed since it was prepared or updated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Change {
-    /// The camera, or the size of the picture. Nothing is redone: that is the view's.
-    Camera,
-    /// The light of this number: where it is, how it fades, its colour. Its kind too, which costs more.
-    Light(usize),
-    /// The material of this number: any parameter, tint or texture use. How many textures there are, too.
-    Material(usize),
-    /// Where the object of this number is. If its mesh, material or shading changed, that is [`Change::Geometry`].
-    Object(usize),
-    /// All lights and materials, most often their colours, and the white. How many there are, too, which costs more,
-    /// and how many textures.
-    Colors,
-    /// Meshes and objects: how many, of what, shaded how.
-    Geometry,
-    /// The pictures that textures are.
-    Textures,
-    /// Anything, the numbers of lights and materials among it.
-    All,
-}
+use super::{Change, Observation, ObservationError};
 
 impl Prepared {
     /// Redoes what these changes of the scene touch, and nothing else. The result is that of preparing the scene
@@ -55,7 +33,8 @@ impl Prepared {
 
     fn apply(&mut self, scene: &Scene, change: Change, casters_moved: &mut bool) -> Result<(), PrepareError> {
         match change {
-            Change::Camera => Ok(()),
+            // Whether there are shadows is looked at after every update.
+            Change::Camera | Change::Shadows => Ok(()),
             Change::Light(number) => self.update_light(scene, number),
             Change::Material(number) => self.with_textures(scene, casters_moved, |own, casters_moved| {
                 own.update_material(scene, number, casters_moved)

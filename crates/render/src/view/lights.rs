@@ -6,8 +6,8 @@ use glanz_scene::{AreaShape, Space};
 
 use crate::prepare::Prepared;
 use crate::prepare::{Bvh, EnvironmentLight, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire};
-use crate::view::DrawOptions;
 use crate::view::camera::ViewCamera;
+use crate::view::{DrawOptions, Samples};
 
 /// The lights of a frame.
 pub struct ViewLights<'a> {
@@ -114,7 +114,7 @@ impl<'a> ViewLights<'a> {
             .collect();
         let bvh = prepared.bvh.as_deref();
         // Where each sample is shaded by itself, or is the centre, it is on its own triangle.
-        let beside = options.samples > 1 && !options.supersample;
+        let beside = options.samples > Samples::One && !options.supersample;
         let scale = if beside { camera.inverse_scale * HALF_DIAGONAL } else { 0.0 };
         let bvh = bvh.map(|bvh| ViewBvh {
             bvh,

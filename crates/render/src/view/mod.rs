@@ -12,6 +12,7 @@ use glanz_scene::{Camera, Projection};
 use thiserror::Error;
 
 pub use options::{Aovs, DebugView, DrawOptions};
+pub use samples::{Samples, SamplesError};
 
 /// The widest and highest picture, in pixels.
 pub const MAX_SIZE: u32 = 16_384;
@@ -39,6 +40,16 @@ pub enum ViewError {
 ///
 /// The rasteriser works in *eye space with world axes*: the eye is the origin, the axes are the
 /// world's. So no precision is lost far from the world's origin.
+///
+/// ```
+/// use glanz_render::View;
+/// use glanz_scene::Camera;
+///
+/// let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 320, 240)?;
+/// assert_eq!(view.eye, [0.0, 0.0, 5.0]);
+/// assert!(View::new(&Camera::new([0.0; 3], [0.0; 3]), 320, 240).is_err(), "it looks nowhere");
+/// # Ok::<(), glanz_render::ViewError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     /// Width in pixels.

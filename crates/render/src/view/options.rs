@@ -3,6 +3,8 @@
 use glanz_scene::Background;
 pub use glanz_scene::DebugView;
 
+use super::Samples;
+
 /// Which planes a frame has beside colour and alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Aovs {
@@ -15,15 +17,31 @@ pub struct Aovs {
 }
 
 /// How to draw.
+///
+/// ```
+/// use glanz_render::{Aovs, DrawOptions, PrepareOptions, View, draw, prepare};
+/// use glanz_scene::{Background, Camera, Mesh, Scene, library};
+///
+/// let scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?);
+/// let prepared = prepare(&scene, &PrepareOptions::default())?;
+/// let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 9, 9)?;
+/// let aovs = Aovs { depth: true, ..Aovs::default() };
+/// let frame = draw(&prepared, &view, &DrawOptions { aovs, ..DrawOptions::new(Background::Transparent) });
+/// assert!((frame.depth[40] - 4.0).abs() < 0.1, "the front of the sphere");
+/// assert_eq!((frame.alpha[0], frame.depth[0]), (0.0, f32::INFINITY), "nothing");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawOptions {
-    /// Coverage samples per pixel: 1, 2, 4, 8 or 16.
-    pub samples: u32,
+    /// Coverage samples per pixel.
+    pub samples: Samples,
     /// Shade every sample rather than once per pixel and surface.
     pub supersample: bool,
     /// What the picture shows.
     pub show: DebugView,
-    /// What is behind all surfaces.
+    /// What is behind all surfaces. A colour is in the channels of the frame, which are those of the observer that the
+    /// scene was prepared for: linear sRGB in mode `rgb`, else what `ToScreen::channels_of` makes of linear sRGB.
+    /// [`ShotOptions`](crate::ShotOptions) takes linear sRGB in every mode and does that itself.
     pub background: Background,
     /// Planes beside colour and alpha.
     pub aovs: Aovs,
@@ -32,6 +50,12 @@ pub struct DrawOptions {
 impl DrawOptions {
     /// One sample, shaded, on this background.
     pub fn new(background: Background) -> Self {
-        Self { samples: 1, supersample: false, show: DebugView::Shaded, background, aovs: Aovs::default() }
+        Self {
+            samples: Samples::One,
+            supersample: false,
+            show: DebugView::Shaded,
+            background,
+            aovs: Aovs::default(),
+        }
     }
 }

@@ -1,19 +1,73 @@
 //! Where the coverage samples of a pixel are.
 
+use thiserror::Error;
+
 /// Subpixel steps per pixel.
 pub const SUBPIXEL: i32 = 256;
 
-/// Sample positions within the pixel, in 1/256 of it, for 1, 2, 4, 8 or 16 samples.
+/// How many coverage samples a pixel has.
+///
+/// ```
+/// use glanz_render::Samples;
+///
+/// assert_eq!(Samples::try_from(8)?, Samples::Eight);
+/// let error = Samples::try_from(3).unwrap_err();
+/// assert_eq!(error.to_string(), "a pixel has 1, 2, 4, 8 or 16 samples, but 3 are asked for");
+/// # Ok::<(), glanz_render::SamplesError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Samples {
+    /// The centre.
+    #[default]
+    One = 1,
+    /// Two.
+    Two = 2,
+    /// Four.
+    Four = 4,
+    /// Eight.
+    Eight = 8,
+    /// Sixteen.
+    Sixteen = 16,
+}
+
+impl Samples {
+    /// All of them, from the fewest.
+    pub const ALL: [Self; 5] = [Self::One, Self::Two, Self::Four, Self::Eight, Self::Sixteen];
+
+    /// The number.
+    pub const fn count(self) -> u32 {
+        self as u32
+    }
+}
+
+/// There is no pattern of so many samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("a pixel has 1, 2, 4, 8 or 16 samples, but {found} are asked for")]
+pub struct SamplesError {
+    /// How many were asked for.
+    pub found: u32,
+}
+
+impl TryFrom<u32> for Samples {
+    type Error = SamplesError;
+
+    fn try_from(found: u32) -> Result<Self, SamplesError> {
+        Self::ALL.into_iter().find(|samples| samples.count() == found).ok_or(SamplesError { found })
+    }
+}
+
+/// Sample positions within the pixel, in 1/256 of it.
 ///
 /// The patterns are those that graphics hardware uses (Direct3D 11 standard sample positions): no two
 /// samples share a row or column. One sample is at the centre.
-pub fn positions(samples: u32) -> &'static [[i32; 2]] {
+pub fn positions(samples: Samples) -> &'static [[i32; 2]] {
     match samples {
-        2 => &TWO,
-        4 => &FOUR,
-        8 => &EIGHT,
-        16 => &SIXTEEN,
-        _ => &ONE,
+        Samples::One => &ONE,
+        Samples::Two => &TWO,
+        Samples::Four => &FOUR,
+        Samples::Eight => &EIGHT,
+        Samples::Sixteen => &SIXTEEN,
     }
 }
 
@@ -52,8 +106,8 @@ mod tests {
 
     #[test]
     fn samples_of_a_pixel_share_no_row_and_no_column() {
-        for count in [1, 2, 4, 8, 16] {
-            let positions = positions(count);
+        for samples in Samples::ALL {
+            let (positions, count) = (positions(samples), samples.count());
             assert_eq!(positions.len(), count as usize);
             for axis in 0..2 {
                 let mut seen: Vec<i32> = positions.iter().map(|p| p[axis]).collect();

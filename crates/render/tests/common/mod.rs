@@ -127,7 +127,7 @@ pub fn transparent() -> DrawOptions {
 
 /// `samples` per pixel over nothing.
 pub fn sampled(samples: u32) -> DrawOptions {
-    DrawOptions { samples, ..transparent() }
+    DrawOptions { samples: samples.try_into().unwrap(), ..transparent() }
 }
 
 /// Draws the scene with its camera.

@@ -41,7 +41,7 @@ fn drawn(scene: &Scene) -> Drawn {
     let aovs = Aovs { depth: true, normal: true, object: true };
     let path = |level: SimdLevel, threads: usize| {
         let options = DrawOptions {
-            samples: scene.image.samples,
+            samples: scene.image.samples.try_into().unwrap(),
             supersample: scene.image.supersample,
             aovs,
             ..DrawOptions::new(background)

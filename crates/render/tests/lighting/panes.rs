@@ -122,7 +122,10 @@ fn over_an_opaque_background_coloured_panes_leave_no_hole() {
         add(&mut scene, rectangle([0.3, 0.3, 7.7, 6.4], z), foil(rgb), DMat4::IDENTITY);
     }
     for samples in [1, 4, 16] {
-        let options = DrawOptions { samples, ..DrawOptions::new(Background::Color(Rgb([0.4, 0.6, 0.8]))) };
+        let options = DrawOptions {
+            samples: samples.try_into().unwrap(),
+            ..DrawOptions::new(Background::Color(Rgb([0.4, 0.6, 0.8])))
+        };
         let frame = picture(&scene, 8, 8, &options);
         assert!(frame.alpha.iter().all(|alpha| (alpha - 1.0).abs() < 1e-6), "{samples}: {:?}", frame.alpha);
         for (got, expected) in middle(&frame).iter().zip([0.4 * 0.45, 0.6 * 0.25, 0.8 * 0.45]) {

@@ -21,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::Mesh;
+use crate::scene::access::known_names;
 
 /// The most triangles that a built-in or subdivided mesh may have.
 pub const MAX_TRIANGLES: u64 = 50_000_000;
@@ -122,6 +123,12 @@ pub enum Builtin {
 /// Why a built-in mesh cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BuiltinError {
+    /// No mesh has this name.
+    #[error("there is no built-in mesh '{name}'{}", known_names(name, &Builtin::NAMES.map(str::to_owned)))]
+    Name {
+        /// The name that was asked for.
+        name: String,
+    },
     /// A length that is no length.
     #[error("{mesh}: {parameter} must be between {least:e} and {most:e}, but is {found}")]
     Length {
@@ -164,6 +171,26 @@ pub enum BuiltinError {
         /// How many there would be (or more).
         triangles: u64,
     },
+}
+
+impl Mesh {
+    /// The built-in mesh of this name, with the default parameters.
+    ///
+    /// ```
+    /// use glanz_scene::Mesh;
+    ///
+    /// assert_eq!(Mesh::builtin("cube")?.triangle_count(), 12);
+    /// let message = Mesh::builtin("spere").unwrap_err().to_string();
+    /// assert!(message.starts_with("there is no built-in mesh 'spere'; did you mean 'sphere'?"));
+    /// # Ok::<(), glanz_scene::BuiltinError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there is none of this name.
+    pub fn builtin(name: &str) -> Result<Self, BuiltinError> {
+        let builtin = Builtin::named(name).ok_or_else(|| BuiltinError::Name { name: name.to_owned() })?;
+        builtin.mesh()
+    }
 }
 
 impl Builtin {

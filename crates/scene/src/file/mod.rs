@@ -6,11 +6,24 @@
 //!
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
 //! more than 50 million triangles.
+//!
+//! ```
+//! use glanz_scene::file::{LoadOptions, parse_str, write};
+//!
+//! let text = "[materials.red]\ndiffuse = [0.7, 0.1, 0.1]\n[[objects]]\nmesh = \"cube\"\nmaterial = \"red\"\n";
+//! let sets = vec![("materials.red.shininess".to_owned(), "64".to_owned())];
+//! let options = LoadOptions { sets, ..LoadOptions::default() };
+//! let loaded = parse_str(text, "".as_ref(), &options)?;
+//! assert_eq!(loaded.scene.objects.len(), 1);
+//! // And back.
+//! let written = write(&loaded.scene, "files")?;
+//! assert_eq!(parse_str(&written.text, "".as_ref(), &LoadOptions::default())?.scene, loaded.scene);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod build;
 mod error;
 mod explain;
-mod hash;
 pub(crate) mod near;
 mod schema;
 mod sets;
@@ -32,7 +45,6 @@ use crate::{Material, Scene};
 use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain};
-use hash::Hash;
 use tables::appearance::materials::MaterialTable;
 use tables::scene::SceneTable;
 
@@ -56,9 +68,6 @@ pub struct Loaded {
     pub scene: Scene,
     /// What was ignored or approximated, in words for people.
     pub notes: Vec<String>,
-    /// A number for the content: of the file with the values set, however it is written, and of the
-    /// files that it names.
-    pub hash: u64,
 }
 
 /// Reads a scene file.
@@ -80,7 +89,7 @@ pub fn parse_material(name: &str, text: &str) -> Result<Material, FileError> {
         let table = MaterialTable::deserialize(toml::de::Deserializer::from(root)).map_err(|error| {
             explain(&error, read_document(text, &[]).ok().as_ref().map(Paths::of).as_ref())
         })?;
-        table.build(name, &mut Builder::new(Path::new(""), false, Hash::new()))
+        table.build(name, &mut Builder::new(Path::new(""), false))
     };
     understand().map_err(|problem| source.error(problem))
 }
@@ -138,13 +147,10 @@ fn check_text(text: &str) -> Result<(), FileError> {
     read_table(text, &[]).map(drop).map_err(|problem| source.error(problem))
 }
 
-fn read_table(text: &str, sets: &[sets::Override]) -> Result<(SceneTable, Hash), Problem> {
+fn read_table(text: &str, sets: &[sets::Override]) -> Result<SceneTable, Problem> {
     let root = read_document(text, sets)?;
-    let mut hash = Hash::new();
-    hash.table(root.get_ref());
-    let table = SceneTable::deserialize(toml::de::Deserializer::from(root))
-        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))?;
-    Ok((table, hash))
+    SceneTable::deserialize(toml::de::Deserializer::from(root))
+        .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))
 }
 
 fn understand(
@@ -153,8 +159,8 @@ fn understand(
     base: &Path,
     allow_outside: bool,
 ) -> Result<Loaded, Problem> {
-    let (table, hash) = read_table(text, sets)?;
-    let mut builder = Builder::new(base, allow_outside, hash);
+    let table = read_table(text, sets)?;
+    let mut builder = Builder::new(base, allow_outside);
     builder.build(&table)?;
-    Ok(Loaded { scene: builder.scene, notes: builder.input.notes, hash: builder.input.hash.finish() })
+    Ok(Loaded { scene: builder.scene, notes: builder.input.notes })
 }

@@ -4,6 +4,16 @@
 //! put into a scene, is the same material; [`MaterialInfo::toml`] holds the keys, [`material`] reads them.
 //!
 //! Figures are those of papers and tables where there are some; others are chosen, and the source says so.
+//!
+//! ```
+//! use glanz_scene::library;
+//!
+//! let gold = library::info("gold")?;
+//! println!("{}: {}", gold.title, gold.source);
+//! assert_eq!(gold.material(), library::material("gold")?);
+//! assert!(library::material("gould").unwrap_err().to_string().contains("did you mean 'gold'"));
+//! # Ok::<(), library::UnknownMaterial>(())
+//! ```
 
 mod categories;
 mod category;

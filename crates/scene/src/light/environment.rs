@@ -11,6 +11,15 @@ use serde::{Deserialize, Serialize};
 /// Rows go from straight up (+Y) to straight down, columns once around to the right, as seen from inside:
 /// the middle of the picture is −Z, its right quarter +X, its left quarter −X, its left and right edges
 /// meet at +Z. This is the convention of most HDR panoramas.
+///
+/// ```
+/// use glanz_scene::{EnvironmentMap, glam::DVec3};
+///
+/// // The upper row of pixels is bright.
+/// let sky = EnvironmentMap { width: 2, height: 2, pixels: vec![[1.0; 3], [1.0; 3], [0.0; 3], [0.0; 3]] };
+/// assert_eq!(EnvironmentMap::place(DVec3::NEG_Z), (0.5, 0.5));
+/// assert!((sky.mean()[0] - 0.5).abs() < 1e-12);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EnvironmentMap {
     /// Pixels in a row; at least 1.

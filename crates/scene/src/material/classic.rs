@@ -6,6 +6,22 @@ use serde::{Deserialize, Serialize};
 use crate::{Lobe, Material, Tint};
 
 /// The classic block of coefficients, from which the lobes follow.
+///
+/// ```
+/// use glanz_color::Rgb;
+/// use glanz_scene::ClassicMaterial;
+///
+/// let red = ClassicMaterial {
+///     diffuse: Rgb([0.7, 0.1, 0.1]).into(),
+///     specular: Rgb::gray(0.4).into(),
+///     shininess: 50.0,
+///     ..ClassicMaterial::default()
+/// };
+/// let red = red.build("red")?;
+/// assert_eq!(red.lobes.len(), 2, "the black ambient and emission terms are left out");
+/// assert_eq!(red.lobes[1].shape.info().name, "phong");
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClassicMaterial {
     /// Tint of the ambient lobe.

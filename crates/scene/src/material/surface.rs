@@ -39,6 +39,18 @@ pub enum AlphaMode {
 }
 
 /// A sum of lobes, with what textures change of it.
+///
+/// ```
+/// use glanz_bsdf::Shape;
+/// use glanz_scene::{Lobe, Material};
+///
+/// let paint = Lobe::new(Shape::named("lambert", &[])?, [0.7, 0.1, 0.1]);
+/// let gloss = Lobe::new(Shape::named("ggx", &[("alpha", 0.1)])?, [0.04; 3]);
+/// let mut red = Material::of_lobes("red", vec![paint, gloss]);
+/// red.set("alpha", 0.2)?;
+/// red.alpha = 0.5; // Its opacity: a field of the material itself.
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Its name; may be empty.

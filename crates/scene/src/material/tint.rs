@@ -15,6 +15,16 @@ use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
 const LEAST_EFFICACY: f64 = 1.0;
 
 /// The colour of light that a lamp or a glowing surface sends.
+///
+/// ```
+/// use glanz_scene::LightColor;
+///
+/// let lamp = LightColor::unit(&glanz_color::light("A")?).expect("it has power");
+/// assert!((lamp.strength() - 1.0).abs() < 1e-9);
+/// let dim = lamp.scaled(0.25);
+/// assert!((dim.luminance().expect("it is seen") - 0.25).abs() < 1e-9);
+/// # Ok::<(), glanz_color::UnknownName>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LightColor {
     /// Amounts of the sRGB primaries; equal amounts are D65.
@@ -98,6 +108,12 @@ impl From<Rgb> for LightColor {
     }
 }
 
+impl From<[f32; 3]> for LightColor {
+    fn from(rgb: [f32; 3]) -> Self {
+        Self::Rgb(Rgb(rgb))
+    }
+}
+
 /// The coloured part of a lobe: what it does to each wavelength.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Tint {
@@ -170,5 +186,11 @@ impl Tint {
 impl From<Rgb> for Tint {
     fn from(rgb: Rgb) -> Self {
         Self::Rgb(rgb)
+    }
+}
+
+impl From<[f32; 3]> for Tint {
+    fn from(rgb: [f32; 3]) -> Self {
+        Self::Rgb(Rgb(rgb))
     }
 }

@@ -41,6 +41,23 @@ impl Bounds {
 /// A mesh of polygons whose corners share vertices.
 ///
 /// All attribute arrays are empty (the mesh does not have them) or as long as `positions`.
+///
+/// ```
+/// use glanz_scene::{Mesh, Normals, glam::Vec3};
+///
+/// let corner = |x: f32, y: f32| Vec3::new(x, y, 0.0);
+/// let square = Mesh {
+///     positions: vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)],
+///     corners: vec![0, 1, 2, 3],
+///     face_starts: vec![0, 4],
+///     ..Mesh::default()
+/// };
+/// square.validate()?;
+/// assert_eq!((square.face_count(), square.triangle_count()), (1, 2));
+/// let square = square.with_normals(Normals::Given);
+/// assert_eq!(square.normals[0], Vec3::Z);
+/// # Ok::<(), glanz_scene::MeshError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
     /// A name for people; may be empty.

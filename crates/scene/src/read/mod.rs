@@ -8,6 +8,15 @@
 //! environments (Radiance HDR, OpenEXR), each with a function of its own.
 //!
 //! What a reader left out or could only approximate is told in [`Model::notes`].
+//!
+//! ```
+//! use glanz_scene::read::{Format, NoFiles, ReadOptions, read_model_bytes};
+//!
+//! let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+//! let model = read_model_bytes(text, Format::Obj, "triangle.obj", &NoFiles, &ReadOptions::default())?;
+//! assert_eq!((model.meshes.len(), model.triangle_count()), (1, 1));
+//! # Ok::<(), glanz_scene::read::ReadError>(())
+//! ```
 
 mod environment;
 mod models;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use glanz_picture::output::{Animation, Format, write_apng, write_atomically, write_gif};
+use glanz_picture::output::{Animation, Format, Metadata, write_apng, write_atomically, write_gif};
 use glanz_render::Shot;
 use serde_json::json;
 
@@ -30,7 +30,7 @@ struct Frames<'a> {
     args: &'a RenderArgs,
     count: usize,
     /// The scene of the last frame, and of the next ones while nothing in it moves.
-    scene: Option<(Plan, Shot, u64)>,
+    scene: Option<(Plan, Shot)>,
 }
 
 impl RenderArgs {
@@ -91,10 +91,9 @@ impl RenderArgs {
         let mut frames = Frames::new(self, names.len());
         let mut progress = Progress::new(names.len(), "frames");
         for (index, name) in names.iter().enumerate() {
-            let (plan, shot, hash) = frames.frame(index)?;
+            let (_, shot) = frames.frame(index)?;
             let picture = pipeline::picture(shot, kind, &mut Timings::default(), &mut progress)?;
-            let metadata = encode::metadata_of(hash, plan);
-            write_atomically(name, |out| encode::write(out, picture, format, &metadata))?;
+            picture.save(name, &shot.metadata())?;
             progress.step();
         }
         Ok(names)
@@ -110,7 +109,8 @@ impl RenderArgs {
         }
         let mut frames = Frames::new(self, count);
         let mut progress = Progress::new(count, "frames");
-        let (plan, _, hash) = frames.frame(0)?;
+        let (plan, shot) = frames.frame(0)?;
+        let metadata = Metadata { entries: Vec::new(), ..shot.metadata() };
         let animation = Animation {
             width: plan.size().0,
             height: plan.size().1,
@@ -118,14 +118,14 @@ impl RenderArgs {
             delay_ms: (1000.0 / self.fps).round() as u32,
         };
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
-            let (_, shot, _) = frames.frame(index)?;
+            let (_, shot) = frames.frame(index)?;
             let canvas = pipeline::codes(shot, &mut Timings::default(), &mut progress)?;
             progress.step();
             Ok(canvas.rgba)
         });
         write_atomically(path, |out| match format {
             Format::Gif => write_gif(out, &animation, codes),
-            _ => write_apng(out, &animation, codes, &encode::metadata(hash)),
+            _ => write_apng(out, &animation, codes, &metadata),
         })?;
         Ok(path.to_owned())
     }
@@ -136,9 +136,9 @@ impl<'a> Frames<'a> {
         Self { args, count, scene: None }
     }
 
-    /// How frame `index` is drawn, and the hash of its scene. The file is read again only where
+    /// How frame `index` is drawn. The file is read again only where
     /// values of the scene move.
-    fn frame(&mut self, index: usize) -> Result<(&Plan, &mut Shot, u64), Failure> {
+    fn frame(&mut self, index: usize) -> Result<(&Plan, &mut Shot), Failure> {
         let animate = &self.args.animate;
         if self.scene.is_none() || !animate.is_empty() {
             let last = self.count.saturating_sub(1).max(1) as f64;
@@ -148,11 +148,11 @@ impl<'a> Frames<'a> {
             if self.scene.is_none() {
                 print::notes(&self.args.input.input, &input.notes);
             }
-            self.scene = Some((plan, shot, input.hash));
+            self.scene = Some((plan, shot));
         }
-        let (plan, shot, hash) = self.scene.as_mut().expect("was read for the first frame");
+        let (plan, shot) = self.scene.as_mut().expect("was read for the first frame");
         let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
         turn(shot, &plan.options.camera, part)?;
-        Ok((plan, shot, *hash))
+        Ok((plan, shot))
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use clap::Args;
-use glanz_picture::output::Format;
+use glanz_picture::output::{Format, PictureData, PictureKind};
 use glanz_render::Shot;
 use serde_json::json;
 
@@ -13,7 +13,7 @@ use crate::args::{
 use crate::encode;
 use crate::frames;
 use crate::load::Input;
-use crate::pipeline::{self, Kind, Picture, Plan};
+use crate::pipeline::{self, Plan};
 use crate::print::failure::Failure;
 use crate::print::timings::{Stage, Timings};
 use crate::print::{self, FormatArgs, preview};
@@ -126,35 +126,43 @@ impl RenderArgs {
             self.rehearse(target.as_ref(), kind, &mut timings)?;
         }
         timings.begin_run();
-        let (told, plan, shot, picture) = self.draw(kind, &mut timings)?;
+        let (notes, plan, shot, picture) = self.draw(kind, &mut timings)?;
         let preview = self.preview.then(|| pipeline::on_screen(&shot, &picture)).transpose()?;
         let preview = preview.map(|canvas| preview::half_blocks(&canvas, preview::columns()));
         if let Some(target) = &target {
-            let metadata = encode::metadata_of(told.hash, &plan);
-            timings.measure(Stage::Encode, || encode::deliver(picture, target, &metadata))?;
+            timings.measure(Stage::Encode, || encode::deliver(picture, target, &shot.metadata()))?;
         }
         if let Some(preview) = preview {
             print::text(&preview)?;
         }
-        self.tell(target.as_ref(), &plan, &told.notes, &timings)
+        self.tell(target.as_ref(), &plan, &notes, &timings)
     }
 
     /// All the way from the file to the bytes of the picture, which are thrown away.
-    fn rehearse(&self, target: Option<&Target>, kind: Kind, timings: &mut Timings) -> Result<(), Failure> {
-        let (told, _, _, picture) = self.draw(kind, timings)?;
+    fn rehearse(
+        &self,
+        target: Option<&Target>,
+        kind: PictureKind,
+        timings: &mut Timings,
+    ) -> Result<(), Failure> {
+        let (_, _, shot, picture) = self.draw(kind, timings)?;
         if let Some(target) = target {
-            let (format, metadata) = (encode::format(target)?, encode::metadata(told.hash));
-            timings.measure(Stage::Encode, || encode::to_memory(picture, format, &metadata))?;
+            let (format, metadata) = (encode::format(target)?, shot.metadata());
+            timings.measure(Stage::Encode, || picture.to_bytes(format, &metadata))?;
         }
         Ok(())
     }
 
     /// From the file to a picture.
-    fn draw(&self, kind: Kind, timings: &mut Timings) -> Result<(Told, Plan, Shot, Picture), Failure> {
+    fn draw(
+        &self,
+        kind: PictureKind,
+        timings: &mut Timings,
+    ) -> Result<(Vec<String>, Plan, Shot, PictureData), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, mut shot) = timings.measure(Stage::Prepare, || self.plan(&input))?;
         let picture = pipeline::picture(&mut shot, kind, timings, &mut Progress::of_one_picture())?;
-        Ok((Told { notes: input.notes, hash: input.hash }, plan, shot, picture))
+        Ok((input.notes, plan, shot, picture))
     }
 
     /// Reads the scene, with these values set.
@@ -165,21 +173,21 @@ impl RenderArgs {
     /// The scene as arrays, and how it is drawn.
     pub fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let shot = plan.shot(&input.scene)?;
+        let shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
         Ok((plan, shot))
     }
 
     /// What the picture must keep for a file of this format.
-    pub fn kind(&self, format: Format) -> Result<Kind, Failure> {
+    pub fn kind(&self, format: Format) -> Result<PictureKind, Failure> {
         if self.spectral_exr && format != Format::Exr {
             let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
             return Err(Failure::Usage(message.to_owned()));
         }
         match (format, self.bit_depth) {
-            (Format::Exr, _) if self.spectral_exr => Ok(Kind::Spectrum),
-            (Format::Exr, _) => Ok(Kind::Light),
-            (Format::Png, BitDepth::Sixteen) => Ok(Kind::Codes16),
-            (_, BitDepth::Eight) => Ok(Kind::Codes8),
+            (Format::Exr, _) if self.spectral_exr => Ok(PictureKind::Spectrum),
+            (Format::Exr, _) => Ok(PictureKind::Light),
+            (Format::Png, BitDepth::Sixteen) => Ok(PictureKind::Codes16),
+            (_, BitDepth::Eight) => Ok(PictureKind::Codes8),
             (_, BitDepth::Sixteen) => Err(Failure::Usage("only a .png can have --bit-depth 16".to_owned())),
         }
     }
@@ -217,10 +225,4 @@ impl RenderArgs {
             (false, _) => Ok(()),
         }
     }
-}
-
-/// What a file tells beside its scene.
-struct Told {
-    notes: Vec<String>,
-    hash: u64,
 }

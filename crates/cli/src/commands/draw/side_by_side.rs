@@ -6,7 +6,7 @@ use glanz_plot::Canvas;
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
 use crate::encode;
 use crate::load::Input;
-use crate::pipeline::{Picture, Plan};
+use crate::pipeline::Plan;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
@@ -48,7 +48,7 @@ impl SideBySideArgs {
 
     /// Brings the pictures, on one sheet, to where they go, and says so.
     pub fn deliver(&self, sheet: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
-        encode::deliver(Picture::Codes8(sheet), target, &encode::metadata(hash))?;
+        encode::deliver(sheet.into(), target, &encode::metadata(hash))?;
         if let Target::File(path) = target {
             print::note(format_args!("wrote {}", path.display()));
         }

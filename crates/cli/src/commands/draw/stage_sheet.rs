@@ -8,7 +8,7 @@ use glanz_plot::{Canvas, ContactSheet};
 use crate::args::{CameraArgs, ColorArgs, DevelopArgs, LookArgs, MachineArgs, Target, TargetArgs};
 use crate::encode;
 use crate::load::Input;
-use crate::pipeline::{self, Picture, Plan};
+use crate::pipeline::{self, Plan};
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
@@ -70,7 +70,7 @@ impl StageSheetArgs {
         cells: &[Vec<(String, String)>],
     ) -> Result<(), Failure> {
         let size = (sheet.width, sheet.height);
-        encode::deliver(Picture::Codes8(sheet), target, &encode::metadata(0))?;
+        encode::deliver(sheet.into(), target, &encode::metadata(0))?;
         tell_sheet(target, size, cells, self.format)
     }
 }

@@ -5,7 +5,7 @@ use glanz_plot::{Grid, Variation};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
 use crate::encode;
-use crate::pipeline::{self, Picture, Plan};
+use crate::pipeline::{self, Plan};
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
 use crate::print::timings::Timings;
@@ -80,12 +80,12 @@ impl SweepArgs {
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
             }
-            hash = hash.rotate_left(1) ^ input.hash;
+            hash = hash.rotate_left(1) ^ input.scene.content_hash();
             progress.step();
         }
         drop(progress);
         let size = (canvas.width, canvas.height);
-        encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(hash))?;
+        encode::deliver(canvas.into(), &target, &encode::metadata(hash))?;
         tell_sheet(&target, size, &cells, self.format)
     }
 

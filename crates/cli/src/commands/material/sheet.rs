@@ -11,7 +11,7 @@ use super::categories::categories;
 use crate::args::choices;
 use crate::commands::draw::stage_sheet::StageSheetArgs;
 use crate::input::spectra;
-use crate::load::Input;
+use crate::load::input_of_stage;
 use crate::print::failure::Failure;
 
 /// Shown after the help.
@@ -74,7 +74,7 @@ impl SheetArgs {
             ..ContactSheet::default()
         };
         let size = (self.size, self.size);
-        let stages = chosen.iter().map(|info| Ok(Input::of_stage(stage.scene(info.material(), size))));
+        let stages = chosen.iter().map(|info| Ok(input_of_stage(stage.scene(info.material(), size))));
         let canvas = self.sheet.draw(&sheet, stages, size, self.samples)?;
         let cells: Vec<_> =
             chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();

@@ -7,6 +7,11 @@ use crate::prepare::PrepareError;
 /// That a scene can be drawn: every index names something, and the background exists.
 pub(crate) fn check(scene: &Scene) -> Result<(), PrepareError> {
     check_references(scene)?;
+    check_background(scene)
+}
+
+/// Where the background is to be the environment, one must be there.
+pub(crate) fn check_background(scene: &Scene) -> Result<(), PrepareError> {
     let environment = |light: &glanz_scene::Light| matches!(light.kind, LightKind::Environment { .. });
     if scene.image.background == Background::Environment && !scene.lights.iter().any(environment) {
         let what = "the background is 'environment', but no light of that kind is there".to_owned();

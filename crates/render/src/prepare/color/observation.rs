@@ -48,6 +48,16 @@ pub enum ObservationError {
 /// Frames drawn for it hold the observer's channels, scaled so that a white Lambert surface that faces
 /// a D65 light of 1 gives 1: in Y for observers in XYZ (their own x̄ and z̄ on the same scale), in every
 /// channel for all others. In mode RGB they hold linear sRGB.
+///
+/// ```
+/// use glanz_render::Observation;
+/// use glanz_scene::ColorMode;
+///
+/// let eye = Observation::new(ColorMode::Spectral, Some(glanz_color::observer("cie1964")?))?;
+/// assert_eq!(eye.channel_count(), 3);
+/// assert!(Observation::new(ColorMode::Rgb, Some(glanz_color::observer("cie1964")?)).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observation {
     pub(crate) mode: ColorMode,

@@ -1,13 +1,12 @@
 //! The builder: what is known while tables become a scene.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::DMat4;
 
-use crate::file::hash::Hash;
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
 use crate::{Camera, EnvironmentMap, Profile, Scene};
@@ -34,10 +33,6 @@ pub(in crate::file) struct Input {
     pub options: ReadOptions,
     /// What was ignored or approximated.
     pub notes: Vec<String>,
-    /// A number for all that was read.
-    pub hash: Hash,
-    /// The files that count in it already.
-    pub hashed: HashSet<PathBuf>,
 }
 
 /// Indices in the scene, by name.
@@ -102,13 +97,13 @@ pub(in crate::file) struct Units {
 
 impl Builder {
     /// References are relative to `base` and do not leave it unless `allow_outside`.
-    pub fn new(base: &Path, allow_outside: bool, hash: Hash) -> Self {
+    pub fn new(base: &Path, allow_outside: bool) -> Self {
         // An empty path is the current folder.
         let base = if base.as_os_str().is_empty() { PathBuf::from(".") } else { base.to_owned() };
         let options = ReadOptions { root: Some(base.clone()), allow_outside, ..ReadOptions::default() };
         Self {
             scene: Scene::default(),
-            input: Input { base, options, notes: Vec::new(), hash, hashed: HashSet::new() },
+            input: Input { base, options, notes: Vec::new() },
             names: Names::default(),
             made: Made::default(),
             units: Units::default(),

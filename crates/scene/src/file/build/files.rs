@@ -19,23 +19,6 @@ impl Builder {
         resolve(&self.input.base, reference, &self.input.options)
             .map_err(|error| unresolved(reference, &error, span))
     }
-
-    /// Adds a file's bytes to the hash, once. A file that cannot be read is left out: its reader will
-    /// say so.
-    pub(super) fn hash_file(&mut self, path: &Path) {
-        let regular = std::fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-        if !regular || !self.input.hashed.insert(path.to_owned()) {
-            return;
-        }
-        let Ok(mut file) = std::fs::File::open(path) else { return };
-        let mut buffer = vec![0; 1 << 16];
-        while let Ok(length) = std::io::Read::read(&mut file, &mut buffer) {
-            if length == 0 {
-                break;
-            }
-            self.input.hash.bytes(&buffer[..length]);
-        }
-    }
 }
 
 pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usize>) -> Problem {
@@ -54,12 +37,10 @@ pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usi
 }
 
 impl Builder {
-    /// The bytes of a file that the scene names; they count for the scene's hash.
+    /// The bytes of a file that the scene names.
     pub(super) fn read_beside(&mut self, file: &At<String>) -> Result<Vec<u8>, Problem> {
-        let bytes = FolderFiles::new(self.base(), &self.input.options)
+        FolderFiles::new(self.base(), &self.input.options)
             .read(file)
-            .map_err(|error| unresolved(file, &error, &file.span))?;
-        self.input.hash.bytes(&bytes);
-        Ok(bytes)
+            .map_err(|error| unresolved(file, &error, &file.span))
     }
 }

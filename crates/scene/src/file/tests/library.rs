@@ -53,7 +53,7 @@ fn a_material_of_the_scene_comes_before_one_of_the_library() {
 fn the_content_of_the_library_is_part_of_the_hash() {
     let hash = |name: &str| {
         let text = format!("[materials.a]\nlibrary = '{name}'");
-        parse(&text).expect("the scene is fine").hash
+        parse(&text).expect("the scene is fine").scene.content_hash()
     };
     assert_eq!(hash("gold"), hash("gold"));
     assert_ne!(hash("gold"), hash("silver"));

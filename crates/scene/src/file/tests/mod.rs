@@ -317,7 +317,7 @@ fn an_override_can_give_an_object_a_new_material() {
 
 #[test]
 fn the_hash_is_of_the_content_with_its_overrides_and_files() {
-    let hash = |text: &str, sets: &[(&str, &str)]| set(text, sets).expect("valid").hash;
+    let hash = |text: &str, sets: &[(&str, &str)]| set(text, sets).expect("valid").scene.content_hash();
     let plain = hash(&full(), &[]);
     assert_eq!(plain, hash(&format!("# a note\n{}", full().replace(" = ", "=")), &[]));
     assert_ne!(plain, hash(&full(), &[("materials.red.shininess", "33")]));
@@ -379,7 +379,11 @@ fn a_file_is_read_once_and_its_meshes_are_shared() {
     assert_ne!(scene.objects[0].material, scene.objects[1].material);
     assert_eq!((scene.objects[0].name.as_str(), scene.objects[1].transform.w_axis.x), ("a", 1.0));
     std::fs::write(scratch.0.join("scenes/t.obj"), OBJ.replace("0 1 0", "0 2 0")).expect("writable");
-    assert_ne!(scratch.load(false).expect("valid").hash, before.hash, "the file's bytes count");
+    assert_ne!(
+        scratch.load(false).expect("valid").scene.content_hash(),
+        before.scene.content_hash(),
+        "what the file says counts"
+    );
 }
 
 #[test]

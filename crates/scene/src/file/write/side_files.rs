@@ -4,8 +4,8 @@ use std::io::Cursor;
 
 use glanz_color::exr::{SpectralImage, write_spectral_exr};
 
-use super::super::hash::Hash;
 use super::WriteError;
+use crate::scene::hash::Hash;
 use crate::{EnvironmentMap, Mesh, Texture};
 
 /// The files so far, each content once.

@@ -10,7 +10,7 @@ use glanz_scene::stage::LobeStage;
 use glanz_scene::{LightColor, Tint};
 
 use crate::input::spectra;
-use crate::load::Input;
+use crate::load::{Input, input_of_stage};
 use crate::print::failure::Failure;
 
 /// The wavelength at which words for media are tried, in nm.
@@ -55,7 +55,7 @@ impl Ball {
 
     /// The scene, for pictures of this size.
     pub fn input(&self, size: (u32, u32)) -> Result<Input, Failure> {
-        self.0.scene(size).map(Input::of_stage).map_err(Failure::new)
+        self.0.scene(size).map(input_of_stage).map_err(Failure::new)
     }
 }
 

@@ -15,8 +15,6 @@ impl Builder {
         let info = library::info(name).map_err(|error| {
             Problem::at(&name.span, error.to_string()).help("`glanz material list` prints the library")
         })?;
-        // What the name stands for may change from one version to the next.
-        self.input.hash.bytes(info.toml.as_bytes());
         Ok(info.material())
     }
 

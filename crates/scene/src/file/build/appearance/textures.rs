@@ -100,7 +100,6 @@ impl Builder {
         let bytes = FolderFiles::new(&self.input.base, &self.input.options)
             .read(file)
             .map_err(|error| unresolved(file, &error, span))?;
-        self.input.hash.bytes(&bytes);
         let texture = read_texture(&bytes, file, &self.input.options)
             .map_err(|error| Problem::at(span, error.to_string()))?;
         // What all textures of a scene may take together; each alone is limited by its reader.

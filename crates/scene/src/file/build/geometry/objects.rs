@@ -220,7 +220,6 @@ impl Builder {
     }
 
     fn read_file(&mut self, path: &Path, span: &Range<usize>) -> Result<FileModel, Problem> {
-        self.hash_file(path);
         let mut model =
             read_model(path, &self.input.options).map_err(|error| Problem::at(span, error.to_string()))?;
         let file = file_name(path);

@@ -75,7 +75,6 @@ impl Builder {
         let bytes = FolderFiles::new(self.base(), &options)
             .read(file)
             .map_err(|error| crate::file::build::files::unresolved(file, &error, &file.span))?;
-        self.input.hash.bytes(&bytes);
         let (profile, notes) =
             read_profile(&bytes, file).map_err(|error| Problem::at(&file.span, error.to_string()))?;
         if profile.max() <= 0.0 {

@@ -1,0 +1,218 @@
+//! One picture: a scene, prepared, with its camera, its observer and its development.
+
+use glanz_math::SimdLevel;
+use glanz_picture::{Develop, Frame, develop, develop16};
+use glanz_scene::{Camera, Scene, White};
+
+use super::{ShotError, ShotOptions, Sight};
+use crate::cpu::Renderer;
+use crate::prepare::{Change, Prepared, prepare};
+use crate::view::{Aovs, DrawOptions, View};
+use crate::{Backend, draw_observed, takes_several_frames};
+
+/// A picture of a scene: honours all that the scene says.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Light, Mesh, Scene, library};
+///
+/// let scene = Scene::new()
+///     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+///     .with_light(Light::point([1.0, 2.0, 3.0], [1.0; 3]))
+///     .with_size(32, 24);
+/// let rgba = Shot::new(&scene)?.rgba8()?;
+/// assert_eq!(rgba.len(), 4 * 32 * 24);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Shot {
+    pub(crate) backend: Box<dyn Backend>,
+    pub(crate) prepared: Prepared,
+    pub(crate) sight: Sight,
+    /// The hash of the scene, unless it changed. Looking from elsewhere does not change it.
+    pub(crate) scene_hash: Option<u64>,
+}
+
+/// Tells how much of the work is done, from 0 to 1.
+pub type Step<'a> = &'a mut dyn FnMut(f64);
+
+impl Shot {
+    /// The picture that the scene asks for.
+    ///
+    /// # Errors
+    /// Where the scene cannot be drawn.
+    pub fn new(scene: &Scene) -> Result<Self, ShotError> {
+        let shot = Self::with(scene, ShotOptions::of(scene)?)?;
+        Ok(Self { scene_hash: Some(scene.content_hash()), ..shot })
+    }
+
+    /// The picture with settings in place of the scene's. Its file tells no hash of the scene.
+    ///
+    /// # Errors
+    /// Where the scene cannot be drawn so.
+    pub fn with(scene: &Scene, options: ShotOptions) -> Result<Self, ShotError> {
+        let to_screen = match options.draw.show.is_light() {
+            true => options.prepare.observation.to_screen(scene, options.white)?,
+            false => None,
+        };
+        Ok(Self {
+            backend: crate::default_backend(),
+            sight: Sight::new(&options, to_screen)?,
+            prepared: prepare(scene, &options.prepare)?,
+            scene_hash: None,
+        })
+    }
+
+    /// The same, drawn by another back end.
+    #[must_use]
+    pub fn on(self, backend: Box<dyn Backend>) -> Self {
+        Self { backend, ..self }
+    }
+
+    /// The same, drawn by the CPU on chosen SIMD instructions.
+    #[must_use]
+    pub fn on_level(self, level: SimdLevel) -> Self {
+        self.on(Box::new(Renderer::with_level(level)))
+    }
+
+    /// The scene as arrays.
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+
+    /// Camera and size, as back ends want them.
+    pub fn view(&self) -> &View {
+        &self.sight.view
+    }
+
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.sight.camera
+    }
+
+    /// The white that becomes the screen's.
+    pub fn white(&self) -> White {
+        self.sight.white
+    }
+
+    /// How frames become codes.
+    pub fn develop_settings(&self) -> &Develop {
+        &self.sight.develop
+    }
+
+    /// Looks from elsewhere; nothing is prepared anew.
+    ///
+    /// # Errors
+    /// If the camera is unusable.
+    pub fn set_camera(&mut self, camera: Camera) -> Result<(), ShotError> {
+        let View { width, height, .. } = self.sight.view;
+        self.sight.view = View::new(&camera, width, height)?;
+        self.sight.camera = camera;
+        Ok(())
+    }
+
+    /// Takes over what changed of the scene, and redoes nothing else.
+    ///
+    /// # Errors
+    /// As [`Prepared::update`].
+    pub fn update(&mut self, scene: &Scene, changes: &[Change]) -> Result<(), ShotError> {
+        self.scene_hash = None;
+        self.prepared.update(scene, changes)?;
+        if self.sight.draw.show.is_light() {
+            let to_screen = self.prepared.to_screen(self.sight.white)?;
+            self.sight.adapt(to_screen);
+        }
+        Ok(())
+    }
+
+    /// The observer's channels in linear light, over the background.
+    ///
+    /// # Errors
+    /// If the table cannot be filled for further channels.
+    pub fn frame(&mut self) -> Result<Frame, ShotError> {
+        self.frame_in_steps(Aovs::default(), &mut |_| ())
+    }
+
+    /// The same with depth, normals or object numbers; `step` is told how far it is.
+    ///
+    /// # Errors
+    /// As [`Shot::frame`].
+    pub fn frame_in_steps(&mut self, aovs: Aovs, step: Step) -> Result<Frame, ShotError> {
+        let options = DrawOptions { aovs, ..self.sight.draw };
+        Ok(draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?)
+    }
+
+    /// The picture as 8-bit sRGB, 4 bytes per pixel by rows from the top.
+    ///
+    /// # Errors
+    /// As [`Shot::frame`].
+    pub fn rgba8(&mut self) -> Result<Vec<u8>, ShotError> {
+        self.rgba8_in_steps(&mut |_| ())
+    }
+
+    pub(crate) fn rgba8_in_steps(&mut self, step: Step) -> Result<Vec<u8>, ShotError> {
+        let mut rgba = vec![0; 4 * self.sight.view.width as usize * self.sight.view.height as usize];
+        self.draw_into_in_steps(&mut rgba, step)?;
+        Ok(rgba)
+    }
+
+    /// The same into a buffer of `4·width·height` bytes. Development is part of the drawing where three channels are
+    /// all there are.
+    ///
+    /// # Errors
+    /// As [`Shot::frame`].
+    ///
+    /// # Panics
+    /// If the buffer has another length.
+    pub fn draw_into(&mut self, rgba: &mut [u8]) -> Result<(), ShotError> {
+        self.draw_into_in_steps(rgba, &mut |_| ())
+    }
+
+    pub(crate) fn draw_into_in_steps(&mut self, rgba: &mut [u8], step: Step) -> Result<(), ShotError> {
+        if takes_several_frames(&self.prepared) {
+            let frame = self.frame_in_steps(Aovs::default(), step)?;
+            rgba.copy_from_slice(&self.codes8(frame)?);
+            return Ok(());
+        }
+        let Sight { view, draw, develop, .. } = &self.sight;
+        self.backend.draw_rgba8(&self.prepared, view, draw, develop, rgba)?;
+        Ok(())
+    }
+
+    /// The frame as 8-bit sRGB.
+    ///
+    /// # Errors
+    /// If it is not a frame of this observer.
+    pub fn codes8(&self, frame: Frame) -> Result<Vec<u8>, ShotError> {
+        let (frame, settings) = self.developable(frame)?;
+        Ok(develop(&frame, &settings)?)
+    }
+
+    /// The frame as 16-bit sRGB.
+    ///
+    /// # Errors
+    /// If it is not a frame of this observer.
+    pub fn codes16(&self, frame: Frame) -> Result<Vec<u16>, ShotError> {
+        let (frame, settings) = self.developable(frame)?;
+        Ok(develop16(&frame, &settings)?)
+    }
+
+    /// The frame in linear sRGB.
+    ///
+    /// # Errors
+    /// If it is not a frame of this observer.
+    pub fn on_screen(&self, frame: Frame) -> Result<Frame, ShotError> {
+        Ok(match &self.sight.to_screen {
+            Some(to_screen) => frame.on_screen(to_screen)?,
+            None => frame,
+        })
+    }
+
+    /// A frame, and how it is developed, that give codes together: one of more than three channels is brought to the
+    /// screen first.
+    fn developable(&self, frame: Frame) -> Result<(Frame, Develop), ShotError> {
+        match frame.more.is_empty() {
+            true => Ok((frame, self.sight.develop)),
+            false => Ok((self.on_screen(frame)?, Develop { to_screen: None, ..self.sight.develop })),
+        }
+    }
+}

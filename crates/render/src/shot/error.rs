@@ -1,0 +1,48 @@
+//! Why there is no picture.
+
+use glanz_picture::ChannelError;
+use glanz_picture::output::OutputError;
+use glanz_scene::ColorMode;
+use thiserror::Error;
+
+use crate::prepare::{ObservationError, PrepareError};
+use crate::view::{SamplesError, ViewError};
+
+/// Why no picture can be made of a scene.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ShotError {
+    /// The scene cannot be prepared.
+    #[error(transparent)]
+    Prepare(#[from] PrepareError),
+    /// The observer, the colour mode and the white do not fit together.
+    #[error(transparent)]
+    Observation(#[from] ObservationError),
+    /// The camera or the size of the picture is unusable.
+    #[error(transparent)]
+    View(#[from] ViewError),
+    /// There is no pattern of so many samples.
+    #[error(transparent)]
+    Samples(#[from] SamplesError),
+    /// A frame is not what its development is for.
+    #[error(transparent)]
+    Channels(#[from] ChannelError),
+    /// Spectra were asked for where there are none.
+    #[error(
+        "a spectrum for each pixel needs spectra of light, but the colour mode is '{mode}'; choose 'spectral'"
+    )]
+    NoSpectra {
+        /// The mode.
+        mode: ColorMode,
+    },
+}
+
+/// Why a picture is not in its file.
+#[derive(Debug, Error)]
+pub enum SaveError {
+    /// It cannot be drawn.
+    #[error(transparent)]
+    Shot(#[from] ShotError),
+    /// It cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+}

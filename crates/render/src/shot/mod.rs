@@ -1,0 +1,13 @@
+//! One picture of a scene: what it is made with, how it is drawn and developed, and its file.
+
+mod draw;
+mod error;
+mod options;
+mod output;
+mod sight;
+mod spectrum;
+
+pub use draw::{Shot, Step};
+pub use error::{SaveError, ShotError};
+pub use options::ShotOptions;
+pub(crate) use sight::Sight;

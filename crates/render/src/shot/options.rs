@@ -1,0 +1,70 @@
+//! What a picture is made with.
+
+use glanz_picture::ToneMap;
+use glanz_scene::{Camera, Scene, White};
+
+use super::ShotError;
+use crate::prepare::{Observation, PrepareOptions};
+use crate::view::{DrawOptions, Samples};
+
+/// What a picture is made with beside the scene.
+///
+/// ```
+/// use glanz_render::{Shot, ShotOptions, Samples};
+/// use glanz_scene::Scene;
+///
+/// let scene = Scene::new().with_size(8, 8);
+/// let mut options = ShotOptions::of(&scene)?;
+/// options.draw.samples = Samples::Sixteen;
+/// options.ev = 1.0;
+/// let rgba = Shot::with(&scene, options)?.rgba8()?;
+/// assert_eq!(rgba.len(), 4 * 8 * 8);
+/// # Ok::<(), glanz_render::ShotError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShotOptions {
+    /// How the scene becomes arrays: colour mode and observer among it.
+    pub prepare: PrepareOptions,
+    /// How it is drawn. A background colour is given in linear sRGB.
+    pub draw: DrawOptions,
+    /// Exposure in stops.
+    pub ev: f32,
+    /// Tone mapping.
+    pub tone_map: ToneMap,
+    /// Ordered dithering of 8-bit codes.
+    pub dither: bool,
+    /// The white that becomes the screen's.
+    pub white: White,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+    /// The camera.
+    pub camera: Camera,
+}
+
+impl ShotOptions {
+    /// What the scene itself asks for.
+    ///
+    /// # Errors
+    /// If the scene's observer does not fit its colour mode, or its number of samples is none of those that there are.
+    pub fn of(scene: &Scene) -> Result<Self, ShotError> {
+        let image = &scene.image;
+        Ok(Self {
+            prepare: PrepareOptions {
+                observation: Observation::new(scene.render.mode, scene.observer.clone())?,
+                ..PrepareOptions::default()
+            },
+            draw: DrawOptions {
+                samples: Samples::try_from(image.samples)?,
+                supersample: image.supersample,
+                show: scene.render.show,
+                ..DrawOptions::new(image.background)
+            },
+            ev: scene.render.ev as f32,
+            tone_map: scene.render.tone_map,
+            dither: false,
+            white: scene.render.white,
+            size: (image.width, image.height),
+            camera: scene.camera_or_framing(f64::from(image.width) / f64::from(image.height)),
+        })
+    }
+}

@@ -1,0 +1,95 @@
+//! A scene from any file: a scene file, or a model put into an empty scene.
+
+use std::path::Path;
+
+use glam::DMat4;
+use thiserror::Error;
+
+use crate::file::{self, FileError, LoadOptions, Loaded};
+use crate::read::{ReadError, ReadOptions, read_model};
+use crate::{Camera, Scene, add_default_lights};
+
+/// The material that values set for a bare model: the one of objects that name none.
+const MODEL_MATERIAL: &str =
+    "[materials.default]\nambient = [0.7, 0.7, 0.7]\ndiffuse = [0.7, 0.7, 0.7]\nspecular = [0.2, 0.2, 0.2]\n";
+
+/// A scene and what belongs to its file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opened {
+    /// The scene.
+    pub scene: Scene,
+    /// Cameras of a model that can be chosen by name.
+    pub cameras: Vec<(String, Camera)>,
+    /// What was ignored or changed, in words for people.
+    pub notes: Vec<String>,
+    /// Whether the lights are not the file's own.
+    pub default_lights: bool,
+}
+
+/// Why a file gives no scene.
+#[derive(Debug, Error)]
+pub enum OpenError {
+    /// A scene file cannot be used.
+    #[error(transparent)]
+    Scene(#[from] FileError),
+    /// A model cannot be read.
+    #[error(transparent)]
+    Model(#[from] ReadError),
+}
+
+/// Whether a file is a scene file rather than a model, by its name.
+pub fn is_scene_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// Reads a scene file, or a model of any known format.
+///
+/// A model is put into an empty scene, on which the values of the options work as on any other; setting
+/// `materials.default` gives it that material in place of its own. A model without lights gets some.
+///
+/// ```
+/// let path = std::env::temp_dir().join("glanz-doc-open.obj");
+/// std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;
+/// let opened = glanz_scene::open(&path, &Default::default())?;
+/// assert!(opened.default_lights && opened.scene.lights.len() == 3);
+/// # std::fs::remove_file(path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the file cannot be read, or does not say what it should.
+pub fn open(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
+    match is_scene_file(path) {
+        true => Ok(file::load(path, options).map(Opened::of_loaded)?),
+        false => open_model(path, options),
+    }
+}
+
+fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
+    let sets_material = options.sets.iter().any(|(path, _)| path.starts_with("materials."));
+    let text = if sets_material { MODEL_MATERIAL } else { "" };
+    let settings = file::parse_str(text, path.parent().unwrap_or(Path::new("")), options)?;
+    let mut opened = Opened::of_loaded(settings);
+    let read = ReadOptions { allow_outside: options.allow_outside, ..ReadOptions::default() };
+    let mut model = read_model(path, &read)?;
+    opened.notes.append(&mut model.notes);
+    opened.cameras = core::mem::take(&mut model.cameras);
+    if opened.scene.camera.is_none() {
+        opened.scene.camera = opened.cameras.first().map(|(_, camera)| *camera);
+    }
+    let material = sets_material.then_some(0);
+    let own_lights = !opened.scene.lights.is_empty() || !model.lights.is_empty();
+    model.append_to(&mut opened.scene, DMat4::IDENTITY, material, true);
+    if !own_lights {
+        add_default_lights(&mut opened.scene);
+        opened.default_lights = true;
+    }
+    Ok(opened)
+}
+
+impl Opened {
+    fn of_loaded(loaded: Loaded) -> Self {
+        let (scene, notes) = (loaded.scene, loaded.notes);
+        Self { scene, cameras: Vec::new(), notes, default_lights: false }
+    }
+}
