@@ -119,6 +119,11 @@ impl RenderArgs {
             None if self.preview => None,
             _ => Some(self.target.resolve(&self.input.input, ".png")?),
         };
+        target.as_ref().map_or(Ok(()), |target| self.format.check_beside(target))?;
+        if self.preview && self.format.is_json() {
+            let message = "stdout cannot take both the --preview and --format json";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
         let mut timings = Timings::default();
         for _ in 1..self.repeat {

@@ -36,6 +36,7 @@ impl StageSheetArgs {
         self.machine.apply()?;
         let target = self.target.resolve(Path::new(name), "_sheet.png")?;
         encode::expect_png(&target, "a sheet")?;
+        self.format.check_beside(&target)?;
         Ok(target)
     }
 

@@ -65,6 +65,7 @@ impl SweepArgs {
         self.machine.apply()?;
         let target = self.target.resolve(&self.input.input, "_sweep.png")?;
         encode::expect_png(&target, "a sheet")?;
+        self.format.check_beside(&target)?;
         let cells = self.grid().cells()?;
         let sheet = self.grid().sheet(cells.len());
         let mut canvas = sheet.begin()?;
