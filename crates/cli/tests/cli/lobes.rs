@@ -190,7 +190,8 @@ fn a_sheet_has_a_ball_for_each_pair_of_values() {
     let json = run.json();
     assert_eq!(json["file"], "blinn-phong-normalized_sheet.png");
     assert_eq!(json["cells"].as_array().unwrap().len(), 6);
-    assert_eq!(json["cells"][5], serde_json::json!({ "shininess": "128", "ior": "1.5" }));
+    assert_eq!(json["cells"][5]["values"], serde_json::json!({ "shininess": 128.0, "ior": 1.5 }));
+    assert_eq!(json["cells"][4]["values"]["ior"], "Au");
     let (width, height) = png_size(&folder.read("blinn-phong-normalized_sheet.png"));
     assert!(width > 2 * 40 && height > 3 * 32);
 }

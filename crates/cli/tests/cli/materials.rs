@@ -66,7 +66,7 @@ fn a_sheet_shows_each_material_in_its_colours() {
         ["material", "sheet", "rubber-red", "leaf-green", "glass-pane", "--size", "40", "-o", "a.png"];
     let run = folder.glanz(&[&words[..], &["--format", "json"]].concat());
     let json = run.json();
-    assert_eq!(json["cells"][1]["material"], "leaf-green");
+    assert_eq!(json["cells"][1]["values"]["material"], "leaf-green");
     let sheet = Png::decode(&folder.read("a.png"));
     assert_eq!(
         (sheet.width as u64, sheet.height as u64),

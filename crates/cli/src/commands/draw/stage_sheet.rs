@@ -69,9 +69,10 @@ impl StageSheetArgs {
         sheet: Canvas,
         target: &Target,
         cells: &[Vec<(String, String)>],
+        per_row: usize,
     ) -> Result<(), Failure> {
         let size = (sheet.width, sheet.height);
         encode::deliver(Picture::Codes8(sheet), target, &encode::metadata(0))?;
-        tell_sheet(target, size, cells, self.format)
+        tell_sheet(target, size, cells, per_row, self.format)
     }
 }

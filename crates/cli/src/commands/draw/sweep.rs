@@ -87,7 +87,7 @@ impl SweepArgs {
         drop(progress);
         let size = (canvas.width, canvas.height);
         encode::deliver(Picture::Codes8(canvas), &target, &encode::metadata(hash))?;
-        tell_sheet(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, sheet.per_row, self.format)
     }
 
     fn grid(&self) -> Grid<'_> {
