@@ -22,9 +22,14 @@ pub fn expect_png(target: &Target, what: &str) -> Result<(), Failure> {
     }
 }
 
+/// The number for the content of a scene, as files carry it.
+pub fn scene_hash(hash: u64) -> String {
+    format!("{hash:016x}")
+}
+
 /// What a picture tells about its scene.
 pub fn metadata(hash: u64) -> Metadata {
-    Metadata { scene_hash: Some(format!("{hash:016x}")), ..Metadata::default() }
+    Metadata { scene_hash: Some(scene_hash(hash)), ..Metadata::default() }
 }
 
 /// Brings a picture to where it goes. A file is old or new, but never half.

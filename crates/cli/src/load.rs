@@ -31,7 +31,7 @@ impl InputArgs {
     }
 
     fn failure_of_model(&self, error: &ReadError) -> Failure {
-        let report = Report::new(without_number(&error.to_string()));
+        let report = Report::from(error);
         let known_ending = ["glb", "gltf", "obj", "ply", "stl"].iter().any(|ending| {
             self.input.extension().is_some_and(|own| own.eq_ignore_ascii_case(OsStr::new(ending)))
         });
@@ -54,6 +54,11 @@ fn failure_of_scene(error: FileError) -> Failure {
     let report = match &error.span {
         Some(span) => Report::new(&error.message).source(&place, error.text.to_string(), span.clone()),
         None => Report::new(format_args!("{place}: {}", without_number(&error.message))),
+    };
+    let report = match (from_set, error.line) {
+        (true, _) => report,
+        (false, 0) => report.file(&error.path),
+        (false, line) => report.file(&error.path).place(line.into(), error.column.into()),
     };
     match error.help {
         Some(help) => report.help(help).into(),

@@ -10,11 +10,13 @@ mod pipeline;
 mod print;
 mod progress;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-use crate::print::failure::Failure;
+use crate::print::Format;
+use crate::print::failure::wrong_use;
 
 /// Shown after the help.
 const EXAMPLES: &str = "\
@@ -37,19 +39,27 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let words: Vec<_> = std::env::args_os().collect();
+    let format = format_of(&words);
+    let cli = match Cli::try_parse_from(&words) {
         Ok(cli) => cli,
-        Err(error) => {
-            // A closed stdout or stderr leaves nobody to tell.
-            let _ = error.print();
-            return ExitCode::from(match error.use_stderr() {
-                true => Failure::Usage(String::new()).code(),
-                false => 0,
-            });
+        Err(error) if error.use_stderr() => return wrong_use(&error, format),
+        Err(help) => {
+            // A closed stdout leaves nobody to tell.
+            let _ = help.print();
+            return ExitCode::SUCCESS;
         }
     };
     match cli.command.run(Cli::command) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report::<Cli>(&cli.command.path()),
+        Err(failure) => failure.report::<Cli>(&cli.command.path(), format),
     }
+}
+
+/// How errors are told. Found in the words themselves, for command lines that make no sense as a whole.
+fn format_of(words: &[OsString]) -> Format {
+    let options = words.split(|word| word == "--").next().unwrap_or_default();
+    let is_json = options.iter().any(|word| word == "--format=json")
+        || options.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
+    if is_json { Format::Json } else { Format::Text }
 }

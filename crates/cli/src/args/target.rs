@@ -31,6 +31,16 @@ pub enum Target {
     File(PathBuf),
 }
 
+impl Target {
+    /// The file's name, for programs.
+    pub fn file(&self) -> Option<String> {
+        match self {
+            Self::Stdout => None,
+            Self::File(path) => Some(path.display().to_string()),
+        }
+    }
+}
+
 impl TargetArgs {
     /// Where the picture goes; without `-o` into a file beside `input`, with `ending` for its own
     /// name's: `model.glb` and `.png` make `model.png`.
@@ -61,7 +71,7 @@ impl TargetArgs {
     /// That a file which the user did not name may be written.
     pub fn check_free(&self, path: &Path) -> Result<(), Failure> {
         if self.output.is_none() && !self.force && path.exists() {
-            let report = Report::new(format_args!("'{}' exists already", path.display()));
+            let report = Report::new(format_args!("'{}' exists already", path.display())).file(path);
             return Err(report.help("write over it with --force, or choose another file with -o").into());
         }
         Ok(())
@@ -79,11 +89,12 @@ pub fn beside(input: &Path, ending: &str) -> PathBuf {
 pub fn check_folder(path: &Path) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
-        let report = Report::new(format_args!("cannot write '{}'", path.display()));
+        let report = Report::new(format_args!("cannot write '{}'", path.display())).file(path);
         return Err(report.help(format_args!("there is no folder '{}'", folder.display())).into());
     }
     if path.is_dir() {
-        return Err(Failure::new(format_args!("cannot write '{}': it is a folder", path.display())));
+        let report = Report::new(format_args!("cannot write '{}': it is a folder", path.display()));
+        return Err(report.file(path).into());
     }
     Ok(())
 }

@@ -1,28 +1,33 @@
 //! `glanz check`: the certificate of models.
 
+use std::collections::BTreeMap;
+
 use clap::Args;
 use glanz_bsdf::MODELS;
 use glanz_bsdf::laws::{Certificate, Finding, Verdict, certify};
 use glanz_plot::Lobe;
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args::MachineArgs;
 use crate::input::lobes::{SetArgs, model_names};
-use crate::print::failure::{Failure, Report};
-use crate::print::{self, FormatArgs};
+use crate::print::failure::{ErrorFacts, Failure, Report};
+use crate::print::{self, FormatArgs, finite};
 
 /// Shown after the help.
 pub const EXAMPLES: &str = "\
 Examples:
   glanz check phong
   glanz check phong blinn-phong --set shininess=8,32
+  glanz check --all --allow-known
   glanz check --all --format json
 
 Looked at are reciprocity, energy (the greatest albedo and where), positivity, the side of the
 light, finiteness up to grazing angles, the normalisation of the distribution of facets, limits,
 single against double precision, and 16 lanes against scalar code. The exit code is 1 where a law
-fails, even if the model is known to break it.";
+fails, even if the model itself declares that it breaks it; with --allow-known, such a law counts as
+kept.";
 
 /// Options of `glanz check`.
 #[derive(Args, Debug)]
@@ -35,6 +40,10 @@ pub struct CheckArgs {
     /// Check every model of the list
     #[arg(long, conflicts_with = "models")]
     all: bool,
+
+    /// Let laws fail that a model declares to break; what fails beside them still counts
+    #[arg(long)]
+    allow_known: bool,
 
     #[command(flatten)]
     set: SetArgs,
@@ -53,11 +62,42 @@ impl CheckArgs {
             false => self.set.lobes(&self.models)?,
         };
         let certificates: Vec<_> = lobes.par_iter().map(|lobe| certify(&lobe.shape)).collect();
+        let error = self.error(&lobes, &certificates);
         match self.format.is_json() {
-            true => print::json(&certificates.iter().map(describe).collect())?,
+            true => print::json(&Document {
+                certificates: certificates.iter().map(CertificateFacts::of).collect(),
+                error: error.as_ref().map(Report::facts),
+            })?,
             false => print::text(&table(&lobes, &certificates))?,
         }
-        verdict(&lobes, &certificates)
+        error.map_or(Ok(()), |error| Err(error.judged()))
+    }
+
+    /// What names the laws that fail, if any does.
+    fn error(&self, lobes: &[Lobe], certificates: &[Certificate]) -> Option<Report> {
+        let is_known = |finding: &Finding| matches!(finding.verdict, Verdict::Broken { known: Some(_) });
+        let broken: Vec<_> = lobes
+            .iter()
+            .zip(certificates)
+            .flat_map(|(lobe, certificate)| certificate.findings.iter().map(move |finding| (lobe, finding)))
+            .filter(|(_, finding)| finding.is_broken() && !(self.allow_known && is_known(finding)))
+            .collect();
+        if broken.is_empty() {
+            return None;
+        }
+        let name = |(lobe, finding): &(&Lobe, &Finding)| {
+            let known = if is_known(finding) { " (known)" } else { "" };
+            format!("{} of {}{known}", finding.law.name(), lobe.label)
+        };
+        let names: Vec<_> = broken.iter().map(name).collect();
+        let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };
+        let report = Report::new(format_args!("{} {laws}: {}", broken.len(), names.join("; ")));
+        Some(match broken.iter().all(|(_, finding)| is_known(finding)) {
+            true => {
+                report.help("each is a fault that its model is known to have; --allow-known lets those pass")
+            }
+            false => report,
+        })
     }
 }
 
@@ -70,54 +110,79 @@ fn table(lobes: &[Lobe], certificates: &[Certificate]) -> String {
         .join("\n")
 }
 
-fn describe(certificate: &Certificate) -> Value {
-    let finding = |finding: &Finding| {
-        let (verdict, reason) = match finding.verdict {
-            Verdict::Holds => ("holds", None),
-            Verdict::Broken { known } => ("fails", known),
-            Verdict::NotApplicable(reason) => ("not applicable", Some(reason)),
-        };
-        let known = matches!(finding.verdict, Verdict::Broken { known: Some(_) });
-        // JSON has no infinity; the verdict tells it.
-        let value = finding.value.filter(|value| value.is_finite());
-        json!({
-            "check": finding.law.name(), "verdict": verdict, "known": known, "reason": reason,
-            "value": value, "detail": finding.detail,
-        })
-    };
-    let params: serde_json::Map<_, _> =
-        certificate.params.iter().map(|(name, value)| ((*name).to_owned(), Value::from(*value))).collect();
-    json!({
-        "model": certificate.model, "params": params, "healthy": certificate.is_healthy(),
-        "findings": certificate.findings.iter().map(finding).collect::<Vec<_>>(),
-    })
+/// What is found of models.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// One for each model and each combination of its parameters
+    certificates: Vec<CertificateFacts>,
+    /// Why the command fails, where a law does
+    error: Option<ErrorFacts>,
 }
 
-/// The failure that names what is broken, if anything is.
-fn verdict(lobes: &[Lobe], certificates: &[Certificate]) -> Result<(), Failure> {
-    let broken: Vec<_> = lobes
-        .iter()
-        .zip(certificates)
-        .flat_map(|(lobe, certificate)| {
-            let findings = certificate.findings.iter().filter(|finding| finding.is_broken());
-            findings.map(move |finding| (lobe, finding))
-        })
-        .collect();
-    if broken.is_empty() {
-        return Ok(());
+/// What is found of one model with these parameters.
+#[derive(Debug, Serialize, JsonSchema)]
+struct CertificateFacts {
+    /// The model's name
+    model: &'static str,
+    /// Its parameters
+    params: BTreeMap<&'static str, f64>,
+    /// Whether all laws hold that apply
+    healthy: bool,
+    /// What is found of each law
+    findings: Vec<FindingFacts>,
+}
+
+/// What is found of a law.
+#[derive(Debug, Serialize, JsonSchema)]
+struct FindingFacts {
+    /// The law's name
+    check: &'static str,
+    /// Whether it holds
+    verdict: VerdictFacts,
+    /// Whether the model itself declares that it breaks the law
+    known: bool,
+    /// Why it is known to be broken, or does not apply
+    reason: Option<&'static str>,
+    /// The number that the verdict is about; null where there is none, or it is infinite
+    value: Option<f64>,
+    /// What was found, in words
+    detail: String,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum VerdictFacts {
+    Holds,
+    Fails,
+    #[serde(rename = "not applicable")]
+    NotApplicable,
+}
+
+impl CertificateFacts {
+    fn of(certificate: &Certificate) -> Self {
+        Self {
+            model: certificate.model,
+            params: certificate.params.iter().copied().collect(),
+            healthy: certificate.is_healthy(),
+            findings: certificate.findings.iter().map(FindingFacts::of).collect(),
+        }
     }
-    let unknown = |finding: &Finding| matches!(finding.verdict, Verdict::Broken { known: None });
-    let names: Vec<_> = broken
-        .iter()
-        .map(|(lobe, finding)| {
-            let known = if unknown(finding) { "" } else { " (known)" };
-            format!("{} of {}{known}", finding.law.name(), lobe.label)
-        })
-        .collect();
-    let laws = if broken.len() == 1 { "law fails" } else { "laws fail" };
-    let report = Report::new(format_args!("{} {laws}: {}", broken.len(), names.join("; ")));
-    Err(match broken.iter().all(|(_, finding)| !unknown(finding)) {
-        true => report.help("each is a fault that its model is known to have").judged(),
-        false => report.judged(),
-    })
+}
+
+impl FindingFacts {
+    fn of(finding: &Finding) -> Self {
+        let (verdict, reason) = match finding.verdict {
+            Verdict::Holds => (VerdictFacts::Holds, None),
+            Verdict::Broken { known } => (VerdictFacts::Fails, known),
+            Verdict::NotApplicable(reason) => (VerdictFacts::NotApplicable, Some(reason)),
+        };
+        Self {
+            check: finding.law.name(),
+            verdict,
+            known: matches!(finding.verdict, Verdict::Broken { known: Some(_) }),
+            reason,
+            value: finding.value.and_then(finite),
+            detail: finding.detail.clone(),
+        }
+    }
 }

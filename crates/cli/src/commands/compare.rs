@@ -1,5 +1,6 @@
 //! `glanz compare`: how far two picture files are apart.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -11,13 +12,14 @@ use glanz_picture::compare::{
 };
 use glanz_picture::output::Metadata;
 use glanz_plot::heat_map_sheet;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args::{MachineArgs, Target, TargetArgs};
 use crate::encode;
-use crate::input::thresholds::{Statistic, Threshold, is_spread};
-use crate::print::failure::{Failure, Report, without_number};
-use crate::print::{self, Format, FormatArgs, number};
+use crate::input::thresholds::{BoundFacts, Statistic, Threshold, is_spread};
+use crate::print::failure::{ErrorFacts, Failure, Report, without_number};
+use crate::print::{self, Format, FormatArgs, finite, number};
 use crate::progress::Progress;
 
 /// Shown after the help.
@@ -88,14 +90,11 @@ impl CompareArgs {
             let sheet = heat_map_sheet(&pair, self.titles(), &measured)?;
             encode::deliver(sheet.into(), target, &Metadata::default())?;
         }
-        self.tell(target.as_ref(), &pair, &measured)?;
         let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();
-        match broken.is_empty() {
-            true => Ok(()),
-            false => {
-                Err(Report::new(format_args!("the pictures differ too much: {}", broken.join("; "))).judged())
-            }
-        }
+        let error = (!broken.is_empty())
+            .then(|| Report::new(format_args!("the pictures differ too much: {}", broken.join("; "))));
+        self.tell(target.as_ref(), &pair, &measured, error.as_ref())?;
+        error.map_or(Ok(()), |error| Err(error.judged()))
     }
 
     fn bounds(&self) -> impl Iterator<Item = &Threshold> {
@@ -109,6 +108,7 @@ impl CompareArgs {
         };
         let target = TargetArgs { output: Some(path.clone()), force: false }.resolve(path, "")?;
         encode::expect_png(&target, "a map of errors")?;
+        self.format.check_beside(&target)?;
         let real = |path: &Path| std::fs::canonicalize(path).ok();
         for input in [&self.reference, &self.test] {
             if real(path).is_some_and(|path| real(input) == Some(path)) {
@@ -122,8 +122,8 @@ impl CompareArgs {
 
     fn pair(&self) -> Result<Pair, Failure> {
         let read = |path: &Path| -> Result<PictureFile, Failure> {
-            let picture =
-                read_picture(path).map_err(|error| Failure::new(without_number(&error.to_string())))?;
+            let picture = read_picture(path)
+                .map_err(|error| Failure::from(Report::new(without_number(&error.to_string())).file(path)))?;
             for note in &picture.notes {
                 print::note(format_args!("note: {}: {note}", path.display()));
             }
@@ -162,7 +162,13 @@ impl CompareArgs {
         })
     }
 
-    fn tell(&self, target: Option<&Target>, pair: &Pair, measured: &[Measurement]) -> Result<(), Failure> {
+    fn tell(
+        &self,
+        target: Option<&Target>,
+        pair: &Pair,
+        measured: &[Measurement],
+        error: Option<&Report>,
+    ) -> Result<(), Failure> {
         match target {
             Some(Target::Stdout) => {
                 print::note(self.table(pair, measured).trim_end());
@@ -173,7 +179,7 @@ impl CompareArgs {
         }
         match self.format.format {
             Format::Text => print::text(&self.table(pair, measured)),
-            Format::Json => print::json(&self.json(target, pair, measured)),
+            Format::Json => print::json(&self.document(target, pair, measured, error)),
         }
     }
 
@@ -224,41 +230,110 @@ impl CompareArgs {
     }
 
     /// The numbers for programs.
-    fn json(&self, target: Option<&Target>, pair: &Pair, measured: &[Measurement]) -> Value {
+    fn document(
+        &self,
+        target: Option<&Target>,
+        pair: &Pair,
+        measured: &[Measurement],
+        error: Option<&Report>,
+    ) -> Document {
         let (width, height) = pair.size();
-        let file = match target {
-            Some(Target::File(path)) => json!(path.display().to_string()),
-            _ => Value::Null,
-        };
-        let values = match pair.scale() {
-            Scale::Codes => "srgb-codes",
-            Scale::Light => "linear-light",
-        };
-        let metrics: serde_json::Map<_, _> =
-            measured.iter().map(|one| (one.metric.name().to_owned(), self.numbers(one))).collect();
-        json!({
-            "reference": self.reference.display().to_string(), "picture": self.test.display().to_string(),
-            "width": width, "height": height, "values": values, "metrics": metrics, "file": file,
-            "bounds": self.bounds().map(|bound| bound.json(measured)).collect::<Vec<_>>(),
-        })
+        Document {
+            reference: self.reference.display().to_string(),
+            picture: self.test.display().to_string(),
+            width,
+            height,
+            values: match pair.scale() {
+                Scale::Codes => Values::SrgbCodes,
+                Scale::Light => Values::LinearLight,
+            },
+            metrics: measured.iter().map(|one| (one.metric.name(), self.numbers(one))).collect(),
+            file: target.and_then(Target::file),
+            bounds: self.bounds().map(|bound| bound.facts(measured)).collect(),
+            error: error.map(Report::facts),
+        }
     }
 
-    fn numbers(&self, one: &Measurement) -> Value {
-        let mut numbers = json!({ "value": one.value });
-        if is_spread(one.metric) {
-            for (statistic, name) in Statistic::OVER_PIXELS {
-                numbers[name] = json!(statistic.of(one));
-            }
+    fn numbers(&self, one: &Measurement) -> Numbers {
+        let of = |statistic: Statistic| is_spread(one.metric).then(|| statistic.of(one));
+        Numbers {
+            value: finite(one.value),
+            mean: of(Statistic::Mean),
+            median: of(Statistic::Median),
+            p95: of(Statistic::P95),
+            max: of(Statistic::Max),
+            ppd: (one.metric == Metric::Flip).then_some(self.ppd),
+            exposures: one.exposures.map(|found| ExposuresFacts {
+                start: found.start,
+                stop: found.stop,
+                count: found.count,
+            }),
         }
-        if one.metric == Metric::Flip {
-            numbers["ppd"] = json!(self.ppd);
-        }
-        if let Some(exposures) = one.exposures {
-            numbers["exposures"] =
-                json!({ "start": exposures.start, "stop": exposures.stop, "count": exposures.count });
-        }
-        numbers
     }
+}
+
+/// How far two pictures are apart.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The picture that the other is compared with
+    reference: String,
+    /// The other picture
+    picture: String,
+    /// Width of both in pixels
+    width: usize,
+    /// Height of both in pixels
+    height: usize,
+    /// What rmse, psnr and ssim are of
+    values: Values,
+    /// What was measured, by the name of the metric
+    metrics: BTreeMap<&'static str, Numbers>,
+    /// The file with both pictures and the maps of errors
+    file: Option<String>,
+    /// The bounds that were asked for
+    bounds: Vec<BoundFacts>,
+    /// Why the command fails, where a bound is broken
+    error: Option<ErrorFacts>,
+}
+
+/// What is compared.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Values {
+    SrgbCodes,
+    LinearLight,
+}
+
+/// The numbers of a metric.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Numbers {
+    /// The one number that stands for the metric; null where it is infinite
+    value: Option<f64>,
+    /// The mean over the pixels
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mean: Option<f64>,
+    /// The median over the pixels
+    #[serde(skip_serializing_if = "Option::is_none")]
+    median: Option<f64>,
+    /// What 95 % of the pixels do not exceed
+    #[serde(skip_serializing_if = "Option::is_none")]
+    p95: Option<f64>,
+    /// The greatest of all pixels
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max: Option<f64>,
+    /// Pixels per degree of the field of view
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ppd: Option<f64>,
+    /// The exposures that were looked at
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exposures: Option<ExposuresFacts>,
+}
+
+/// The exposures of HDR-FLIP, in stops.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ExposuresFacts {
+    start: f64,
+    stop: f64,
+    count: usize,
 }
 
 /// Parses the name of a metric.

@@ -140,7 +140,7 @@ pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
     let Some(Opened { bytes, file, .. }) = open(word)? else {
         return Err(unknown("fluorescent material", word, &error));
     };
-    let read = read_reradiation(&bytes, &file).map_err(Failure::new)?;
+    let read = read_reradiation(&bytes, &file)?;
     if !read.notes.is_empty() {
         print::note(format_args!("note: {file}: {}", read.notes.join("; ")));
     }
@@ -150,7 +150,7 @@ pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
 
 /// All surfaces of a file.
 pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
-    let spectra = read_spectra(&read(Path::new(file))?, file).map_err(Failure::new)?;
+    let spectra = read_spectra(&read(Path::new(file))?, file)?;
     let surface = |named: &NamedSpectrum| {
         if matches!(named.quantity, Quantity::Light | Quantity::Relative | Quantity::Absorptance) {
             return Err(not_a(named, file, "a surface"));
@@ -164,7 +164,7 @@ pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
 
 /// A light from a file that does not say that it is something else.
 fn light_from_file(opened: &Opened) -> Result<Source, Failure> {
-    let spectra = read_spectra(&opened.bytes, &opened.file).map_err(Failure::new)?;
+    let spectra = read_spectra(&opened.bytes, &opened.file)?;
     let named = pick(&spectra, &opened.file, opened.column.as_deref())?;
     match named.quantity.is_ratio() {
         true => Err(not_a(named, &opened.file, "a light")),
@@ -263,10 +263,11 @@ fn has_ending(word: &str) -> bool {
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let failed = |error: std::io::Error| {
         let error = without_number(&error.to_string());
-        Failure::new(format_args!("cannot read '{}': {error}", path.display()))
+        Failure::from(Report::new(format_args!("cannot read '{}': {error}", path.display())).file(path))
     };
     if path.is_dir() {
-        return Err(Failure::new(format_args!("cannot read '{}': it is a folder", path.display())));
+        let report = Report::new(format_args!("cannot read '{}': it is a folder", path.display()));
+        return Err(report.file(path).into());
     }
     let mut bytes = Vec::new();
     File::open(path).map_err(failed)?.take(MAX_BYTES).read_to_end(&mut bytes).map_err(failed)?;
@@ -279,7 +280,7 @@ fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Fail
         let report = Report::new(format_args!("{file} is a re-radiation matrix: it has no single spectrum"));
         return Err(report.help(format_args!("'glanz color fluorescence {file}' tells its colours")).into());
     }
-    let spectra = read_spectra(&opened.bytes, file).map_err(Failure::new)?;
+    let spectra = read_spectra(&opened.bytes, file)?;
     let named = pick(&spectra, file, opened.column.as_deref())?;
     let kind = kind.map_or_else(|| kind_of(named, file), Ok)?;
     let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };

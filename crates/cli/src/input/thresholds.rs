@@ -1,9 +1,10 @@
 //! Bounds on metrics, at which a comparison fails.
 
 use glanz_picture::compare::{Measurement, Metric};
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-use crate::print::number;
+use crate::print::{finite, number};
 
 /// Which number of a metric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +37,23 @@ impl Statistic {
 /// Whether a metric has statistics over the pixels beside its value.
 pub fn is_spread(metric: Metric) -> bool {
     matches!(metric, Metric::De2000 | Metric::Flip | Metric::Rmse)
+}
+
+/// A bound on a metric, for programs.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BoundFacts {
+    /// The metric, and the statistic where it is not the metric's one number
+    of: String,
+    /// The least that is allowed
+    #[serde(skip_serializing_if = "Option::is_none")]
+    least: Option<f64>,
+    /// The most that is allowed
+    #[serde(skip_serializing_if = "Option::is_none")]
+    most: Option<f64>,
+    /// What was found; null where it is infinite
+    found: Option<f64>,
+    /// Whether the bound holds
+    holds: bool,
 }
 
 /// A bound on a number of a metric: above it, or below it for metrics that grow with likeness.
@@ -120,12 +138,15 @@ impl Threshold {
     }
 
     /// The bound and whether it holds, for programs.
-    pub fn json(&self, measured: &[Measurement]) -> Value {
-        let bound = if self.metric.grows_with_likeness() { "least" } else { "most" };
-        json!({
-            "of": self.name(), bound: self.limit, "found": self.value(measured),
-            "holds": self.broken_by(measured).is_none(),
-        })
+    pub fn facts(&self, measured: &[Measurement]) -> BoundFacts {
+        let is_least = self.metric.grows_with_likeness();
+        BoundFacts {
+            of: self.name(),
+            least: is_least.then_some(self.limit),
+            most: (!is_least).then_some(self.limit),
+            found: finite(self.value(measured)),
+            holds: self.broken_by(measured).is_none(),
+        }
     }
 
     fn value(&self, measured: &[Measurement]) -> f64 {

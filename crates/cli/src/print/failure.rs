@@ -2,15 +2,22 @@
 
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Command, CommandFactory};
 use glanz_picture::output::OutputError;
 use glanz_render::ShotError;
+use glanz_scene::read::{Place, ReadError};
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
 };
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::document::versioned;
+use super::stdout::Format;
 
 /// Shown after the help of the whole command.
 pub const EXIT_CODES: &str = "\
@@ -49,23 +56,76 @@ impl Failure {
         Report::new(message).into()
     }
 
-    /// Tells the failure on stderr, and the exit code.
-    pub fn report<C: CommandFactory>(self, command: &[&str]) -> ExitCode {
+    /// Tells the failure, on stderr for people and on stdout for programs, and the exit code.
+    pub fn report<C: CommandFactory>(self, command: &[&str], format: Format) -> ExitCode {
         let code = ExitCode::from(self.code());
-        match self {
-            Self::Usage(message) => {
+        // Nothing is left to be done where what is told cannot be written.
+        let _ = match (self, format) {
+            (Self::Usage(message), _) => {
                 let mut root = C::command();
                 root.build();
                 let error = subcommand(&mut root, command).error(ErrorKind::ValueValidation, message);
-                // Nothing is left to be done if stderr is closed.
-                let _ = error.print();
+                return wrong_use(&error, format);
             }
-            Self::Judged(report) | Self::CouldNot(report) => {
-                let _ = report.print();
-            }
-            Self::Closed => {}
-        }
+            (Self::Judged(report) | Self::CouldNot(report), Format::Text) => report.print(),
+            (Self::CouldNot(report), Format::Json) => tell(report.facts()),
+            // What was judged is on stdout, and the error in it.
+            (Self::Judged(_), Format::Json) | (Self::Closed, _) => Ok(()),
+        };
         code
+    }
+}
+
+/// Tells that the command line makes no sense, and the exit code.
+pub fn wrong_use(error: &clap::Error, format: Format) -> ExitCode {
+    let _ = match format {
+        Format::Text => error.print(),
+        Format::Json => tell(ErrorFacts::of_usage(error)),
+    };
+    ExitCode::from(Failure::Usage(String::new()).code())
+}
+
+/// Writes an error to stdout, for programs.
+fn tell(error: ErrorFacts) -> io::Result<()> {
+    let mut stdout = io::stdout().lock();
+    writeln!(stdout, "{:#}", versioned(&ErrorDocument { error }))?;
+    stdout.flush()
+}
+
+/// What a command prints with `--format json` in place of its own document when it fails.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ErrorDocument {
+    /// Why the command failed
+    error: ErrorFacts,
+}
+
+/// Why a command failed.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct ErrorFacts {
+    /// What is wrong, in one line where it can be said in one
+    message: String,
+    /// The file that it is about
+    file: Option<String>,
+    /// The line of the file, from 1
+    line: Option<u64>,
+    /// The column of the line, from 1
+    column: Option<u64>,
+    /// What could be done about it
+    help: Option<String>,
+}
+
+impl ErrorFacts {
+    /// What the parser of command lines says: its first paragraph is the message, the rest helps.
+    fn of_usage(error: &clap::Error) -> Self {
+        let text = error.render().to_string();
+        let text = text.trim();
+        let (message, help) = match error.kind() {
+            ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => ("a command is missing", text),
+            _ => text.split_once("\n\n").unwrap_or((text, "")),
+        };
+        let message = message.trim_start_matches("error: ").trim().to_owned();
+        let help = Some(help.trim()).filter(|help| !help.is_empty()).map(str::to_owned);
+        Self { message, help, ..Self::default() }
     }
 }
 
@@ -77,7 +137,31 @@ impl From<Report> for Failure {
 
 impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Self {
-        Self::new(without_number(&error.to_string()))
+        let report = Report::new(without_number(&error.to_string()));
+        match &error {
+            OutputError::File { path, .. } | OutputError::UnknownExtension { path } => {
+                report.file(path).into()
+            }
+            _ => report.into(),
+        }
+    }
+}
+
+impl From<&ReadError> for Report {
+    fn from(error: &ReadError) -> Self {
+        let report = Self::new(without_number(&error.to_string())).file(Path::new(error.file()));
+        match error.place() {
+            Place::Column { line, column } => report.place(*line, *column),
+            // The characters before a field are not counted; the message tells which field it is.
+            Place::Line(line) | Place::Field { line, .. } => report.line(*line),
+            _ => report,
+        }
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Report::from(&error).into()
     }
 }
 
@@ -121,6 +205,9 @@ fn subcommand<'a>(root: &'a mut Command, path: &[&str]) -> &'a mut Command {
 pub struct Report {
     message: String,
     help: Option<String>,
+    file: Option<String>,
+    line: Option<u64>,
+    column: Option<u64>,
     source: Option<NamedSource<String>>,
     label: Option<LabeledSpan>,
 }
@@ -142,7 +229,23 @@ impl Report {
         self
     }
 
-    /// Adds the text of a file and the bytes of it that are at fault.
+    /// Adds the file that it is about, for programs; the message names it for people.
+    pub fn file(mut self, file: &Path) -> Self {
+        self.file = Some(file.display().to_string());
+        self
+    }
+
+    /// Adds the line of the file, from 1, for programs.
+    pub fn line(self, line: u64) -> Self {
+        Self { line: Some(line), ..self }
+    }
+
+    /// Adds line and column in the file, from 1, for programs.
+    pub fn place(self, line: u64, column: u64) -> Self {
+        Self { line: Some(line), column: Some(column), ..self }
+    }
+
+    /// Adds the text of a file, or of an argument, and the bytes of it that are at fault.
     pub fn source(mut self, file: &str, text: String, span: std::ops::Range<usize>) -> Self {
         let start = span.start.min(text.len());
         let length = span.end.clamp(start, text.len()) - start;
@@ -150,6 +253,17 @@ impl Report {
             Some(LabeledSpan::new_with_span(Some("here".to_owned()), SourceSpan::from((start, length))));
         self.source = Some(NamedSource::new(file, text));
         self
+    }
+
+    /// What programs are told.
+    pub fn facts(&self) -> ErrorFacts {
+        ErrorFacts {
+            message: self.message.clone(),
+            file: self.file.clone(),
+            line: self.line,
+            column: self.column,
+            help: self.help.clone(),
+        }
     }
 
     /// Writes the report to stderr: with colours and frames on a terminal, plain elsewhere.

@@ -1,12 +1,14 @@
 //! Files beside a picture: tables of spectra, plots, and what is told of contact sheets.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use glanz_color::Spectrum;
 use glanz_color::write::write_csv;
 use glanz_picture::output::{OutputError, write_atomically};
 use glanz_plot::{Figure, PlotFile};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::failure::Failure;
 use super::stdout::{self, FormatArgs, note};
@@ -36,6 +38,7 @@ pub fn tell_sheet(
     target: &Target,
     (width, height): (usize, usize),
     cells: &[Vec<(String, String)>],
+    per_row: usize,
     format: FormatArgs,
 ) -> Result<(), Failure> {
     let Target::File(path) = target else {
@@ -45,10 +48,59 @@ pub fn tell_sheet(
     if !format.is_json() {
         return Ok(());
     }
-    let cell = |values: &Vec<(String, String)>| -> serde_json::Map<_, _> {
-        values.iter().map(|(path, value)| (path.clone(), value.clone().into())).collect()
+    let file = path.display().to_string();
+    let cell = |(index, values): (usize, &Vec<(String, String)>)| CellFacts {
+        file: file.clone(),
+        row: index / per_row,
+        column: index % per_row,
+        values: values.iter().map(|(path, text)| (path.clone(), ValueFacts::of(text))).collect(),
     };
-    let cells: Vec<_> = cells.iter().map(cell).collect();
-    let path = path.display().to_string();
-    stdout::json(&json!({ "file": path, "width": width, "height": height, "cells": cells }))
+    let cells = cells.iter().enumerate().map(cell).collect();
+    stdout::json(&SheetDocument { file: file.clone(), width, height, cells })
+}
+
+/// A sheet of pictures.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SheetDocument {
+    /// The sheet's file
+    file: String,
+    width: usize,
+    height: usize,
+    /// The pictures, row by row
+    cells: Vec<CellFacts>,
+}
+
+/// A picture of a sheet.
+#[derive(Debug, Serialize, JsonSchema)]
+struct CellFacts {
+    /// The file that the picture is in
+    file: String,
+    /// The row of the sheet, from 0 at the top
+    row: usize,
+    /// The column of the sheet, from 0 at the left
+    column: usize,
+    /// What the picture sets, by its path
+    values: BTreeMap<String, ValueFacts>,
+}
+
+/// A value of the scene.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+enum ValueFacts {
+    Number(f64),
+    Truth(bool),
+    Text(String),
+}
+
+impl ValueFacts {
+    /// The value that a word of the command line stands for.
+    fn of(text: &str) -> Self {
+        let number = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+        match (number, text.trim()) {
+            (Some(number), _) => Self::Number(number),
+            (_, "true") => Self::Truth(true),
+            (_, "false") => Self::Truth(false),
+            _ => Self::Text(text.to_owned()),
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! What is printed: data on stdout, everything else on stderr.
 
 mod colors;
+pub mod document;
 pub mod failure;
 pub mod files;
 pub mod preview;

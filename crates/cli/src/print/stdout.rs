@@ -3,9 +3,11 @@
 use std::io::{self, Write};
 
 use clap::{Args, ValueEnum};
-use serde_json::Value;
+use serde::Serialize;
 
+use super::document::versioned;
 use super::failure::{Failure, without_number};
+use crate::args::Target;
 
 /// How data is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -30,6 +32,17 @@ impl FormatArgs {
     pub fn is_json(self) -> bool {
         self.format == Format::Json
     }
+
+    /// That stdout does not take both a picture and what is printed for programs.
+    pub fn check_beside(self, target: &Target) -> Result<(), Failure> {
+        match (self.format, target) {
+            (Format::Json, Target::Stdout) => {
+                let message = "stdout cannot take both the picture and --format json; name a file with -o";
+                Err(Failure::Usage(message.to_owned()))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Writes all of `bytes` to stdout. That nobody reads any more is [`Failure::Closed`].
@@ -46,9 +59,9 @@ pub fn text(text: &str) -> Result<(), Failure> {
     bytes(text.as_bytes())
 }
 
-/// Writes JSON to stdout, indented.
-pub fn json(value: &Value) -> Result<(), Failure> {
-    text(&format!("{value:#}\n"))
+/// Writes a document to stdout, as indented JSON with its version.
+pub fn json(document: &impl Serialize) -> Result<(), Failure> {
+    text(&format!("{:#}\n", versioned(document)))
 }
 
 /// Tells something on stderr that is no data. That nobody listens is no failure.

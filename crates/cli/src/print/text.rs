@@ -3,11 +3,10 @@
 use std::fmt::{Arguments, Write};
 
 use glanz_color::dominant::Dominant;
-use serde_json::{Value, json};
 
-/// A number for programs, or null where there is none.
-pub fn finite(value: f64) -> Value {
-    if value.is_finite() { json!(value) } else { Value::Null }
+/// A number for programs, which have no infinity: null in its place.
+pub fn finite(value: f64) -> Option<f64> {
+    Some(value).filter(|value| value.is_finite())
 }
 
 /// Numbers with so many decimals each, between blanks.

@@ -1,9 +1,11 @@
 //! How long the stages of a picture take.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// The stages, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +29,22 @@ const STAGES: [(Stage, &str); 5] = [
     (Stage::Develop, "develop"),
     (Stage::Encode, "encode"),
 ];
+
+/// How long the stages of a picture take.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct TimingsFacts {
+    /// How often everything was done
+    runs: usize,
+    unit: &'static str,
+    /// By the name of the stage; null for one that was done together with the one before it
+    stages: BTreeMap<&'static str, Option<StageFacts>>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct StageFacts {
+    median: f64,
+    min: f64,
+}
 
 /// Milliseconds of every stage of every run.
 #[derive(Clone, Debug, Default)]
@@ -69,13 +87,10 @@ impl Timings {
     }
 
     /// The same for programs; `null` for a stage that was done together with the one before it.
-    pub fn json(&self) -> Value {
-        let mut stages = serde_json::Map::new();
-        for (name, summary) in self.rows() {
-            let value = summary.map(|(median, min)| json!({ "median": round(median), "min": round(min) }));
-            stages.insert(name.to_owned(), value.into());
-        }
-        json!({ "runs": self.runs.len(), "unit": "ms", "stages": stages })
+    pub fn facts(&self) -> TimingsFacts {
+        let stage = |(median, min)| StageFacts { median: round(median), min: round(min) };
+        let stages = self.rows().into_iter().map(|(name, summary)| (name, summary.map(stage)));
+        TimingsFacts { runs: self.runs.len(), unit: "ms", stages: stages.collect() }
     }
 
     /// Every stage and the total, with median and minimum.
@@ -124,8 +139,8 @@ mod tests {
         timings.measure(Stage::Draw, || ());
         timings.begin_run();
         timings.measure(Stage::Draw, || ());
-        let json = timings.json();
-        assert_eq!(json["runs"], 2);
-        assert!(json["stages"]["draw"]["min"].is_number() && json["stages"]["develop"].is_null());
+        let facts = timings.facts();
+        assert_eq!(facts.runs, 2);
+        assert!(facts.stages["draw"].is_some() && facts.stages["develop"].is_none());
     }
 }

@@ -310,7 +310,7 @@ fn everything_has_a_name_in_the_lists() {
         ("fluorescent", 6),
         ("models", 20),
     ] {
-        let list = json(&["list", kind]);
+        let list = json(&["list", kind])[kind].clone();
         assert!(list.as_array().unwrap().len() >= least, "{kind}");
         assert_eq!(all[kind], list);
         let text = Folder::new().glanz(&["color", "list", kind]).text().to_owned();
@@ -322,7 +322,7 @@ fn everything_has_a_name_in_the_lists() {
 
 #[test]
 fn every_listed_light_has_numbers() {
-    for light in json(&["list", "lights"]).as_array().unwrap() {
+    for light in json(&["list", "lights"])["lights"].as_array().unwrap() {
         let told = json(&["spectrum", light["example"].as_str().unwrap()]);
         assert_eq!(told["kind"], "light");
     }

@@ -1,7 +1,7 @@
 //! The exit code of every command: 1 where something was judged and failed, 2 for wrong use, 3 where the
 //! work could not be done.
 
-use crate::folder::{Folder, command};
+use crate::folder::{Folder, Run, command};
 use crate::help::{COMMANDS, help};
 
 /// Commands that judge, with something that fails.
@@ -89,6 +89,20 @@ fn what_is_judged_and_fails_is_1() {
 }
 
 #[test]
+fn known_faults_pass_where_they_are_allowed() {
+    let folder = Folder::new();
+    for words in [&["phong"][..], &["lambert", "phong"], &["--all"]] {
+        let words = [&["check"], words].concat();
+        assert_eq!(folder.glanz(&words).code, 1, "{words:?}");
+        let allowed = folder.glanz(&[&words[..], &["--allow-known"]].concat());
+        assert_eq!((allowed.code, allowed.stderr.as_str()), (0, ""), "{words:?}");
+        assert_eq!(allowed.stdout, folder.glanz(&words).stdout, "the certificate is the same");
+    }
+    let json = folder.glanz(&["check", "phong", "--allow-known", "--format", "json"]).json();
+    assert!(json["error"].is_null() && json["certificates"][0]["healthy"] == false, "{json}");
+}
+
+#[test]
 fn wrong_use_of_any_command_is_2() {
     let folder = Folder::new();
     for words in COMMANDS {
@@ -132,5 +146,118 @@ fn the_help_tells_the_codes() {
     let help = help(&[]);
     for code in ["0  done", "1  judged and failed", "2  usage", "3  could not"] {
         assert!(help.contains(code), "{help}");
+    }
+}
+
+/// The error that a run with `--format json` printed, and nothing else anywhere.
+fn error(run: &Run) -> serde_json::Value {
+    assert!(run.stderr.is_empty(), "{}", run.stderr);
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(json["version"], 1, "{json}");
+    let error = json["error"].as_object().unwrap();
+    let keys: Vec<_> = error.keys().map(String::as_str).collect();
+    assert_eq!(keys, ["column", "file", "help", "line", "message"]);
+    json["error"].clone()
+}
+
+#[test]
+fn programs_are_told_an_error_with_its_place() {
+    let folder = Folder::with_scene();
+    folder.write("wrong.toml", "[image]\nwidth = 3\n  heigth = 4\n");
+    folder.write("broken.obj", "v 0 0 0\nv 0 0 x\n");
+    folder.write("a.csv", "nm,reflectance\n300,0.5\n310,half\n");
+    type Case = (&'static [&'static str], &'static str, Option<u64>, Option<u64>);
+    let cases: [Case; 7] = [
+        (&["info", "wrong.toml"], "wrong.toml", Some(3), Some(3)),
+        (&["info", "none.toml"], "none.toml", None, None),
+        (&["render", "broken.obj", "-o", "a.png"], "broken.obj", Some(2), None),
+        (&["color", "spectrum", "a.csv"], "a.csv", Some(3), None),
+        (&["color", "spectrum", "none.csv"], "none.csv", None, None),
+        (&["compare", "none.png", "none.png"], "none.png", None, None),
+        (&["render", "scene.toml", "-o", "none/a.png"], "none/a.png", None, None),
+    ];
+    for (words, file, line, column) in cases {
+        let run = folder.glanz(&[words, &["--format", "json"]].concat());
+        assert_eq!(run.code, 3, "{words:?}");
+        let error = error(&run);
+        assert_eq!(error["file"], file, "{error}");
+        assert_eq!(error["line"].as_u64(), line, "{error}");
+        assert_eq!(error["column"].as_u64(), column, "{error}");
+        assert!(!error["message"].as_str().unwrap().is_empty());
+    }
+    let error = error(&folder.glanz(&["info", "wrong.toml", "--format=json"]));
+    assert!(error["message"].as_str().unwrap().contains("heigth"), "{error}");
+    assert!(error["help"].as_str().unwrap().contains("height"), "{error}");
+}
+
+#[test]
+fn every_failure_is_json_where_json_is_asked_for() {
+    let folder = folder();
+    for words in COULD_NOT {
+        let run = folder.glanz(&[words, &["--format", "json"]].concat());
+        // Commands without --format tell that they have none.
+        let has_format =
+            words[0] != "plot" && words[..2] != ["color", "plot"] && !words.contains(&"--directions");
+        assert_eq!(run.code, if has_format { 3 } else { 2 }, "{words:?}");
+        error(&run);
+    }
+}
+
+#[test]
+fn wrong_use_is_json_where_json_is_asked_for() {
+    let folder = Folder::with_scene();
+    for words in COMMANDS {
+        for format in [&["--format", "json"][..], &["--format=json"]] {
+            let run = folder.glanz(&[words, &["--wrong"], format].concat());
+            assert_eq!(run.code, 2, "{words:?}");
+            let error = error(&run);
+            assert!(error["help"].as_str().unwrap().contains("--help"), "{error}");
+            assert!(!error["message"].as_str().unwrap().contains("error:"), "{error}");
+        }
+    }
+    // What the parser lets through, and the command refuses.
+    let words = ["render", "scene.toml", "--ev", "1000", "--format", "json"];
+    let run = folder.glanz(&words);
+    assert_eq!(run.code, 2);
+    assert_eq!(error(&run)["message"], "--ev is 1000, but must be between -64 and 64 stops");
+    // After -- there are no options.
+    let run = folder.glanz(&["info", "--", "--format", "json"]);
+    assert!(run.stdout.is_empty() && run.code == 2, "{run:?}");
+}
+
+#[test]
+fn what_is_judged_is_one_document_with_its_error() {
+    let folder = folder();
+    for words in JUDGED {
+        let run = folder.glanz(&[words, &["--format", "json"]].concat());
+        assert_eq!(run.code, 1, "{words:?}");
+        let error = error(&run);
+        assert!(!error["message"].as_str().unwrap().is_empty());
+    }
+    let run = folder.glanz(&["compare", "a.png", "b.png", "--fail-above", "rmse=0", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(json["bounds"][0]["holds"], false);
+    let good =
+        folder.glanz(&["compare", "a.png", "b.png", "--fail-above", "rmse=1", "--format", "json"]).json();
+    assert!(good["error"].is_null());
+}
+
+#[test]
+fn stdout_takes_json_or_a_picture_but_not_both() {
+    let folder = folder();
+    let commands: [&[&str]; 8] = [
+        &["render", "scene.toml", "-o", "-"],
+        &["render", "scene.toml", "--preview"],
+        &["sweep", "scene.toml", "--vary", "render.ev=0,1", "-o", "-"],
+        &["shade-compare", "scene.toml", "-o", "-"],
+        &["modes", "scene.toml", "-o", "-"],
+        &["sheet", "phong", "--vary", "shininess=1,2", "-o", "-"],
+        &["material", "sheet", "gold", "-o", "-"],
+        &["compare", "a.png", "b.png", "-o", "-"],
+    ];
+    for words in commands {
+        let run = folder.glanz(&[words, &["--format", "json"]].concat());
+        assert_eq!(run.code, 2, "{words:?}");
+        assert!(error(&run)["message"].as_str().unwrap().contains("stdout cannot take both"));
     }
 }

@@ -12,9 +12,10 @@ fn the_library_is_a_table() {
 fn a_category_is_listed_alone_for_programs() {
     let json =
         Folder::new().glanz(&["material", "list", "--category", "ngan2005", "--format", "json"]).json();
-    let names: Vec<_> = json.as_array().unwrap().iter().map(|info| info["name"].as_str().unwrap()).collect();
+    let names: Vec<_> =
+        json["materials"].as_array().unwrap().iter().map(|info| info["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["ngan-chrome", "ngan-pvc"]);
-    assert!(json[0]["source"].as_str().unwrap().contains("2005"));
+    assert!(json["materials"][0]["source"].as_str().unwrap().contains("2005"));
 }
 
 #[test]
@@ -65,7 +66,7 @@ fn a_sheet_shows_each_material_in_its_colours() {
         ["material", "sheet", "rubber-red", "leaf-green", "glass-pane", "--size", "40", "-o", "a.png"];
     let run = folder.glanz(&[&words[..], &["--format", "json"]].concat());
     let json = run.json();
-    assert_eq!(json["cells"][1]["material"], "leaf-green");
+    assert_eq!(json["cells"][1]["values"]["material"], "leaf-green");
     let sheet = Png::decode(&folder.read("a.png"));
     assert_eq!(
         (sheet.width as u64, sheet.height as u64),

@@ -16,7 +16,7 @@ fn the_list_of_models_for_programs_holds_the_same_names() {
     let folder = Folder::new();
     let json = folder.glanz(&["bsdf", "list", "--format", "json"]).json();
     let names: Vec<_> =
-        json.as_array().unwrap().iter().map(|model| model["name"].as_str().unwrap()).collect();
+        json["models"].as_array().unwrap().iter().map(|model| model["name"].as_str().unwrap()).collect();
     let text = folder.glanz(&["bsdf", "list"]);
     let lines: Vec<_> = text.text().lines().skip(1).map(|line| line.split(' ').next().unwrap()).collect();
     assert_eq!(names, lines);

@@ -214,6 +214,17 @@ fn a_program_is_told_what_was_written() {
     let folder = Folder::with_scene();
     let json = folder.glanz(&["render", "scene.toml", "--format", "json"]).json();
     assert_eq!((&json["file"], &json["width"]), (&"scene.png".into(), &48.into()));
+    // The hash of the scene is that in the file.
+    let hash = json["scene_hash"].as_str().unwrap();
+    let file = folder.read("scene.png");
+    assert!(hash.len() == 16 && file.windows(16).any(|part| part == hash.as_bytes()), "{json}");
+    let sha256 = |words: &[&str]| {
+        let words = [&["render", "scene.toml", "--format", "json", "--force"], words].concat();
+        folder.glanz(&words).json()["sha256"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(json["sha256"].as_str().unwrap().len(), 64);
+    assert_eq!(json["sha256"], sha256(&[]), "the same picture");
+    assert_ne!(json["sha256"], sha256(&["--ev", "1"]), "another picture");
 }
 
 #[test]
@@ -224,11 +235,11 @@ fn a_sheet_holds_the_pictures_of_all_values() {
     let json = folder.glanz(&words).json();
     assert_eq!(json["file"], "scene_sweep.png");
     assert_eq!(json["cells"].as_array().unwrap().len(), 6);
-    assert_eq!(json["cells"][1]["render.shading"], "gouraud");
+    assert_eq!(json["cells"][1]["values"]["render.shading"], "gouraud");
     let sheet = Png::decode(&folder.read("scene_sweep.png"));
     assert!(sheet.width > 3 * 48 && sheet.height > 2 * 32);
     for cell in json["cells"].as_array().unwrap() {
-        let set = |path: &str| format!("{path}={}", cell[path].as_str().unwrap());
+        let set = |path: &str| format!("{path}={}", cell["values"][path].to_string().trim_matches('"'));
         let words = ["--set", &set("materials.ball.shininess"), "--set", &set("render.shading")];
         assert!(sheet.holds(&drawn(&folder, &words)), "{words:?}");
     }
@@ -240,7 +251,9 @@ fn one_value_that_varies_makes_rows_of_the_asked_length() {
     let words = ["sweep", "scene.toml", "--vary", "render.ev=-1:1:5", "--cell", "48x32", "--columns", "2"];
     let json = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
     assert_eq!(json["width"], 6 + 2 * (48 + 6));
-    assert_eq!(json["cells"][4]["render.ev"], "1");
+    assert_eq!(json["cells"][4]["values"]["render.ev"], 1.0);
+    assert_eq!((&json["cells"][4]["row"], &json["cells"][4]["column"]), (&2.into(), &0.into()));
+    assert_eq!(json["cells"][4]["file"], "scene_sweep.png");
 }
 
 #[test]

@@ -1,10 +1,13 @@
 //! `glanz bsdf albedo`: the part of the light that leaves.
 
+use std::collections::BTreeMap;
+
 use clap::Args;
 use glanz_bsdf::{LightTerm, albedo_with};
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-use super::model::{ModelArgs, params};
+use super::model::{ModelArgs, TintFacts, params};
 use crate::input::lobes::FactorArgs;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, line, number};
@@ -35,6 +38,28 @@ pub struct AlbedoArgs {
     format: FormatArgs,
 }
 
+/// The part of the light that leaves.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The model's name
+    model: &'static str,
+    params: BTreeMap<&'static str, f64>,
+    /// One for each angle of the viewer
+    values: Vec<AlbedoFacts>,
+    #[serde(flatten)]
+    tint: TintFacts,
+}
+
+/// The albedo for one direction of the viewer.
+#[derive(Debug, Serialize, JsonSchema)]
+struct AlbedoFacts {
+    theta_deg: f64,
+    /// The azimuth, where --phi was given
+    #[serde(skip_serializing_if = "Option::is_none")]
+    phi_deg: Option<f64>,
+    albedo: f64,
+}
+
 impl AlbedoArgs {
     /// Prints the albedos.
     pub fn run(&self) -> Result<(), Failure> {
@@ -62,17 +87,16 @@ impl AlbedoArgs {
         let rows: Vec<_> =
             self.theta.iter().flat_map(|theta| azimuths.iter().map(|phi| row(*theta, *phi))).collect();
         if self.format.is_json() {
-            let value = |(theta, phi, albedo): &(f64, f64, f64)| match self.phi.is_empty() {
-                true => json!({ "theta_deg": theta, "albedo": albedo }),
-                false => json!({ "theta_deg": theta, "phi_deg": phi, "albedo": albedo }),
+            let value = |&(theta_deg, phi, albedo): &(f64, f64, f64)| {
+                let phi_deg = (!self.phi.is_empty()).then_some(phi);
+                AlbedoFacts { theta_deg, phi_deg, albedo }
             };
-            let values: Vec<_> = rows.iter().map(value).collect();
-            let mut all = json!({ "model": info.name, "params": params(&shape), "values": values });
-            if !factor.name().is_empty() {
-                all["tint"] = Value::from(factor.name());
-                all["lambda_nm"] = Value::from(self.factor.nm());
-            }
-            return print::json(&all);
+            return print::json(&Document {
+                model: info.name,
+                params: params(&shape),
+                values: rows.iter().map(value).collect(),
+                tint: TintFacts::of(&factor, self.factor.nm()),
+            });
         }
         print::text(&self.table(&rows))
     }

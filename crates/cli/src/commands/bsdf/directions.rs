@@ -67,6 +67,20 @@ pub enum TableError {
     },
 }
 
+impl TableError {
+    /// The line that it is in, from 1.
+    pub fn line(&self) -> Option<usize> {
+        match self {
+            Self::Empty => None,
+            Self::LongLine { line, .. }
+            | Self::NoText { line }
+            | Self::Header { line, .. }
+            | Self::Fields { line, .. }
+            | Self::Value { line, .. } => Some(*line),
+        }
+    }
+}
+
 /// Where the directions are in a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {

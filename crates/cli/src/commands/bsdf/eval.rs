@@ -1,14 +1,16 @@
 //! `glanz bsdf eval`: values for directions.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape, Side};
 use glanz_math::Vec3;
 use glanz_plot::Factor;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-use super::model::{ModelArgs, params};
+use super::model::{ModelArgs, TintFacts, params};
 use super::table;
 use crate::args;
 use crate::input::lobes::FactorArgs;
@@ -89,15 +91,17 @@ impl EvalArgs {
         let cos_i = direction(wi).z;
         let (f_cos, f) = values(shape, factor, direction(wo), direction(wi));
         if self.format.is_json() {
-            let mut all = json!({
-                "model": shape.info().name, "params": params(shape), "unit": "1/sr",
-                "wo_deg": wo, "wi_deg": wi, "cos_i": cos_i, "f_cos": f_cos, "f": f,
+            return print::json(&Document {
+                model: shape.info().name,
+                params: params(shape),
+                unit: "1/sr",
+                wo_deg: wo,
+                wi_deg: wi,
+                cos_i,
+                f_cos,
+                f,
+                tint: TintFacts::of(factor, self.factor.nm()),
             });
-            if !factor.name().is_empty() {
-                all["tint"] = Value::from(factor.name());
-                all["lambda_nm"] = Value::from(self.factor.nm());
-            }
-            return print::json(&all);
         }
         let side = if shape.info().side == Side::Transmission { "below" } else { "above" };
         let f = match f {
@@ -106,6 +110,28 @@ impl EvalArgs {
         };
         print::text(&format!("f_cos  {} 1/sr\nf      {f}\n", number(f_cos)))
     }
+}
+
+/// The value of a model for a pair of directions.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The model's name
+    model: &'static str,
+    params: BTreeMap<&'static str, f64>,
+    /// The unit of f_cos and f
+    unit: &'static str,
+    /// Angle from the normal and azimuth of the viewer
+    wo_deg: [f64; 2],
+    /// Angle from the normal and azimuth of the light
+    wi_deg: [f64; 2],
+    /// The cosine of the light's angle from the normal
+    cos_i: f64,
+    /// The BSDF times the cosine
+    f_cos: f64,
+    /// The BSDF; null where the light is on the wrong side
+    f: Option<f64>,
+    #[serde(flatten)]
+    tint: TintFacts,
 }
 
 /// BSDF times cosine, and the BSDF where the light is on its side.

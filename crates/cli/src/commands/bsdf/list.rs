@@ -2,12 +2,13 @@
 
 use clap::Args;
 use glanz_bsdf::models::info_named;
-use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, Side};
-use serde_json::{Value, json};
+use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, ParamInfo, Side};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::input::lobes::model_names;
 use crate::print::failure::Failure;
-use crate::print::{self, Format, FormatArgs, line, number};
+use crate::print::{self, Format, FormatArgs, finite, line, number};
 
 /// Options of `glanz bsdf show`.
 #[derive(Args, Debug)]
@@ -24,7 +25,7 @@ impl ShowArgs {
     pub fn run(&self) -> Result<(), Failure> {
         let info = info_named(&self.name).map_err(|error| Failure::Usage(error.to_string()))?;
         if self.format.format == Format::Json {
-            return print::json(&describe(info));
+            return print::json(&ModelFacts::of(info));
         }
         let mut text = String::new();
         line(&mut text, format_args!("{}: {}", info.name, info.title));
@@ -74,7 +75,7 @@ fn term_name(term: LightTerm) -> &'static str {
 /// Prints all models.
 pub fn run(format: FormatArgs) -> Result<(), Failure> {
     if format.format == Format::Json {
-        return print::json(&MODELS.iter().map(describe).collect());
+        return print::json(&ListDocument { models: MODELS.iter().map(ModelFacts::of).collect() });
     }
     let mut text = format!("{:<24} {:<9} {:<12} {}\n", "name", "part", "parameters", "title");
     for info in MODELS {
@@ -97,17 +98,78 @@ fn kinds(info: &ModelInfo) -> [(bool, &'static str); 3] {
     ]
 }
 
-fn describe(info: &ModelInfo) -> Value {
-    let params = info.params.iter().map(|param| {
-        json!({
-            "name": param.name, "symbol": param.symbol, "doc": param.doc,
-            "min": param.min, "max": param.max, "default": param.default,
-        })
-    });
-    let exempt = info.exempt.iter().map(|(law, reason)| json!({ "law": law.name(), "reason": reason }));
-    json!({
-        "name": info.name, "title": info.title, "part": term_name(info.term), "formula": info.formula,
-        "source": info.source, "transmission": info.side == Side::Transmission, "anisotropic": info.anisotropic,
-        "delta": info.delta, "operations": info.operations, "params": params.collect::<Vec<_>>(), "exempt": exempt.collect::<Vec<_>>(),
-    })
+/// The models of reflection.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ListDocument {
+    /// All models, in the order of their list
+    models: Vec<ModelFacts>,
+}
+
+/// What is known of a model.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ModelFacts {
+    name: &'static str,
+    title: &'static str,
+    /// The term of the light that it answers: ambient, diffuse, specular or emission
+    part: &'static str,
+    /// f_cos, the BSDF times the cosine of the light
+    formula: &'static str,
+    source: &'static str,
+    /// Whether light passes through the surface
+    transmission: bool,
+    /// Whether values depend on the azimuth
+    anisotropic: bool,
+    /// Whether light goes into a single direction
+    delta: bool,
+    /// What a value costs, in operations
+    operations: u32,
+    params: Vec<ParamFacts>,
+    /// The laws that the model declares to break
+    exempt: Vec<ExemptFacts>,
+}
+
+/// A parameter of a model.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ParamFacts {
+    name: &'static str,
+    symbol: &'static str,
+    doc: &'static str,
+    /// The least value; null where there is none
+    min: Option<f64>,
+    /// The greatest value; null where there is none
+    max: Option<f64>,
+    default: f64,
+}
+
+/// A law that a model declares to break.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ExemptFacts {
+    law: &'static str,
+    reason: &'static str,
+}
+
+impl ModelFacts {
+    fn of(info: &'static ModelInfo) -> Self {
+        let param = |param: &'static ParamInfo| ParamFacts {
+            name: param.name,
+            symbol: param.symbol,
+            doc: param.doc,
+            min: finite(param.min),
+            max: finite(param.max),
+            default: param.default,
+        };
+        Self {
+            name: info.name,
+            title: info.title,
+            part: term_name(info.term),
+            formula: info.formula,
+            source: info.source,
+            transmission: info.side == Side::Transmission,
+            anisotropic: info.anisotropic,
+            delta: info.delta,
+            operations: info.operations,
+            params: info.params.iter().map(param).collect(),
+            exempt: info.exempt.iter().map(|(law, reason)| ExemptFacts { law: law.name(), reason }).collect(),
+        }
+    }
 }

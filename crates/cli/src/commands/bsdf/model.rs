@@ -1,9 +1,13 @@
 //! A model with its parameters, as the command line gives it.
 
+use std::collections::BTreeMap;
+
 use clap::Args;
 use glanz_bsdf::Shape;
 use glanz_math::names::did_you_mean;
-use serde_json::Value;
+use glanz_plot::Factor;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args;
 use crate::input::lobes::model_names;
@@ -44,7 +48,28 @@ impl ModelArgs {
 }
 
 /// The parameters for programs.
-pub fn params(shape: &Shape) -> serde_json::Map<String, Value> {
-    let names = shape.info().params.iter().map(|param| param.name.to_owned());
-    names.zip(shape.params().into_iter().map(Value::from)).collect()
+pub fn params(shape: &Shape) -> BTreeMap<&'static str, f64> {
+    shape.info().params.iter().map(|param| param.name).zip(shape.params()).collect()
+}
+
+/// What a lobe is multiplied with, if anything, for programs.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct TintFacts {
+    /// What the lobe is multiplied with
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tint: Option<String>,
+    /// The wavelength at which that is taken
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lambda_nm: Option<f64>,
+}
+
+impl TintFacts {
+    /// That of a factor at a wavelength; nothing where there is no factor.
+    pub fn of(factor: &Factor, nm: f64) -> Self {
+        let name = factor.name();
+        match name.is_empty() {
+            true => Self::default(),
+            false => Self { tint: Some(name.to_owned()), lambda_nm: Some(nm) },
+        }
+    }
 }

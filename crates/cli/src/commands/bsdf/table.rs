@@ -10,7 +10,7 @@ use glanz_picture::output::{OutputError, write_atomically};
 use super::directions::{Columns, TableError};
 use crate::args::check_folder;
 use crate::print;
-use crate::print::failure::{Failure, without_number};
+use crate::print::failure::{Failure, Report, without_number};
 
 /// The longest line, in bytes.
 const MAX_LINE: u64 = 1 << 20;
@@ -54,13 +54,22 @@ impl From<OutputError> for Wrapped {
 
 fn open(path: &Path, name: &str) -> Result<File, Failure> {
     if path.is_dir() {
-        return Err(Failure::new(format_args!("cannot read '{name}': it is a folder")));
+        return Err(Report::new(format_args!("cannot read '{name}': it is a folder")).file(path).into());
     }
     File::open(path).map_err(|error| unreadable(name, &error))
 }
 
 fn unreadable(name: &str, error: &io::Error) -> Failure {
-    Failure::new(format_args!("cannot read '{name}': {}", without_number(&error.to_string())))
+    let message = format!("cannot read '{name}': {}", without_number(&error.to_string()));
+    Report::new(message).file(Path::new(name)).into()
+}
+
+fn malformed(name: &str, error: &TableError) -> Failure {
+    let report = Report::new(format_args!("{name}: {error}")).file(Path::new(name));
+    match error.line() {
+        Some(line) => report.line(line as u64).into(),
+        None => report.into(),
+    }
 }
 
 fn unwritten(error: io::Error) -> Failure {
@@ -77,7 +86,7 @@ fn convert(
     out: &mut impl Write,
     values: &impl Fn(Vec3<f64>, Vec3<f64>) -> (f64, Option<f64>),
 ) -> Result<(), Failure> {
-    let failed = |error: TableError| Failure::new(format_args!("{name}: {error}"));
+    let failed = |error: TableError| malformed(name, &error);
     let (mut number, mut columns) = (0, None);
     while let Some(line) = next_line(reader, name, &mut number)? {
         if line.trim().is_empty() {
@@ -109,7 +118,7 @@ fn next_line(reader: &mut dyn BufRead, name: &str, number: &mut usize) -> Result
         return Ok(None);
     }
     *number += 1;
-    let failed = |error: TableError| Failure::new(format_args!("{name}: {error}"));
+    let failed = |error: TableError| malformed(name, &error);
     if bytes.len() as u64 > MAX_LINE {
         return Err(failed(TableError::LongLine { line: *number, most: MAX_LINE }));
     }

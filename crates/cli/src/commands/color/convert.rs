@@ -1,11 +1,13 @@
 //! `glanz color convert`: one colour in another model.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use glanz_color::models::{Channel, Limit, Model, convert};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args;
 use crate::print::failure::Failure;
@@ -40,6 +42,21 @@ pub struct ConvertArgs {
     format: FormatArgs,
 }
 
+/// A colour in another model.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The model of the numbers
+    from: String,
+    /// The model asked for
+    to: String,
+    /// The numbers in the first model
+    input: Vec<f64>,
+    /// The numbers in the second model
+    values: Vec<f64>,
+    /// The same by the names of the channels
+    channels: BTreeMap<&'static str, f64>,
+}
+
 /// The numbers of a colour.
 #[derive(Clone, Debug)]
 struct Values(Vec<f64>);
@@ -66,11 +83,13 @@ impl ConvertArgs {
         let found = settled(channels, found);
         note_outside(&self.to, channels, &found);
         if self.format.is_json() {
-            let named: serde_json::Map<_, _> =
-                channels.iter().zip(&found).map(|(c, value)| (c.name.to_owned(), json!(value))).collect();
-            return print::json(&json!({
-                "from": self.from, "to": self.to, "input": self.values.0, "values": found, "channels": named,
-            }));
+            return print::json(&Document {
+                from: self.from.clone(),
+                to: self.to.clone(),
+                input: self.values.0.clone(),
+                channels: channels.iter().map(|channel| channel.name).zip(found.iter().copied()).collect(),
+                values: found,
+            });
         }
         let mut text = String::new();
         for (channel, value) in channels.iter().zip(&found) {

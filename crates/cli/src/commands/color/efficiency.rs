@@ -8,7 +8,8 @@ use glanz_color::efficiency::{Errors, Representation};
 use glanz_color::{Spectrum, colorchecker, reflectance, reflectances};
 use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
 use glanz_plot::{EfficiencyChart, PlotFile};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::input::spectra::{light_source, surfaces, words};
 use crate::print::failure::Failure;
@@ -69,6 +70,39 @@ pub struct Found {
     errors: Vec<(Representation, Vec<Errors>)>,
 }
 
+/// How wrong colours are that are computed with few samples of the spectrum.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The set of surfaces
+    set: String,
+    /// How many surfaces there are
+    surfaces: usize,
+    /// The unit of the errors
+    unit: &'static str,
+    ways: Vec<WayFacts>,
+}
+
+/// A way to compute colours.
+#[derive(Debug, Serialize, JsonSchema)]
+struct WayFacts {
+    /// Its name
+    way: String,
+    /// The number of samples
+    samples: usize,
+    /// The errors under each light
+    under: Vec<ErrorsFacts>,
+}
+
+/// Errors over the surfaces under a light.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ErrorsFacts {
+    light: String,
+    mean: f64,
+    median: f64,
+    p95: f64,
+    max: f64,
+}
+
 impl EfficiencyArgs {
     /// Computes the errors, and draws them.
     pub fn run(&self) -> Result<(), Failure> {
@@ -78,7 +112,7 @@ impl EfficiencyArgs {
             save_plot(file, &found.chart())?;
         }
         match self.format.is_json() {
-            true => print::json(&found.json()),
+            true => print::json(&found.document()),
             false => print::text(&found.table()),
         }
     }
@@ -156,15 +190,22 @@ impl Found {
         EfficiencyChart { subtitle, lights: self.lights.iter().enumerate().map(panel).collect() }
     }
 
-    fn json(&self) -> serde_json::Value {
-        let ways = self.errors.iter().map(|(one, errors)| {
-            let under = self.lights.iter().zip(errors).map(|(light, errors)| {
-                let Errors { mean, median, p95, max } = errors;
-                json!({ "light": light, "mean": mean, "median": median, "p95": p95, "max": max })
-            });
-            json!({ "way": one.name(), "samples": one.samples(), "under": under.collect::<Vec<_>>() })
-        });
-        json!({ "set": self.set, "surfaces": self.count, "unit": "ΔE00", "ways": ways.collect::<Vec<_>>() })
+    fn document(&self) -> Document {
+        let under = |(light, errors): (&String, &Errors)| {
+            let Errors { mean, median, p95, max } = *errors;
+            ErrorsFacts { light: light.clone(), mean, median, p95, max }
+        };
+        let way = |(one, errors): &(Representation, Vec<Errors>)| WayFacts {
+            way: one.name().to_owned(),
+            samples: one.samples(),
+            under: self.lights.iter().zip(errors).map(under).collect(),
+        };
+        Document {
+            set: self.set.clone(),
+            surfaces: self.count,
+            unit: "ΔE00",
+            ways: self.errors.iter().map(way).collect(),
+        }
     }
 
     fn table(&self) -> String {

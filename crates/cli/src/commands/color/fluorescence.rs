@@ -9,7 +9,8 @@ use glanz_color::colorimetry::{lab, relative_xyz};
 use glanz_color::difference::ciede2000;
 use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
 use glanz_plot::{NamedSpectrum, PlotFile, ReradiationMap};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args::check_folder;
 use crate::input::spectra::{
@@ -100,7 +101,7 @@ impl FluorescenceArgs {
         self.write_files(&material, &rows)?;
         let energy = material.matrix.energy();
         match self.format.is_json() {
-            true => print::json(&json(&material, &observer, &rows, &energy)),
+            true => print::json(&document(&material, &observer, &rows, &energy)),
             false => print::text(&table(&material, &rows, &energy)),
         }
     }
@@ -149,33 +150,87 @@ fn row(matrix: &Reradiation, light: &Source, observer: &Observer) -> Result<Row,
     })
 }
 
-fn json(
+/// What a fluorescent material makes of each of several lights.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    name: String,
+    title: String,
+    observer: String,
+    energy: EnergyFacts,
+    lights: Vec<LightFacts>,
+}
+
+/// Whether no more leaves the material than arrives.
+#[derive(Debug, Serialize, JsonSchema)]
+struct EnergyFacts {
+    /// Whether the material is possible
+    ok: bool,
+    /// The greatest fraction of light that leaves
+    max_column_sum: f64,
+    /// The wavelength of incidence of that
+    at_nm: f64,
+    /// The greatest fraction of photons that leave
+    max_photon_sum: f64,
+    /// The wavelength of incidence of that
+    photons_at_nm: f64,
+    /// The greatest fraction that leaves at shorter wavelengths
+    up_conversion: f64,
+}
+
+/// The material under a light.
+#[derive(Debug, Serialize, JsonSchema)]
+struct LightFacts {
+    light: String,
+    /// All light that leaves
+    total: StimulusFacts,
+    /// The light that leaves at the wavelength at which it arrived
+    reflected: StimulusFacts,
+    /// CIEDE2000 between both
+    de2000: f64,
+    /// Light leaving over light arriving, from 300 to 780 nm by 5 nm; null where none arrives
+    total_radiance_factor: Vec<Option<f64>>,
+}
+
+/// Light that reaches the observer.
+#[derive(Debug, Serialize, JsonSchema)]
+struct StimulusFacts {
+    /// X, Y, Z; Y of the perfect diffuser is 100
+    xyz: [Option<f64>; 3],
+    /// The chromaticity; null of black
+    xy: Option<[f64; 2]>,
+}
+
+fn document(
     material: &FluorescentSource,
     observer: &Observer,
     rows: &[Row],
     energy: &EnergyReport,
-) -> serde_json::Value {
-    let seen = |seen: &Stimulus| {
-        json!({
-            "xyz": seen.xyz.map(|v| finite(WHITE_Y * v)),
-            "xy": seen.xy.map(|xy| [xy.x, xy.y]),
-        })
+) -> Document {
+    let seen = |seen: &Stimulus| StimulusFacts {
+        xyz: seen.xyz.map(|v| finite(WHITE_Y * v)),
+        xy: seen.xy.map(|xy| [xy.x, xy.y]),
     };
-    let lights = rows.iter().map(|row| {
-        json!({
-            "light": row.light, "total": seen(&row.total), "reflected": seen(&row.reflected),
-            "de2000": row.de2000, "total_radiance_factor": row.factor.0.map(finite).to_vec(),
-        })
-    });
-    json!({
-        "name": material.name, "title": material.title, "observer": observer.name,
-        "energy": {
-            "ok": energy.ok, "max_column_sum": energy.max_column_sum, "at_nm": energy.at_nm,
-            "max_photon_sum": energy.max_photon_sum, "photons_at_nm": energy.photons_at_nm,
-            "up_conversion": energy.up_conversion,
+    let light = |row: &Row| LightFacts {
+        light: row.light.clone(),
+        total: seen(&row.total),
+        reflected: seen(&row.reflected),
+        de2000: row.de2000,
+        total_radiance_factor: row.factor.0.map(finite).to_vec(),
+    };
+    Document {
+        name: material.name.clone(),
+        title: material.title.clone(),
+        observer: observer.name.clone(),
+        energy: EnergyFacts {
+            ok: energy.ok,
+            max_column_sum: energy.max_column_sum,
+            at_nm: energy.at_nm,
+            max_photon_sum: energy.max_photon_sum,
+            photons_at_nm: energy.photons_at_nm,
+            up_conversion: energy.up_conversion,
         },
-        "lights": lights.collect::<Vec<_>>(),
-    })
+        lights: rows.iter().map(light).collect(),
+    }
 }
 
 fn table(material: &FluorescentSource, rows: &[Row], energy: &EnergyReport) -> String {

@@ -1,14 +1,16 @@
 //! `glanz color list`: what there is by name.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use clap::{Args, ValueEnum};
 use glanz_color::models::{Limit, Model};
 use glanz_color::{IorKind, fluorescents, iors, lights, observers, reflectances};
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::print::failure::Failure;
-use crate::print::{self, FormatArgs, number};
+use crate::print::{self, FormatArgs, finite, number};
 
 /// Shown below the help.
 pub const EXAMPLES: &str = "Examples:
@@ -52,7 +54,65 @@ struct Entry {
     /// The wavelengths in nm for which there are values, or what else stands there.
     range: String,
     source: String,
-    json: Value,
+    facts: EntryFacts,
+}
+
+/// What there is by name.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The entries of each kind that was asked for, all without one: lights, observers, reflectances, metals,
+    /// fluorescent, models
+    #[serde(flatten)]
+    lists: BTreeMap<&'static str, Vec<EntryFacts>>,
+}
+
+/// One thing by name, with the keys of its kind.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+struct EntryFacts {
+    name: &'static str,
+    title: &'static str,
+    /// Of all but colour models
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'static str>,
+    /// Of lights: a name, for those that have a number in theirs
+    #[serde(skip_serializing_if = "Option::is_none")]
+    example: Option<&'static str>,
+    /// Of lights, reflectances and metals: the wavelengths for which there are values
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range_nm: Option<[f64; 2]>,
+    /// Of lights: what stands for the wavelengths below
+    #[serde(skip_serializing_if = "Option::is_none")]
+    below: Option<&'static str>,
+    /// Of observers: the names of their channels; of colour models: their channels
+    #[serde(skip_serializing_if = "Option::is_none")]
+    channels: Option<Channels>,
+    /// Of metals: metal or dielectric
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kind: Option<&'static str>,
+    /// Of fluorescent materials: whether the figures are measured
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measured: Option<bool>,
+    /// Of colour models: whether they are made of sRGB and hold no other colour
+    #[serde(skip_serializing_if = "Option::is_none")]
+    srgb_only: Option<bool>,
+}
+
+/// The channels of an observer or a colour model.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+enum Channels {
+    OfObserver(Vec<String>),
+    OfModel(Vec<ChannelFacts>),
+}
+
+/// A number of a colour model.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ChannelFacts {
+    name: &'static str,
+    /// The least and the greatest value; null where there is none
+    range: [Option<f64>; 2],
+    /// Whether values outside are meant (nominal), wrong (strict), or go round (cyclic)
+    limit: &'static str,
 }
 
 impl Kind {
@@ -97,13 +157,9 @@ impl ListArgs {
     pub fn run(&self) -> Result<(), Failure> {
         let kinds: Vec<Kind> = self.kind.map_or(Kind::ALL.to_vec(), |kind| vec![kind]);
         if self.format.is_json() {
-            let of = |kind: &Kind| kind.entries().into_iter().map(|entry| entry.json).collect::<Value>();
-            return match self.kind {
-                Some(kind) => print::json(&of(&kind)),
-                None => print::json(&Value::Object(
-                    kinds.iter().map(|kind| (kind.name().to_owned(), of(kind))).collect(),
-                )),
-            };
+            let of = |kind: &Kind| kind.entries().into_iter().map(|entry| entry.facts).collect();
+            let lists = kinds.iter().map(|kind| (kind.name(), of(kind))).collect();
+            return print::json(&Document { lists });
         }
         let tables: Vec<_> = kinds.iter().map(|kind| table(*kind, kinds.len() > 1)).collect();
         print::text(&tables.join("\n"))
@@ -141,10 +197,15 @@ fn light_entries() -> Vec<Entry> {
         title: info.title.to_owned(),
         range: range(info.range_nm),
         source: info.source.to_owned(),
-        json: json!({
-            "name": info.name, "example": info.example, "title": info.title, "source": info.source,
-            "range_nm": [info.range_nm.0, info.range_nm.1], "below": info.below,
-        }),
+        facts: EntryFacts {
+            name: info.name,
+            title: info.title,
+            source: Some(info.source),
+            example: Some(info.example),
+            range_nm: Some(info.range_nm.into()),
+            below: Some(info.below),
+            ..EntryFacts::default()
+        },
     };
     lights().iter().map(entry).collect()
 }
@@ -159,9 +220,13 @@ fn observer_entries() -> Vec<Entry> {
             title: info.title.to_owned(),
             range: channels.join(", "),
             source: info.source.to_owned(),
-            json: json!({
-                "name": info.name, "title": info.title, "source": info.source, "channels": channels,
-            }),
+            facts: EntryFacts {
+                name: info.name,
+                title: info.title,
+                source: Some(info.source),
+                channels: Some(Channels::OfObserver(channels)),
+                ..EntryFacts::default()
+            },
         }
     };
     observers().iter().map(entry).collect()
@@ -173,10 +238,13 @@ fn reflectance_entries() -> Vec<Entry> {
         title: info.title.to_owned(),
         range: range(info.range_nm),
         source: info.source.to_owned(),
-        json: json!({
-            "name": info.name, "title": info.title, "source": info.source,
-            "range_nm": [info.range_nm.0, info.range_nm.1],
-        }),
+        facts: EntryFacts {
+            name: info.name,
+            title: info.title,
+            source: Some(info.source),
+            range_nm: Some(info.range_nm.into()),
+            ..EntryFacts::default()
+        },
     };
     reflectances().iter().map(entry).collect()
 }
@@ -189,11 +257,14 @@ fn metal_entries() -> Vec<Entry> {
             title: format!("{}{}", info.title, if metal { "" } else { " (transparent)" }),
             range: range(info.range_nm),
             source: info.source.to_owned(),
-            json: json!({
-                "name": info.name, "title": info.title, "source": info.source,
-                "kind": if metal { "metal" } else { "dielectric" },
-                "range_nm": [info.range_nm.0, info.range_nm.1],
-            }),
+            facts: EntryFacts {
+                name: info.name,
+                title: info.title,
+                source: Some(info.source),
+                kind: Some(if metal { "metal" } else { "dielectric" }),
+                range_nm: Some(info.range_nm.into()),
+                ..EntryFacts::default()
+            },
         }
     };
     iors().iter().map(entry).collect()
@@ -205,9 +276,13 @@ fn fluorescent_entries() -> Vec<Entry> {
         title: info.title.to_owned(),
         range: if info.measured { "measured" } else { "model" }.to_owned(),
         source: info.source.to_owned(),
-        json: json!({
-            "name": info.name, "title": info.title, "source": info.source, "measured": info.measured,
-        }),
+        facts: EntryFacts {
+            name: info.name,
+            title: info.title,
+            source: Some(info.source),
+            measured: Some(info.measured),
+            ..EntryFacts::default()
+        },
     };
     fluorescents().iter().map(entry).collect()
 }
@@ -228,18 +303,20 @@ fn model_entries() -> Vec<Entry> {
                 Limit::Strict => "strict",
                 Limit::Cyclic => "cyclic",
             };
-            let ends = channel.range.map(|end| if end.is_finite() { json!(end) } else { Value::Null });
-            json!({ "name": channel.name, "range": ends, "limit": limit })
+            ChannelFacts { name: channel.name, range: channel.range.map(finite), limit }
         });
         Entry {
             name: info.name.to_owned(),
             title: info.title.to_owned(),
             range: numbers.collect::<Vec<_>>().join(", "),
             source: String::new(),
-            json: json!({
-                "name": info.name, "title": info.title, "srgb_only": info.srgb_only,
-                "channels": channels.collect::<Vec<_>>(),
-            }),
+            facts: EntryFacts {
+                name: info.name,
+                title: info.title,
+                srgb_only: Some(info.srgb_only),
+                channels: Some(Channels::OfModel(channels.collect())),
+                ..EntryFacts::default()
+            },
         }
     };
     Model::ALL.iter().map(entry).collect()

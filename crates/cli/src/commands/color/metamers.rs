@@ -6,7 +6,8 @@ use clap::Args;
 use glanz_color::colorimetry::{DisplayColor, PairDifference, metamerism_index, relative_xyz};
 use glanz_color::{Observer, ObserverKind, SpectrumKind};
 use glanz_plot::{NamedSpectrum, PlotFile, spectra};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::input::spectra::{Source, light_source, observer_source, source, words};
 use crate::print::failure::Failure;
@@ -88,24 +89,60 @@ impl MetamersArgs {
             save_plot(file, &spectra("Two surfaces", &subtitle, "reflectance", &curves))?;
         }
         match self.format.is_json() {
-            true => print::json(&self.json(&pair, &observer, &rows)),
+            true => print::json(&document(&pair, &observer, &rows)),
             false => print::text(&table(&pair, &rows)),
         }
     }
+}
 
-    fn json(&self, pair: &[Source; 2], observer: &Observer, rows: &[Row]) -> serde_json::Value {
-        let lights = rows.iter().map(|row| {
-            json!({
-                "light": row.light, "xyz": row.xyz.map(|xyz| xyz.map(|v| 100.0 * v)), "srgb": row.codes,
-                "de2000": row.difference.de2000, "de76": row.difference.de76,
-                "metamerism_index": row.index.map(|index| index.de76),
-                "metamerism_index_de2000": row.index.map(|index| index.de2000),
-            })
-        });
-        json!({
-            "first": pair[0].name, "second": pair[1].name, "observer": observer.name,
-            "reference": rows[0].light, "lights": lights.collect::<Vec<_>>(),
-        })
+/// How different two surfaces look under each of several lights.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The name of the first surface
+    first: String,
+    /// The name of the second surface
+    second: String,
+    observer: String,
+    /// The light that the indices of metamerism are relative to
+    reference: String,
+    /// The pair under each light
+    lights: Vec<PairFacts>,
+}
+
+/// A pair of surfaces under a light.
+#[derive(Debug, Serialize, JsonSchema)]
+struct PairFacts {
+    light: String,
+    /// X, Y, Z of both; Y of the perfect diffuser is 100
+    xyz: [[f64; 3]; 2],
+    /// Both as sRGB codes, adapted to D65; empty where there are none
+    srgb: [String; 2],
+    /// CIEDE2000
+    de2000: f64,
+    /// ΔE*ab of 1976
+    de76: f64,
+    /// The special metamerism index, change of illuminant; null for the reference
+    metamerism_index: Option<f64>,
+    /// The same with CIEDE2000
+    metamerism_index_de2000: Option<f64>,
+}
+
+fn document(pair: &[Source; 2], observer: &Observer, rows: &[Row]) -> Document {
+    let facts = |row: &Row| PairFacts {
+        light: row.light.clone(),
+        xyz: row.xyz.map(|xyz| xyz.map(|v| 100.0 * v)),
+        srgb: row.codes.clone(),
+        de2000: row.difference.de2000,
+        de76: row.difference.de76,
+        metamerism_index: row.index.map(|index| index.de76),
+        metamerism_index_de2000: row.index.map(|index| index.de2000),
+    };
+    Document {
+        first: pair[0].name.clone(),
+        second: pair[1].name.clone(),
+        observer: observer.name.clone(),
+        reference: rows[0].light.clone(),
+        lights: rows.iter().map(facts).collect(),
     }
 }
 

@@ -243,7 +243,7 @@ fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
 fn power_facts(facts: &mut Facts, source: &Source) {
     let light = &source.spectrum;
     let (day, night) = (luminous(light, Adapted::Photopic), luminous(light, Adapted::Scotopic));
-    facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).map_or(Value::Null, finite));
+    facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).and_then(finite));
     facts.value("sp_ratio", finite(night / day));
     facts.value("unit", source.unit.as_str());
     if let Some(efficacy) = efficacy_lm_per_w(light) {

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use glanz_picture::output::{Animation, Format, Metadata, write_apng, write_atomically, write_gif};
 use glanz_render::Shot;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::render::RenderArgs;
 use crate::args::{Target, check_folder};
@@ -16,6 +17,13 @@ use crate::print;
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
 use crate::progress::Progress;
+
+/// A film that was drawn.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// A file for each frame, or one that moves
+    files: Vec<String>,
+}
 
 /// Where the frames go.
 enum Output {
@@ -55,7 +63,7 @@ impl RenderArgs {
         }
         if self.format.is_json() {
             let files: Vec<_> = files.iter().map(|file| file.display().to_string()).collect();
-            return print::json(&json!({ "files": files }));
+            return print::json(&Document { files });
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! The commands that draw scenes.
 
-mod film;
+pub mod film;
 pub mod modes;
 pub mod relight;
 pub mod render;

@@ -1,5 +1,6 @@
 //! `glanz modes`: one scene in several colour modes side by side, and how far they are from full spectra.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use clap::Args;
@@ -7,7 +8,8 @@ use glanz_picture::compare::frames::{DeltaE, Developed};
 use glanz_picture::compare::{Spread, heat_colors};
 use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::ColorMode;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::side_by_side::SideBySideArgs;
 use crate::args::{InputArgs, Target};
@@ -179,12 +181,13 @@ impl ModesArgs {
         if self.pictures.format.format == Format::Text {
             return print::text(&table(columns, self.against));
         }
-        let modes: serde_json::Map<_, _> =
-            columns.iter().map(|column| (column.mode.to_string(), json_of(&column.delta))).collect();
-        print::json(&json!({
-            "file": path.display().to_string(), "against": self.against.to_string(),
-            "pixels": columns.first().map_or(0, |column| column.delta.pixels), "delta_e_00": modes,
-        }))
+        let of = |column: &Column| (column.mode.to_string(), SpreadFacts::of(&column.delta));
+        print::json(&Document {
+            file: path.display().to_string(),
+            against: self.against.to_string(),
+            pixels: columns.first().map_or(0, |column| column.delta.pixels),
+            delta_e_00: columns.iter().map(of).collect(),
+        })
     }
 }
 
@@ -193,10 +196,32 @@ fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas
     Canvas { width, height, rgba: heat_colors(&delta.map, top) }
 }
 
-/// The numbers for programs.
-fn json_of(delta: &DeltaE) -> Value {
-    let Spread { mean, median, p95, max } = delta.spread;
-    json!({ "mean": mean, "median": median, "p95": p95, "max": max })
+/// How far colour modes are apart.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The sheet of pictures
+    file: String,
+    /// The mode that the others are compared with
+    against: String,
+    /// How many pixels show a surface
+    pixels: usize,
+    /// CIEDE2000 over these pixels, by the mode
+    delta_e_00: BTreeMap<String, SpreadFacts>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct SpreadFacts {
+    mean: f64,
+    median: f64,
+    p95: f64,
+    max: f64,
+}
+
+impl SpreadFacts {
+    fn of(delta: &DeltaE) -> Self {
+        let Spread { mean, median, p95, max } = delta.spread;
+        Self { mean, median, p95, max }
+    }
 }
 
 /// Whether a mode belongs to the standard observer.

@@ -4,7 +4,8 @@ use clap::Args;
 use glanz_color::{Observer, xyz_of_light};
 use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::{ColorMode, Light, LightColor, LightColors, Material, Tint, White};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::side_by_side::SideBySideArgs;
 use crate::args::{InputArgs, LookArgs, Target};
@@ -146,17 +147,35 @@ impl RelightArgs {
         let Target::File(path) = target else { return Ok(()) };
         if self.pictures.format.is_json() {
             let lights: Vec<_> = self.light.iter().zip(spectra).map(describe).collect();
-            return print::json(&json!({ "file": path.display().to_string(), "lights": lights }));
+            return print::json(&Document { file: path.display().to_string(), lights });
         }
         Ok(())
     }
 }
 
+/// A scene under several lights.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The sheet of pictures
+    file: String,
+    /// In the order of the columns
+    lights: Vec<LightFacts>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct LightFacts {
+    name: String,
+    /// The chromaticity for the standard observer
+    #[serde(skip_serializing_if = "Option::is_none")]
+    xy: Option<[f64; 2]>,
+}
+
 /// A light for programs.
-fn describe((name, color): (&String, &LightColor)) -> serde_json::Value {
-    let LightColor::Spectrum(spectrum) = color else { return json!({ "name": name }) };
+fn describe((name, color): (&String, &LightColor)) -> LightFacts {
+    let name = name.clone();
+    let LightColor::Spectrum(spectrum) = color else { return LightFacts { name, xy: None } };
     let [x, y, z] = xyz_of_light(spectrum, &Observer::default());
-    json!({ "name": name, "xy": [x / (x + y + z), y / (x + y + z)] })
+    LightFacts { name, xy: Some([x / (x + y + z), y / (x + y + z)]) }
 }
 
 /// Gives the lights another spectrum in place of their own.

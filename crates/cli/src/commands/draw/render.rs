@@ -5,7 +5,9 @@ use std::ops::Range;
 use clap::Args;
 use glanz_picture::output::{Format, PictureData, PictureKind};
 use glanz_render::Shot;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
 
 use crate::args::{
     BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
@@ -14,8 +16,8 @@ use crate::encode;
 use crate::frames;
 use crate::load::Input;
 use crate::pipeline::{self, Plan};
-use crate::print::failure::Failure;
-use crate::print::timings::{Stage, Timings};
+use crate::print::failure::{Failure, Report, without_number};
+use crate::print::timings::{Stage, Timings, TimingsFacts};
 use crate::print::{self, FormatArgs, preview};
 use crate::progress::Progress;
 
@@ -119,6 +121,11 @@ impl RenderArgs {
             None if self.preview => None,
             _ => Some(self.target.resolve(&self.input.input, ".png")?),
         };
+        target.as_ref().map_or(Ok(()), |target| self.format.check_beside(target))?;
+        if self.preview && self.format.is_json() {
+            let message = "stdout cannot take both the --preview and --format json";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
         let mut timings = Timings::default();
         for _ in 1..self.repeat {
@@ -126,7 +133,7 @@ impl RenderArgs {
             self.rehearse(target.as_ref(), kind, &mut timings)?;
         }
         timings.begin_run();
-        let (notes, plan, shot, picture) = self.draw(kind, &mut timings)?;
+        let (told, plan, shot, picture) = self.draw(kind, &mut timings)?;
         let preview = self.preview.then(|| pipeline::on_screen(&shot, &picture)).transpose()?;
         let preview = preview.map(|canvas| preview::half_blocks(&canvas, preview::columns()));
         if let Some(target) = &target {
@@ -135,7 +142,7 @@ impl RenderArgs {
         if let Some(preview) = preview {
             print::text(&preview)?;
         }
-        self.tell(target.as_ref(), &plan, &notes, &timings)
+        self.tell(target.as_ref(), &plan, &told, &timings)
     }
 
     /// All the way from the file to the bytes of the picture, which are thrown away.
@@ -158,11 +165,11 @@ impl RenderArgs {
         &self,
         kind: PictureKind,
         timings: &mut Timings,
-    ) -> Result<(Vec<String>, Plan, Shot, PictureData), Failure> {
+    ) -> Result<(Told, Plan, Shot, PictureData), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, mut shot) = timings.measure(Stage::Prepare, || self.plan(&input))?;
         let picture = pipeline::picture(&mut shot, kind, timings, &mut Progress::of_one_picture())?;
-        Ok((input.notes, plan, shot, picture))
+        Ok((Told { hash: input.scene.content_hash(), notes: input.notes }, plan, shot, picture))
     }
 
     /// Reads the scene, with these values set.
@@ -197,24 +204,25 @@ impl RenderArgs {
         &self,
         target: Option<&Target>,
         plan: &Plan,
-        notes: &[String],
+        told: &Told,
         timings: &Timings,
     ) -> Result<(), Failure> {
         if let Some(Target::File(path)) = target {
             print::note(format_args!("wrote {}", path.display()));
         }
-        print::notes(&self.input.input, notes);
+        print::notes(&self.input.input, &told.notes);
         let stdout_is_free = target != Some(&Target::Stdout);
         if self.format.is_json() && stdout_is_free {
-            let file = match target {
-                Some(Target::File(path)) => Some(path.display().to_string()),
-                _ => None,
-            };
             let (width, height) = plan.options.size;
-            return print::json(&json!({
-                "file": file, "width": width, "height": height, "notes": notes,
-                "timings": self.timings.then(|| timings.json()),
-            }));
+            return print::json(&Document {
+                file: target.and_then(Target::file),
+                sha256: target.map(sha256).transpose()?,
+                scene_hash: encode::scene_hash(told.hash),
+                width,
+                height,
+                notes: told.notes.clone(),
+                timings: self.timings.then(|| timings.facts()),
+            });
         }
         match (self.timings, stdout_is_free) {
             (true, true) => print::text(&timings.text()),
@@ -225,4 +233,37 @@ impl RenderArgs {
             (false, _) => Ok(()),
         }
     }
+}
+
+/// A picture that was drawn.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The picture's file
+    file: Option<String>,
+    /// SHA-256 of the bytes of the file: equal pictures of equal scenes are equal files
+    sha256: Option<String>,
+    /// A number for the content of the scene, as PNG and OpenEXR files carry it
+    scene_hash: String,
+    width: u32,
+    height: u32,
+    /// What was ignored or changed of the file
+    notes: Vec<String>,
+    /// With --timings: how long the stages take
+    timings: Option<TimingsFacts>,
+}
+
+/// SHA-256 of a file that was written.
+fn sha256(target: &Target) -> Result<String, Failure> {
+    let Target::File(path) = target else { return Ok(String::new()) };
+    let bytes = std::fs::read(path).map_err(|error| {
+        let error = without_number(&error.to_string());
+        Failure::from(Report::new(format_args!("cannot read '{}': {error}", path.display())).file(path))
+    })?;
+    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+/// What a file tells beside its scene.
+struct Told {
+    notes: Vec<String>,
+    hash: u64,
 }

@@ -1,12 +1,14 @@
 //! `glanz shade-compare`: flat, Gouraud and Phong shading side by side, and how far apart they are.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use clap::Args;
 use glanz_picture::compare::frames::{Developed, Difference};
 use glanz_plot::{Canvas, ContactSheet};
 use glanz_scene::Shading;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::side_by_side::SideBySideArgs;
 use crate::args::{InputArgs, Target};
@@ -73,20 +75,53 @@ impl ShadeCompareArgs {
             return print::text(&table(differences));
         }
         let named = SHADINGS.iter().zip(differences);
-        let numbers: serde_json::Map<_, _> =
-            named.map(|((_, name, _), difference)| ((*name).to_owned(), json_of(difference))).collect();
-        print::json(&json!({ "file": path.display().to_string(), "to": "phong", "difference": numbers }))
+        let difference = named.map(|((_, name, _), difference)| (*name, DifferenceFacts::of(difference)));
+        print::json(&Document {
+            file: path.display().to_string(),
+            to: "phong",
+            difference: difference.collect(),
+        })
     }
 }
 
-/// The numbers for programs.
-fn json_of(difference: &Difference) -> Value {
-    json!({
-        "pixels": difference.pixels,
-        "linear": { "rmse": difference.rmse_linear, "max": difference.max_linear },
-        "codes": { "rmse": difference.rmse_codes, "max": difference.max_codes },
-        "mean_delta_e76": difference.mean_delta_e,
-    })
+/// How far shadings are apart.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    /// The sheet of pictures
+    file: String,
+    /// The shading that the others are compared with
+    to: &'static str,
+    /// By the shading
+    difference: BTreeMap<&'static str, DifferenceFacts>,
+}
+
+/// The distance of two pictures.
+#[derive(Debug, Serialize, JsonSchema)]
+struct DifferenceFacts {
+    /// How many pixels show a surface
+    pixels: usize,
+    /// Before exposure and tone mapping
+    linear: RmseFacts,
+    /// Of the 8-bit values of the picture
+    codes: RmseFacts,
+    mean_delta_e76: f64,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct RmseFacts {
+    rmse: f64,
+    max: f64,
+}
+
+impl DifferenceFacts {
+    fn of(difference: &Difference) -> Self {
+        Self {
+            pixels: difference.pixels,
+            linear: RmseFacts { rmse: difference.rmse_linear, max: difference.max_linear },
+            codes: RmseFacts { rmse: difference.rmse_codes, max: difference.max_codes.into() },
+            mean_delta_e76: difference.mean_delta_e,
+        }
+    }
 }
 
 /// The numbers for people.

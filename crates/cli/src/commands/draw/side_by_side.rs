@@ -36,6 +36,7 @@ impl SideBySideArgs {
         self.machine.apply()?;
         let target = self.target.resolve(&input.input, ending)?;
         encode::expect_png(&target, what)?;
+        self.format.check_beside(&target)?;
         let scene = input.load(Some(&self.camera), &[])?;
         print::notes(&input.input, &scene.notes);
         Ok((target, scene))

@@ -36,6 +36,7 @@ impl StageSheetArgs {
         self.machine.apply()?;
         let target = self.target.resolve(Path::new(name), "_sheet.png")?;
         encode::expect_png(&target, "a sheet")?;
+        self.format.check_beside(&target)?;
         Ok(target)
     }
 
@@ -68,9 +69,10 @@ impl StageSheetArgs {
         sheet: Canvas,
         target: &Target,
         cells: &[Vec<(String, String)>],
+        per_row: usize,
     ) -> Result<(), Failure> {
         let size = (sheet.width, sheet.height);
         encode::deliver(sheet.into(), target, &encode::metadata(0))?;
-        tell_sheet(target, size, cells, self.format)
+        tell_sheet(target, size, cells, per_row, self.format)
     }
 }

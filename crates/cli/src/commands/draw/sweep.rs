@@ -65,6 +65,7 @@ impl SweepArgs {
         self.machine.apply()?;
         let target = self.target.resolve(&self.input.input, "_sweep.png")?;
         encode::expect_png(&target, "a sheet")?;
+        self.format.check_beside(&target)?;
         let cells = self.grid().cells()?;
         let sheet = self.grid().sheet(cells.len());
         let mut canvas = sheet.begin()?;
@@ -86,7 +87,7 @@ impl SweepArgs {
         drop(progress);
         let size = (canvas.width, canvas.height);
         encode::deliver(canvas.into(), &target, &encode::metadata(hash))?;
-        tell_sheet(&target, size, &cells, self.format)
+        tell_sheet(&target, size, &cells, sheet.per_row, self.format)
     }
 
     fn grid(&self) -> Grid<'_> {

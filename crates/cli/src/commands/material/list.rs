@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use clap::Args;
 use glanz_scene::library::{Category, MaterialInfo, materials};
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::categories::categories;
 use crate::print::failure::Failure;
@@ -30,9 +31,9 @@ pub struct ListArgs {
 impl ListArgs {
     /// Prints the list.
     pub fn run(&self) -> Result<(), Failure> {
-        let listed: Vec<&MaterialInfo> = materials().iter().filter(|info| self.lists(info)).collect();
+        let listed: Vec<&'static MaterialInfo> = materials().iter().filter(|info| self.lists(info)).collect();
         match self.format.is_json() {
-            true => print::json(&listed.into_iter().map(describe).collect()),
+            true => print::json(&Document { materials: listed.into_iter().map(MaterialFacts::of).collect() }),
             false => print::text(&table(&listed)),
         }
     }
@@ -42,9 +43,27 @@ impl ListArgs {
     }
 }
 
-/// What programs are told of a material.
-pub fn describe(info: &MaterialInfo) -> Value {
-    json!({ "name": info.name, "title": info.title, "category": info.category.name(), "source": info.source })
+/// Materials of the library.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    materials: Vec<MaterialFacts>,
+}
+
+/// What is known of a material.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MaterialFacts {
+    name: &'static str,
+    title: &'static str,
+    category: &'static str,
+    source: &'static str,
+}
+
+impl MaterialFacts {
+    /// That of this material.
+    pub fn of(info: &'static MaterialInfo) -> Self {
+        let MaterialInfo { name, title, category, source, .. } = info;
+        Self { name, title, category: category.name(), source }
+    }
 }
 
 fn table(listed: &[&MaterialInfo]) -> String {

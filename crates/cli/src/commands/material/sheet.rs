@@ -78,7 +78,7 @@ impl SheetArgs {
         let canvas = self.sheet.draw(&sheet, stages, size, self.samples)?;
         let cells: Vec<_> =
             chosen.iter().map(|info| vec![("material".to_owned(), info.name.clone())]).collect();
-        self.sheet.deliver(canvas, &target, &cells)
+        self.sheet.deliver(canvas, &target, &cells, sheet.per_row)
     }
 
     /// The materials that are named, then those of the categories; all if nothing is said.

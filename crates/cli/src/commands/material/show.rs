@@ -2,8 +2,10 @@
 
 use clap::Args;
 use glanz_scene::library::{self, MaterialInfo};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-use super::list::describe;
+use super::list::MaterialFacts;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
@@ -34,10 +36,17 @@ impl ShowArgs {
         if !self.format.is_json() {
             return print::text(&snippet(info));
         }
-        let mut all = describe(info);
-        all["toml"] = info.toml.clone().into();
-        print::json(&all)
+        print::json(&Document { material: MaterialFacts::of(info), toml: &info.toml })
     }
+}
+
+/// A material of the library.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Document {
+    #[serde(flatten)]
+    material: MaterialFacts,
+    /// The table of the material in a scene file
+    toml: &'static str,
 }
 
 /// The table of the material, with what is known of it as comments.

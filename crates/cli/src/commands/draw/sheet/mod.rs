@@ -80,8 +80,9 @@ impl SheetArgs {
         let cells = grid.cells()?;
         let balls = cells.iter().map(|cell| self.ball(cell)).collect::<Result<Vec<_>, _>>()?;
         let stages = balls.into_iter().map(|ball| ball.input(self.size));
-        let canvas = self.sheet.draw(&grid.sheet(cells.len()), stages, self.size, self.samples)?;
-        self.sheet.deliver(canvas, &target, &cells)
+        let sheet = grid.sheet(cells.len());
+        let canvas = self.sheet.draw(&sheet, stages, self.size, self.samples)?;
+        self.sheet.deliver(canvas, &target, &cells, sheet.per_row)
     }
 
     /// The ball of one cell: what is varied comes before what is set.
