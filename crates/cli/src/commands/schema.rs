@@ -19,8 +19,8 @@ Examples:
   glanz schema --of compare
   glanz schema --of error
 
-Without --of, the schema is that of scene files. The names are those of commands; render-frames is what
-'glanz render --frames' prints, and error what every command prints that could not do its work.";
+Without --of, the schema is that of scene files. The names are those of commands; render-frames
+is what 'glanz render --frames' prints, and error what a command prints that fails.";
 
 /// A name and what makes the schema.
 type Named = (&'static str, fn() -> Value);
