@@ -186,3 +186,35 @@ impl FindingFacts {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::vary::variation;
+    use crate::print::Format;
+
+    /// What is said of Phong's certificate, where no law but `unknown` is broken without being declared.
+    fn message(allow_known: bool, unknown: Option<glanz_bsdf::Law>) -> Option<String> {
+        let set = SetArgs { set: vec![variation("shininess=8").unwrap()] };
+        let lobes = set.lobes(&["phong".to_owned()]).unwrap();
+        let mut certificate = certify(&lobes[0].shape);
+        for finding in certificate.findings.iter_mut().filter(|finding| Some(finding.law) == unknown) {
+            finding.verdict = Verdict::Broken { known: None };
+        }
+        let (machine, format) = (MachineArgs { threads: None }, FormatArgs { format: Format::Text });
+        let args = CheckArgs { models: Vec::new(), all: true, allow_known, set, machine, format };
+        args.error(&lobes, &[certificate]).map(|report| report.to_string())
+    }
+
+    #[test]
+    fn what_no_model_declares_fails_even_where_known_faults_are_allowed() {
+        let reciprocity = "reciprocity of phong shininess=8 (known)";
+        let positivity = "positivity of phong shininess=8";
+        assert!(message(false, None).unwrap().contains(reciprocity));
+        assert_eq!(message(true, None), None);
+        let both = message(false, Some(glanz_bsdf::Law::Positivity)).unwrap();
+        assert!(both.contains(reciprocity) && both.contains(positivity), "{both}");
+        let one = message(true, Some(glanz_bsdf::Law::Positivity)).unwrap();
+        assert_eq!(one, format!("1 law fails: {positivity}"));
+    }
+}

@@ -27,7 +27,7 @@ impl InfoArgs {
         let input = self.input.load(None, &[])?;
         let summary = Summary { input: &input, path: &self.input.input };
         match self.format.format {
-            Format::Json => print::json(&summary.json()),
+            Format::Json => print::json(&summary.document()),
             Format::Text => print::text(&summary.text()),
         }
     }

@@ -67,9 +67,9 @@ pub enum Command {
         after_help = "Examples:\n  glanz color spectrum D65\n  glanz color convert --from hls --to ac1c2 210,0.4,0.8"
     )]
     Color(color::ColorCommand),
-    /// Print the JSON Schema of scene files
-    #[command(after_help = "Example:\n  glanz schema > scene.schema.json")]
-    Schema,
+    /// Print the JSON Schema of scene files, or of what a command prints for programs
+    #[command(after_help = schema::EXAMPLES)]
+    Schema(schema::SchemaArgs),
     /// Print what a shell needs to complete command lines
     #[command(
         after_help = "Example:\n  glanz completions bash > ~/.local/share/bash-completion/completions/glanz"
@@ -94,7 +94,7 @@ impl Command {
             Self::Plot(_) => vec!["plot"],
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
-            Self::Schema => vec!["schema"],
+            Self::Schema(_) => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
         }
     }
@@ -115,7 +115,7 @@ impl Command {
             Self::Plot(args) => args.run(),
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
-            Self::Schema => schema::run(),
+            Self::Schema(args) => args.run(),
             Self::Completions(args) => args.run(root()),
         }
     }

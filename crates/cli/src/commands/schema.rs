@@ -1,9 +1,73 @@
-//! `glanz schema`: the shape of scene files, for editors and programs.
+//! `glanz schema`: the shape of scene files and of what commands print, for editors and programs.
 
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde_json::Value;
+
+use super::draw::{film, modes, relight, render, shade_compare};
+use super::{bsdf, check, color, compare, material};
 use crate::print;
-use crate::print::failure::Failure;
+use crate::print::document::schema;
+use crate::print::failure::{ErrorDocument, Failure};
+use crate::print::files::SheetDocument;
+use crate::print::scene_document;
 
-/// Prints the JSON Schema of scene files.
-pub fn run() -> Result<(), Failure> {
-    print::json(&glanz_scene::file::schema())
+/// Shown after the help.
+pub const EXAMPLES: &str = "\
+Examples:
+  glanz schema > scene.schema.json
+  glanz schema --of compare
+  glanz schema --of error
+
+Without --of, the schema is that of scene files. The names are those of commands; render-frames
+is what 'glanz render --frames' prints, and error what a command prints that fails.";
+
+/// A name and what makes the schema.
+type Named = (&'static str, fn() -> Value);
+
+/// Everything that has a schema, by its name.
+const SCHEMAS: [Named; 25] = [
+    ("scene", glanz_scene::file::schema),
+    ("error", schema::<ErrorDocument>),
+    ("render", schema::<render::Document>),
+    ("render-frames", schema::<film::Document>),
+    ("sweep", schema::<SheetDocument>),
+    ("shade-compare", schema::<shade_compare::Document>),
+    ("modes", schema::<modes::Document>),
+    ("relight", schema::<relight::Document>),
+    ("compare", schema::<compare::Document>),
+    ("info", schema::<scene_document::Document>),
+    ("bsdf-list", schema::<bsdf::list::ListDocument>),
+    ("bsdf-show", schema::<bsdf::list::ModelFacts>),
+    ("bsdf-eval", schema::<bsdf::eval::Document>),
+    ("bsdf-albedo", schema::<bsdf::albedo::Document>),
+    ("sheet", schema::<SheetDocument>),
+    ("check", schema::<check::Document>),
+    ("material-list", schema::<material::list::Document>),
+    ("material-show", schema::<material::show::Document>),
+    ("material-sheet", schema::<SheetDocument>),
+    ("color-convert", schema::<color::convert::Document>),
+    ("color-spectrum", schema::<color::spectrum::Document>),
+    ("color-metamers", schema::<color::metamers::Document>),
+    ("color-fluorescence", schema::<color::fluorescence::Document>),
+    ("color-list", schema::<color::list::Document>),
+    ("color-efficiency", schema::<color::efficiency::Document>),
+];
+
+/// Options of `glanz schema`.
+#[derive(Args, Debug)]
+pub struct SchemaArgs {
+    /// What the schema is of: scene files, or what a command prints with --format json
+    #[arg(long, value_name = "NAME", default_value = "scene",
+          value_parser = PossibleValuesParser::new(SCHEMAS.map(|(name, _)| name)))]
+    of: String,
+}
+
+impl SchemaArgs {
+    /// Prints the JSON Schema.
+    pub fn run(&self) -> Result<(), Failure> {
+        let found = SCHEMAS.iter().find(|(name, _)| *name == self.of);
+        let (_, schema) = found.expect("the parser lets only known names through");
+        print::text(&format!("{:#}\n", schema()))
+    }
 }

@@ -5,6 +5,7 @@ pub mod document;
 pub mod failure;
 pub mod files;
 pub mod preview;
+pub mod scene_document;
 mod stdout;
 mod summary;
 mod text;

@@ -1,4 +1,4 @@
-//! What is in a scene, in words and as JSON.
+//! What is in a scene, in words.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -6,12 +6,12 @@ use std::path::Path;
 use glam::DVec3;
 use glanz_plot::number;
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Background, Bounds, Camera, Light, LightKind, Lobe, Luminaire,
-    Material, Mesh, Projection, Space,
+    AlphaMode, AreaShape, Attenuation, Bounds, Camera, Light, LightKind, Lobe, Luminaire, Material, Mesh,
+    Projection, Space,
 };
-use serde_json::{Value, json};
 
 use super::colors;
+use super::scene_document::Document;
 use crate::load::Input;
 
 /// The most things of a kind that are listed for people; JSON has all.
@@ -66,46 +66,12 @@ impl Summary<'_> {
     }
 
     /// For programs.
-    pub fn json(&self) -> Value {
-        let scene = &self.input.scene;
-        let cameras: Vec<_> = match (&scene.camera, self.input.cameras.as_slice()) {
-            (Some(camera), []) => vec![camera_json("", camera)],
-            (_, named) => named.iter().map(|(name, camera)| camera_json(name, camera)).collect(),
-        };
-        let textures = scene
-            .textures
-            .iter()
-            .map(|texture| json!({ "name": texture.name, "width": texture.width, "height": texture.height }));
-        let objects = scene
-            .objects
-            .iter()
-            .map(|object| json!({ "name": object.name, "mesh": object.mesh, "material": object.material }));
-        let image = scene.image;
-        json!({
-            "file": self.path.display().to_string(),
-            "triangles": self.triangles(),
-            "bounds": bounds_json(&scene.bounds()),
-            "image": {
-                "width": image.width, "height": image.height, "samples": image.samples,
-                "background": match image.background {
-                    Background::Color(color) => json!(color),
-                    Background::Transparent => json!("transparent"),
-                    Background::Environment => json!("environment"),
-                },
-            },
-            "objects": objects.collect::<Vec<_>>(),
-            "meshes": scene.meshes.iter().map(mesh_json).collect::<Vec<_>>(),
-            "materials": scene.materials.iter().map(material_json).collect::<Vec<_>>(),
-            "textures": textures.collect::<Vec<_>>(),
-            "lights": scene.lights.iter().map(light_json).collect::<Vec<_>>(),
-            "default_lights": self.input.default_lights,
-            "cameras": cameras,
-            "notes": self.input.notes,
-        })
+    pub fn document(&self) -> Document {
+        Document::of(self)
     }
 
     /// How many triangles are drawn: those of a mesh count once per object.
-    fn triangles(&self) -> usize {
+    pub(super) fn triangles(&self) -> usize {
         let scene = &self.input.scene;
         scene.objects.iter().map(|object| scene.meshes[object.mesh].triangle_count()).sum()
     }
@@ -149,14 +115,7 @@ fn bounds_text(bounds: &Bounds) -> String {
     }
 }
 
-fn bounds_json(bounds: &Bounds) -> Value {
-    match bounds.is_empty() {
-        true => Value::Null,
-        false => json!({ "min": bounds.min.to_array(), "max": bounds.max.to_array() }),
-    }
-}
-
-fn attributes(mesh: &Mesh) -> Vec<&'static str> {
+pub(super) fn attributes(mesh: &Mesh) -> Vec<&'static str> {
     let has = [
         (!mesh.normals.is_empty(), "normals"),
         (!mesh.uvs.is_empty(), "uvs"),
@@ -180,13 +139,6 @@ fn mesh_text(mesh: &Mesh) -> String {
     text
 }
 
-fn mesh_json(mesh: &Mesh) -> Value {
-    json!({
-        "name": mesh.name, "vertices": mesh.positions.len(), "faces": mesh.face_count(),
-        "triangles": mesh.triangle_count(), "attributes": attributes(mesh), "bounds": bounds_json(&mesh.bounds()),
-    })
-}
-
 fn lobe_text(lobe: &Lobe) -> String {
     let info = lobe.shape.info();
     let params = info.params.iter().zip(lobe.shape.params());
@@ -194,7 +146,7 @@ fn lobe_text(lobe: &Lobe) -> String {
     format!("{}{params} × {}", info.name, colors::tint_text(&lobe.tint))
 }
 
-fn maps(material: &Material) -> Vec<&'static str> {
+pub(super) fn maps(material: &Material) -> Vec<&'static str> {
     let has = [
         (material.base_color.is_some(), "base color"),
         (material.normal_map.is_some(), "normal"),
@@ -218,25 +170,6 @@ fn material_text(material: &Material) -> String {
         AlphaMode::Blend => write!(text, ", alpha {}", material.alpha).expect("a string takes everything"),
     }
     text
-}
-
-fn material_json(material: &Material) -> Value {
-    let lobes = material.lobes.iter().map(|lobe| {
-        let info = lobe.shape.info();
-        let params = info.params.iter().zip(lobe.shape.params());
-        let params: serde_json::Map<_, Value> =
-            params.map(|(param, value)| (param.name.to_owned(), value.into())).collect();
-        json!({ "shape": info.name, "params": params, "tint": colors::tint_json(&lobe.tint) })
-    });
-    let alpha_mode = match material.alpha_mode {
-        AlphaMode::Opaque => "opaque",
-        AlphaMode::Mask { .. } => "mask",
-        AlphaMode::Blend => "blend",
-    };
-    json!({
-        "name": material.name, "lobes": lobes.collect::<Vec<_>>(), "two_sided": material.two_sided,
-        "textures": maps(material), "alpha": material.alpha, "alpha_mode": alpha_mode,
-    })
 }
 
 fn attenuation_text(attenuation: &Attenuation) -> String {
@@ -302,66 +235,6 @@ fn luminaire_text(luminaire: &Luminaire) -> String {
     format!(", profile of {size} along ({axis}), up to {max} cd, {flux} lm")
 }
 
-fn light_json(light: &Light) -> Value {
-    let attenuation = |a: &Attenuation| json!([a.constant, a.linear, a.quadratic]);
-    let mut value = match &light.kind {
-        LightKind::Ambient => json!({ "kind": "ambient" }),
-        LightKind::Directional { direction } => {
-            json!({ "kind": "directional", "direction": direction.to_array() })
-        }
-        LightKind::Point { position, attenuation: a } => {
-            json!({ "kind": "point", "position": position.to_array(), "attenuation": attenuation(a) })
-        }
-        LightKind::Spot { position, direction, cutoff, exponent, attenuation: a, .. } => json!({
-            "kind": "spot", "position": position.to_array(), "direction": direction.to_array(),
-            "cutoff_deg": cutoff.to_degrees(), "exponent": exponent, "attenuation": attenuation(a),
-        }),
-        LightKind::Area { shape, position, direction, up, two_sided } => {
-            area_json(*shape, *position, *direction, *up, *two_sided)
-        }
-        LightKind::Environment { map, rotation } => json!({
-            "kind": "environment", "map": map.as_ref().map(|map| json!([map.width, map.height])),
-            "rotation": rotation.to_cols_array_2d(),
-        }),
-    };
-    if let Some(luminaire) = &light.luminaire {
-        let profile = &luminaire.profile;
-        value["profile"] = json!({
-            "planes": profile.c_deg.len(), "angles": profile.gamma_deg.len(), "max_cd": profile.max(),
-            "flux_lm": profile.flux_lm(), "axis": luminaire.axis.to_array(), "c0": luminaire.c0.to_array(),
-        });
-    }
-    value["name"] = json!(light.name);
-    value["ambient"] = colors::light_json(&light.colors.ambient);
-    value["diffuse"] = colors::light_json(&light.colors.diffuse);
-    value["specular"] = colors::light_json(&light.colors.specular);
-    value["attached_to"] = json!(if light.space == Space::Camera { "camera" } else { "world" });
-    value
-}
-
-fn area_json(shape: AreaShape, position: DVec3, direction: DVec3, up: DVec3, two_sided: bool) -> Value {
-    let position = position.to_array();
-    let facing = |kind: &str| {
-        json!({
-            "kind": kind, "position": position, "direction": direction.to_array(), "two_sided": two_sided,
-        })
-    };
-    match shape {
-        AreaShape::Sphere { radius } => json!({ "kind": "sphere", "position": position, "radius": radius }),
-        AreaShape::Disk { radius } => {
-            let mut value = facing("disk");
-            value["radius"] = json!(radius);
-            value
-        }
-        AreaShape::Rectangle { width, height } => {
-            let mut value = facing("rectangle");
-            value["size"] = json!([width, height]);
-            value["up"] = json!(up.to_array());
-            value
-        }
-    }
-}
-
 fn camera_text(label: &str, camera: &Camera) -> String {
     let projection = match camera.projection {
         Projection::Perspective { fov_y } => format!("{}° vertical", number(fov_y.to_degrees())),
@@ -369,16 +242,4 @@ fn camera_text(label: &str, camera: &Camera) -> String {
     };
     let prefix = if label.is_empty() { String::new() } else { format!("{label}: ") };
     format!("{prefix}from ({}) to ({}), {projection}", vector(camera.eye), vector(camera.target))
-}
-
-fn camera_json(label: &str, camera: &Camera) -> Value {
-    let mut value = json!({
-        "name": label, "eye": camera.eye.to_array(), "target": camera.target.to_array(),
-        "up": camera.up.to_array(),
-    });
-    match camera.projection {
-        Projection::Perspective { fov_y } => value["fov_deg"] = json!(fov_y.to_degrees()),
-        Projection::Orthographic { height } => value["height"] = json!(height),
-    }
-    value
 }

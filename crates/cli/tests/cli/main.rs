@@ -14,4 +14,5 @@ mod lobes;
 mod materials;
 mod models;
 mod pictures;
+mod schemas;
 mod spectra;

@@ -1,9 +1,9 @@
 //! `glanz bsdf`: the models of reflection, and their numbers.
 
-mod albedo;
+pub mod albedo;
 mod directions;
-mod eval;
-mod list;
+pub mod eval;
+pub mod list;
 mod model;
 mod table;
 

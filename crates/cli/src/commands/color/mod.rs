@@ -1,12 +1,12 @@
 //! `glanz color`: spectra, lights and colours, and their numbers.
 
-mod convert;
-mod efficiency;
-mod fluorescence;
-mod list;
-mod metamers;
+pub mod convert;
+pub mod efficiency;
+pub mod fluorescence;
+pub mod list;
+pub mod metamers;
 mod plot;
-mod spectrum;
+pub mod spectrum;
 
 use clap::Subcommand;
 

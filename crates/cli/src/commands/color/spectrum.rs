@@ -1,5 +1,6 @@
 //! `glanz color spectrum`: the colour numbers of a light or a surface.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use clap::Args;
@@ -11,6 +12,8 @@ use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
 use glanz_color::temperature::{MOST_DUV, color_temperature};
 use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
 use glanz_plot::{NamedSpectrum, PlotFile, spectra};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
@@ -74,6 +77,49 @@ struct Facts {
     json: Map<String, Value>,
 }
 
+/// The colour numbers of a light or a surface.
+#[derive(Debug, Serialize)]
+#[serde(transparent)]
+pub struct Document(Map<String, Value>);
+
+/// The keys follow from what the spectrum is of and who sees it, so the schema is written here.
+impl JsonSchema for Document {
+    fn schema_name() -> Cow<'static, str> {
+        "Spectrum".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let number = json!({ "type": "number" });
+        let nullable = json!({ "type": ["number", "null"] });
+        let text = json!({ "type": "string" });
+        let numbers = |count: usize| json!({ "type": "array", "items": { "type": "number" }, "minItems": count, "maxItems": count });
+        json_schema!({
+            "description": "The colour numbers of a light or a surface",
+            "type": "object",
+            "required": ["name", "title", "observer", "kind", "nm", "values"],
+            "properties": {
+                "name": text, "title": text, "observer": text, "kind": { "enum": ["light", "surface"] },
+                "nm": { "type": "array", "items": { "type": "number" } },
+                "values": { "type": "array", "items": { "type": ["number", "null"] } },
+                "under": text, "xyz": numbers(3), "xy": numbers(2), "uv1976": numbers(2), "lab": numbers(3),
+                "srgb": {
+                    "type": "object",
+                    "required": ["values", "code", "in_gamut"],
+                    "properties": { "values": numbers(3), "code": text, "in_gamut": { "type": "boolean" } },
+                    "additionalProperties": false,
+                },
+                "dominant_nm": nullable, "purity": number, "complementary_nm": number, "cct_k": nullable,
+                "duv": number, "cct_is_meaningful": { "type": "boolean" }, "ra": number,
+                "r": { "type": "array", "items": { "type": "number" } }, "efficacy_lm_per_w": nullable,
+                "sp_ratio": nullable, "unit": text, "luminous": nullable, "scotopic": nullable,
+                "luminous_unit": text,
+            },
+            "patternProperties": { "^response_": { "type": ["number", "null"] } },
+            "additionalProperties": false,
+        })
+    }
+}
+
 impl Facts {
     fn line(&mut self, label: &'static str, text: impl Into<String>) {
         self.lines.push((label, text.into()));
@@ -111,7 +157,7 @@ impl SpectrumArgs {
         facts.value("values", source.spectrum.0.map(finite).to_vec());
         self.write_files(&source)?;
         if self.format.is_json() {
-            return print::json(&Value::Object(facts.json));
+            return print::json(&Document(facts.json));
         }
         let mut text = format!("{}: {}\n", source.name, source.title);
         for (label, line) in facts.lines {

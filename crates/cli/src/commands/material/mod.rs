@@ -1,9 +1,9 @@
 //! `glanz material`: the library of materials.
 
 mod categories;
-mod list;
+pub mod list;
 mod sheet;
-mod show;
+pub mod show;
 
 use clap::Subcommand;
 
