@@ -3,6 +3,22 @@
 //! [`prepare()`] turns a `Scene` into plain arrays ([`Prepared`]): geometry, lobe shapes, lights and the tint table, in
 //! which all work with wavelengths is done. [`view`] makes of these what every back end needs per frame. A
 //! [`Backend`] turns both into a [`Frame`] of linear channels; the CPU's is [`cpu::Renderer`].
+//!
+//! ```
+//! use glanz_render::Shot;
+//! use glanz_scene::{Light, Mesh, Scene, library};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+//!     .with_light(Light::directional([-1.0, -1.0, -1.0], [1.0; 3]))
+//!     .with_size(64, 48);
+//! let frame = Shot::new(&scene)?.frame()?;
+//! let [r, g, b, alpha] = frame.pixel(32, 24);
+//! assert!(r > g && g > b && alpha == 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`Shot`] makes one picture, [`Session`] many of a scene that changes.
 
 mod backend;
 pub mod cpu;

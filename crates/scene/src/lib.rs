@@ -3,6 +3,18 @@
 //! A [`Scene`] is plain data without caches, and serialises both ways. [`mod@file`] reads and writes scene
 //! files, [`read`] reads models and pictures, [`library`] holds known materials and [`stage`] scenes made in code.
 //! Everything that a back end needs for drawing is computed from a scene by `glanz-render`'s `prepare`.
+//!
+//! ```
+//! use glanz_scene::{Light, Mesh, Scene, library};
+//!
+//! let mut scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("teapot")?, library::material("glaze-celadon")?)
+//!     .with_light(Light::directional([-1.0, -1.0, -1.0], [1.0; 3]).named("sun"));
+//! scene.light_mut("sun")?.set_spectrum(glanz_color::light("D65")?);
+//! scene.object_mut("teapot")?.set_position([0.0, 1.0, 0.0]);
+//! assert!(scene.bounds().min.y > -1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod builtin;
 mod camera;
