@@ -196,18 +196,18 @@ models! {
 /// ```
 /// use glanz_bsdf::{Model, Shape, ShapeVisitor};
 ///
-/// /// How much memory a model takes.
-/// struct Size;
+/// /// How many parameters a model has.
+/// struct Parameters;
 ///
-/// impl ShapeVisitor for Size {
+/// impl ShapeVisitor for Parameters {
 ///     type Output = usize;
-///     fn visit<M: Model>(self, _model: &M) -> usize {
-///         size_of::<M>()
+///     fn visit<M: Model>(self, model: &M) -> usize {
+///         model.params().len()
 ///     }
 /// }
 ///
-/// assert_eq!(Shape::named("lambert", &[])?.visit(Size), 0);
-/// assert_eq!(Shape::named("phong", &[])?.visit(Size), 8);
+/// assert_eq!(Shape::named("lambert", &[])?.visit(Parameters), 0);
+/// assert_eq!(Shape::named("phong", &[])?.visit(Parameters), 1);
 /// # Ok::<(), glanz_bsdf::ParamError>(())
 /// ```
 pub trait ShapeVisitor {

@@ -63,20 +63,19 @@ impl SimdLevel {
 
     /// The level of this name.
     pub fn named(name: &str) -> Result<Self, LevelError> {
-        let best = Level::new();
         let found = match name {
             #[cfg(target_arch = "x86_64")]
-            "sse2" => best.as_sse2().map(Level::Sse2),
+            "sse2" => Level::new().as_sse2().map(Level::Sse2),
             #[cfg(not(target_arch = "x86_64"))]
             "scalar" => Some(Level::Fallback(fearless_simd::Fallback::new())),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            "avx2" => best.as_avx2().map(Level::Avx2),
+            "avx2" => Level::new().as_avx2().map(Level::Avx2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            "avx512" => best.as_avx512().map(Level::Avx512),
+            "avx512" => Level::new().as_avx512().map(Level::Avx512),
             #[cfg(target_arch = "aarch64")]
-            "neon" => best.as_neon().map(Level::Neon),
+            "neon" => Level::new().as_neon().map(Level::Neon),
             #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            "simd128" => best.as_wasm_simd128().map(Level::WasmSimd128),
+            "simd128" => Level::new().as_wasm_simd128().map(Level::WasmSimd128),
             _ => None,
         };
         found.map(Self).ok_or_else(|| LevelError { asked: name.to_owned() })
