@@ -39,6 +39,14 @@
 //! # Ok::<(), glanz::Error>(())
 //! ```
 //!
+//! Debug builds of a program need this in its `Cargo.toml`, since the pixel loop, not optimised, takes more stack than
+//! threads have:
+//!
+//! ```toml
+//! [profile.dev.package."*"]
+//! opt-level = 1
+//! ```
+//!
 //! The crate re-exports the others under short names, and what most programs need at the top. The command `glanz` is the
 //! package `glanz-cli`.
 //!
