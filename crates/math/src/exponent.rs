@@ -3,6 +3,14 @@
 use crate::Real;
 
 /// An exponent n >= 0 of [`Real::power`], and what follows from it.
+///
+/// ```
+/// use glanz_math::{Exponent, Real};
+///
+/// // A highlight of exponent 2 at half its cosine, by a product; one of exponent 0.5, by a logarithm.
+/// assert_eq!(0.5f32.power(&Exponent::new(2.0)), 0.25);
+/// assert!((0.25f32.power(&Exponent::new(0.5)) - 0.5).abs() < 1e-6);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponent {
     n: f64,
