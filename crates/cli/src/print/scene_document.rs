@@ -294,29 +294,9 @@ impl LightFacts {
                 ..Self::default()
             },
             LightKind::Area { shape, position, direction, up, two_sided } => {
-                let position = vector(position);
-                match *shape {
-                    AreaShape::Sphere { radius } => {
-                        Self { kind: "sphere", position, radius: Some(radius), ..Self::default() }
-                    }
-                    AreaShape::Disk { radius } => Self {
-                        kind: "disk",
-                        position,
-                        direction: vector(direction),
-                        two_sided: Some(*two_sided),
-                        radius: Some(radius),
-                        ..Self::default()
-                    },
-                    AreaShape::Rectangle { width, height } => Self {
-                        kind: "rectangle",
-                        position,
-                        direction: vector(direction),
-                        two_sided: Some(*two_sided),
-                        size: Some([width, height]),
-                        up: vector(up),
-                        ..Self::default()
-                    },
-                }
+                let area = || Self { position: vector(position), ..Self::default() };
+                let directed = Self { direction: vector(direction), two_sided: Some(*two_sided), ..area() };
+                Self::of_shape(shape, up, area(), directed)
             }
             LightKind::Environment { map, rotation } => Self {
                 kind: "environment",
@@ -324,6 +304,16 @@ impl LightFacts {
                 rotation: Some(rotation.to_cols_array_2d()),
                 ..Self::default()
             },
+        }
+    }
+    /// The keys of an area's form, beside those of a sphere and of what has a direction.
+    fn of_shape(shape: &AreaShape, up: &DVec3, sphere: Self, directed: Self) -> Self {
+        match *shape {
+            AreaShape::Sphere { radius } => Self { kind: "sphere", radius: Some(radius), ..sphere },
+            AreaShape::Disk { radius } => Self { kind: "disk", radius: Some(radius), ..directed },
+            AreaShape::Rectangle { width, height } => {
+                Self { kind: "rectangle", size: Some([width, height]), up: Some(up.to_array()), ..directed }
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use glanz_bsdf::{DirectionPair, LightTerm, Model, ModelInfo, ShapeVisitor, Side}
 use glanz_math::Real;
 
 /// The most operations of a model inside the loop, with an exponent that makes its power a product. The classic
-/// highlights take up to 17.
+/// highlights take up to 15.
 const MOST_OPERATIONS: u32 = 20;
 
 /// Whether the loop holds a model: one of the classic block of coefficients, which has no parameter or an exponent
