@@ -14,7 +14,7 @@ const SCRIPT: &str = "xtask/data/tables.py";
 const TABLES: &str = "crates/color/data";
 
 /// Writes all tables anew.
-pub fn renew(workspace: &Workspace) -> Result<()> {
+pub(crate) fn renew(workspace: &Workspace) -> Result<()> {
     let folder = workspace.path(TABLES);
     write(workspace, &folder)?;
     println!("{} tables are in {TABLES}", tables(&folder)?.len());
@@ -22,7 +22,7 @@ pub fn renew(workspace: &Workspace) -> Result<()> {
 }
 
 /// Writes all tables into the target folder and compares them with those that are kept.
-pub fn check(workspace: &Workspace) -> Result<()> {
+pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let folder = workspace.target_folder("data-check")?;
     for name in tables(&folder)?.keys() {
         std::fs::remove_file(folder.join(name)).map_err(Failure::during(name))?;
@@ -50,7 +50,7 @@ fn python(workspace: &Workspace) -> Result<PathBuf> {
 
 /// A Python in a folder of the target folder, with the packages of a file; made where it is missing or out of
 /// date.
-pub fn python_with(workspace: &Workspace, folder: &str, requirements: &str) -> Result<PathBuf> {
+pub(crate) fn python_with(workspace: &Workspace, folder: &str, requirements: &str) -> Result<PathBuf> {
     let home = workspace.target().join(folder);
     let (folder, name) = if cfg!(windows) { ("Scripts", "python.exe") } else { ("bin", "python") };
     let python = home.join(folder).join(name);

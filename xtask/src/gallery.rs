@@ -11,7 +11,7 @@ const README_PICTURE: (&str, &str, &[&str]) =
     ("docs/picture.png", "examples/teapot.toml", &["--size", "960x540", "--samples", "16"]);
 
 /// Draws every example small and checks that each shows something.
-pub fn try_examples(workspace: &Workspace) -> Result<()> {
+pub(crate) fn try_examples(workspace: &Workspace) -> Result<()> {
     let glanz = workspace.glanz(Profile::Dev)?;
     let folder = workspace.target_folder("examples-drawn")?;
     let scenes = workspace.examples()?;
@@ -26,7 +26,7 @@ pub fn try_examples(workspace: &Workspace) -> Result<()> {
 }
 
 /// Draws all examples at their own size into `target/gallery/`, then the README's picture.
-pub fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
+pub(crate) fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
     let glanz = workspace.glanz(Profile::Release)?;
     if !only_readme {
         let folder = workspace.target_folder("gallery")?;

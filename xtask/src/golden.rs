@@ -11,7 +11,7 @@ use crate::{Failure, Result};
 
 /// Which paths are compared with the gold pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Paths {
+pub(crate) enum Paths {
     /// The one that drew them.
     Narrowest,
     /// All that this machine has.
@@ -45,12 +45,12 @@ struct Studio<'a> {
 }
 
 /// The task `golden`.
-pub fn run(workspace: &Workspace) -> Result<()> {
+pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     compare(workspace, Paths::All)
 }
 
 /// Draws all gold pictures and compares them with the kept ones.
-pub fn compare(workspace: &Workspace, paths: Paths) -> Result<()> {
+pub(crate) fn compare(workspace: &Workspace, paths: Paths) -> Result<()> {
     let studio = Studio::open(workspace)?;
     let mut complaints = studio.orphans()?;
     let mut rows = Vec::new();
@@ -79,7 +79,7 @@ pub fn compare(workspace: &Workspace, paths: Paths) -> Result<()> {
 }
 
 /// Writes all gold pictures anew and shows what changed.
-pub fn renew(workspace: &Workspace) -> Result<()> {
+pub(crate) fn renew(workspace: &Workspace) -> Result<()> {
     let studio = Studio::open(workspace)?;
     let mut rows = Vec::new();
     for gold in &studio.golds {

@@ -6,7 +6,7 @@ use crate::workspace::{Workspace, run, run_quietly};
 use crate::{Failure, Result};
 
 /// Builds and runs all examples of the library, with a folder for what they write.
-pub fn run_all(workspace: &Workspace) -> Result<()> {
+pub(crate) fn run_all(workspace: &Workspace) -> Result<()> {
     let sources = workspace.path("crates/glanz/examples");
     let folder = workspace.target_folder("library-examples")?;
     run(&mut workspace.cargo("build --quiet --package glanz --examples"))?;

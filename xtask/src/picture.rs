@@ -8,7 +8,7 @@ use crate::{Failure, Result};
 
 /// Rows of 8-bit RGBA from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// Width in pixels.
     pub width: usize,
     /// Height in pixels.
@@ -19,7 +19,7 @@ pub struct Picture {
 
 /// Where two pictures differ.
 #[derive(Debug, PartialEq)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// How many pixels.
     pub pixels: usize,
     /// By how much at most, in codes.
@@ -30,12 +30,12 @@ pub struct Difference {
 
 impl Picture {
     /// All pixels of one colour.
-    pub fn plain(width: usize, height: usize, color: [u8; 4]) -> Self {
+    pub(crate) fn plain(width: usize, height: usize, color: [u8; 4]) -> Self {
         Self { width, height, rgba: color.repeat(width * height) }
     }
 
     /// From a PNG file, whatever its colour type; 16-bit samples lose their lower half.
-    pub fn read(path: &Path) -> Result<Self> {
+    pub(crate) fn read(path: &Path) -> Result<Self> {
         let file = File::open(path).map_err(Failure::during(path.display()))?;
         let mut decoder = png::Decoder::new(BufReader::new(file));
         decoder
@@ -57,7 +57,7 @@ impl Picture {
     }
 
     /// Into a PNG file; without an alpha channel where all is opaque.
-    pub fn write(&self, path: &Path) -> Result<()> {
+    pub(crate) fn write(&self, path: &Path) -> Result<()> {
         let failed = || Failure::during::<png::EncodingError>(path.display());
         let file = File::create(path).map_err(Failure::during(path.display()))?;
         let mut encoder = png::Encoder::new(BufWriter::new(file), self.width as u32, self.height as u32);
@@ -73,12 +73,12 @@ impl Picture {
     }
 
     /// Whether every pixel has the same colour: nothing was drawn.
-    pub fn is_uniform(&self) -> bool {
+    pub(crate) fn is_uniform(&self) -> bool {
         self.rgba.chunks_exact(4).all(|pixel| pixel == &self.rgba[..4])
     }
 
     /// Where `other` differs; a different size is an error.
-    pub fn difference(&self, other: &Self) -> Result<Option<Difference>> {
+    pub(crate) fn difference(&self, other: &Self) -> Result<Option<Difference>> {
         if (self.width, self.height) != (other.width, other.height) {
             return Err(Failure::new(format!(
                 "{}×{} pixels, but {}×{} were expected",
@@ -99,7 +99,7 @@ impl Picture {
     }
 
     /// The difference of each channel times `factor`, opaque; pictures of the same size.
-    pub fn amplified_difference(&self, other: &Self, factor: u8) -> Self {
+    pub(crate) fn amplified_difference(&self, other: &Self, factor: u8) -> Self {
         let mut result = Self::plain(self.width, self.height, [0, 0, 0, 255]);
         let pairs = self.rgba.chunks_exact(4).zip(other.rgba.chunks_exact(4));
         for (to, (a, b)) in result.rgba.chunks_exact_mut(4).zip(pairs) {
@@ -121,7 +121,7 @@ impl Picture {
     }
 
     /// Rows of pictures on grey, with a margin around each.
-    pub fn sheet(rows: &[Vec<Self>]) -> Self {
+    pub(crate) fn sheet(rows: &[Vec<Self>]) -> Self {
         const MARGIN: usize = 4;
         let across = |row: &Vec<Self>| row.iter().map(|picture| picture.width + MARGIN).sum::<usize>();
         let down = |row: &Vec<Self>| row.iter().map(|picture| picture.height).max().unwrap_or(0) + MARGIN;

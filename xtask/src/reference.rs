@@ -8,7 +8,7 @@ use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Compares the page with the schema that `glanz schema` prints.
-pub fn check(workspace: &Workspace) -> Result<()> {
+pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let glanz = workspace.glanz(Profile::Dev)?;
     let schema = run_quietly(workspace.command(glanz).arg("schema"))?;
     let schema: Value = serde_json::from_slice(&schema).map_err(Failure::during("glanz schema"))?;

@@ -4,7 +4,7 @@ use crate::workspace::{Workspace, run};
 use crate::{Result, golden};
 
 /// Writes anew what the tests compare the code with, and shows which files that changed.
-pub fn run_all(workspace: &Workspace, pictures: bool) -> Result<()> {
+pub(crate) fn run_all(workspace: &Workspace, pictures: bool) -> Result<()> {
     run(workspace.cargo("test --quiet --package glanz-bsdf --test page").env("GLANZ_RENEW_DOCS", "1"))?;
     run(workspace
         .cargo("test --quiet --package glanz-cli")

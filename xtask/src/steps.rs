@@ -6,7 +6,7 @@ use crate::{Failure, Result};
 
 /// How a step ended.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Outcome {
+pub(crate) enum Outcome {
     /// All well.
     Passed,
     /// Something is wrong: what.
@@ -26,7 +26,7 @@ impl From<Result<()>> for Outcome {
 
 /// The steps run so far.
 #[derive(Default)]
-pub struct Steps {
+pub(crate) struct Steps {
     keep_going: bool,
     only: Option<String>,
     done: Vec<(&'static str, Outcome, Duration)>,
@@ -36,12 +36,12 @@ pub struct Steps {
 impl Steps {
     /// No step yet; `keep_going` runs the later steps even after one has failed, `only` names those
     /// that are run at all by a part of their name.
-    pub fn new(keep_going: bool, only: Option<String>) -> Self {
+    pub(crate) fn new(keep_going: bool, only: Option<String>) -> Self {
         Self { keep_going, only, ..Self::default() }
     }
 
     /// Runs a step, unless an earlier one failed.
-    pub fn run<T: Into<Outcome>>(&mut self, name: &'static str, step: impl FnOnce() -> T) {
+    pub(crate) fn run<T: Into<Outcome>>(&mut self, name: &'static str, step: impl FnOnce() -> T) {
         if self.only.as_ref().is_some_and(|part| !name.contains(part.as_str())) {
             return;
         }
@@ -83,7 +83,7 @@ impl Steps {
     }
 
     /// Prints the summary; fails if any step has.
-    pub fn finish(self) -> Result<()> {
+    pub(crate) fn finish(self) -> Result<()> {
         println!("\n{}", self.summary());
         let failures = self.failures();
         if self.done.is_empty() {

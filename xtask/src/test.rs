@@ -8,7 +8,7 @@ use crate::{Result, data, gallery, golden, library_examples, reference, tour, wa
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
+pub(crate) struct Options {
     /// Leave out what takes long: documentation, examples, other SIMD levels, wasm32.
     pub quick: bool,
     /// Run the later steps even after one has failed.
@@ -18,7 +18,7 @@ pub struct Options {
 }
 
 /// Runs the checks, prints a summary and fails if any did.
-pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
+pub(crate) fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
     checks(workspace, options).finish()
 }
 

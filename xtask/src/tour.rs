@@ -10,7 +10,7 @@ use crate::{Failure, Result};
 const SMALLER: &[(&str, &str)] = &[("--size", "160x120"), ("--frames", "0..3"), ("--repeat", "2")];
 
 /// Runs every line of the README that begins with `glanz`, then draws its scene.
-pub fn run(workspace: &Workspace) -> Result<()> {
+pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     let path = workspace.path("README.md");
     let readme = std::fs::read_to_string(&path).map_err(Failure::during(path.display()))?;
     let glanz = workspace.glanz(Profile::Dev)?;

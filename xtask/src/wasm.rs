@@ -11,12 +11,12 @@ const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-pic
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Checks the libraries for this machine without rayon.
-pub fn serial(workspace: &Workspace) -> Outcome {
+pub(crate) fn serial(workspace: &Workspace) -> Outcome {
     run(&mut workspace.cargo(&format!("check {LIBRARIES} --no-default-features"))).into()
 }
 
 /// Checks the libraries for wasm32 with the first toolchain that has that target.
-pub fn check(workspace: &Workspace) -> Outcome {
+pub(crate) fn check(workspace: &Workspace) -> Outcome {
     let check = format!("check {LIBRARIES} --no-default-features --target {TARGET}");
     let own_folder = workspace.target().join("wasm");
     let mut command = if has_target(&mut workspace.command("rustc")) {

@@ -6,13 +6,13 @@ use std::process::{Command, Stdio};
 use crate::{Failure, Result};
 
 /// The workspace that this program belongs to.
-pub struct Workspace {
+pub(crate) struct Workspace {
     root: PathBuf,
 }
 
 /// How the `glanz` command is built.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Profile {
+pub(crate) enum Profile {
     /// As the tests build it.
     Dev,
     /// As it is used.
@@ -21,18 +21,18 @@ pub enum Profile {
 
 impl Workspace {
     /// The workspace in whose `xtask` folder this program's source lies.
-    pub fn find() -> Self {
+    pub(crate) fn find() -> Self {
         let here = Path::new(env!("CARGO_MANIFEST_DIR"));
         Self { root: here.parent().expect("xtask lies in the workspace's root").to_owned() }
     }
 
     /// A path below the root.
-    pub fn path(&self, below: impl AsRef<Path>) -> PathBuf {
+    pub(crate) fn path(&self, below: impl AsRef<Path>) -> PathBuf {
         self.root.join(below)
     }
 
     /// The folder of everything built.
-    pub fn target(&self) -> PathBuf {
+    pub(crate) fn target(&self) -> PathBuf {
         match std::env::var_os("CARGO_TARGET_DIR") {
             Some(folder) => self.root.join(folder),
             None => self.root.join("target"),
@@ -40,28 +40,28 @@ impl Workspace {
     }
 
     /// A folder below the target folder, made if need be.
-    pub fn target_folder(&self, name: &str) -> Result<PathBuf> {
+    pub(crate) fn target_folder(&self, name: &str) -> Result<PathBuf> {
         let folder = self.target().join(name);
         std::fs::create_dir_all(&folder).map_err(Failure::during(folder.display()))?;
         Ok(folder)
     }
 
     /// A program that will run in the root.
-    pub fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
+    pub(crate) fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
         let mut command = Command::new(program);
         command.current_dir(&self.root).stdin(Stdio::null());
         command
     }
 
     /// Cargo with these arguments, separated by blanks.
-    pub fn cargo(&self, args: &str) -> Command {
+    pub(crate) fn cargo(&self, args: &str) -> Command {
         let mut command = self.command(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         command.args(args.split_whitespace());
         command
     }
 
     /// Builds the `glanz` command and tells where it is.
-    pub fn glanz(&self, profile: Profile) -> Result<PathBuf> {
+    pub(crate) fn glanz(&self, profile: Profile) -> Result<PathBuf> {
         let (args, folder) = match profile {
             // The whole workspace at once, so that dependencies have the features of the test build
             // and nothing is compiled twice.
@@ -77,7 +77,7 @@ impl Workspace {
     }
 
     /// All scene files in `examples/`, in order of their names.
-    pub fn examples(&self) -> Result<Vec<PathBuf>> {
+    pub(crate) fn examples(&self) -> Result<Vec<PathBuf>> {
         let folder = self.path("examples");
         let entries = std::fs::read_dir(&folder).map_err(Failure::during(folder.display()))?;
         let mut scenes: Vec<PathBuf> = entries
@@ -93,7 +93,7 @@ impl Workspace {
 }
 
 /// Runs a program whose output goes to ours; fails if it does.
-pub fn run(command: &mut Command) -> Result<()> {
+pub(crate) fn run(command: &mut Command) -> Result<()> {
     println!("$ {}", line(command));
     let status = command.status().map_err(Failure::during(line(command)))?;
     match status.success() {
@@ -103,7 +103,7 @@ pub fn run(command: &mut Command) -> Result<()> {
 }
 
 /// Runs a program quietly; fails with what it wrote on standard error if it does.
-pub fn run_quietly(command: &mut Command) -> Result<Vec<u8>> {
+pub(crate) fn run_quietly(command: &mut Command) -> Result<Vec<u8>> {
     let output = command.output().map_err(Failure::during(line(command)))?;
     if output.status.success() {
         return Ok(output.stdout);
@@ -113,7 +113,7 @@ pub fn run_quietly(command: &mut Command) -> Result<Vec<u8>> {
 }
 
 /// Whether a program can be started and ends well.
-pub fn works(command: &mut Command) -> bool {
+pub(crate) fn works(command: &mut Command) -> bool {
     command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 

@@ -33,16 +33,16 @@ impl<'de> Deserialize<'de> for Shape {
 }
 
 /// A Chebyshev series as the list of its coefficients.
-pub mod chebyshev {
+pub(crate) mod chebyshev {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     use crate::Chebyshev;
 
-    pub fn serialize<S: Serializer>(series: &Chebyshev, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(crate) fn serialize<S: Serializer>(series: &Chebyshev, serializer: S) -> Result<S::Ok, S::Error> {
         series.terms.iter().map(|[term]| *term).collect::<Vec<f64>>().serialize(serializer)
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Chebyshev, D::Error> {
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Chebyshev, D::Error> {
         let terms = Vec::<f64>::deserialize(deserializer)?;
         Ok(Chebyshev { terms: terms.into_iter().map(|term| [term]).collect() })
     }

@@ -7,7 +7,7 @@ use super::print;
 use super::print::failure::Failure;
 
 /// The format that the target asks for by its ending.
-pub fn format(target: &Target) -> Result<Format, Failure> {
+pub(crate) fn format(target: &Target) -> Result<Format, Failure> {
     match target {
         Target::Stdout => Ok(Format::Png),
         Target::File(path) => Format::from_path(path).map_err(|error| Failure::Usage(error.to_string())),
@@ -15,7 +15,7 @@ pub fn format(target: &Target) -> Result<Format, Failure> {
 }
 
 /// That the target is a PNG, for pictures that are made of codes only.
-pub fn expect_png(target: &Target, what: &str) -> Result<(), Failure> {
+pub(crate) fn expect_png(target: &Target, what: &str) -> Result<(), Failure> {
     match format(target)? {
         Format::Png => Ok(()),
         other => Err(Failure::Usage(format!("{what} is written as .png, not as {}", other.name()))),
@@ -23,17 +23,17 @@ pub fn expect_png(target: &Target, what: &str) -> Result<(), Failure> {
 }
 
 /// The number for the content of a scene, as files carry it.
-pub fn scene_hash(hash: u64) -> String {
+pub(crate) fn scene_hash(hash: u64) -> String {
     format!("{hash:016x}")
 }
 
 /// What a picture tells about its scene.
-pub fn metadata(hash: u64) -> Metadata {
+pub(crate) fn metadata(hash: u64) -> Metadata {
     Metadata { scene_hash: Some(scene_hash(hash)), ..Metadata::default() }
 }
 
 /// Brings a picture to where it goes. A file is old or new, but never half.
-pub fn deliver(picture: PictureData, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
+pub(crate) fn deliver(picture: PictureData, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
     let format = format(target)?;
     match target {
         Target::Stdout => print::bytes(&picture.to_bytes(format, metadata)?),

@@ -11,7 +11,7 @@ use super::print::number;
 const MAX_FRAMES: u32 = 100_000;
 
 /// `0..120` (without 120) or `0..=119`.
-pub fn range(text: &str) -> Result<Range<u32>, String> {
+pub(crate) fn range(text: &str) -> Result<Range<u32>, String> {
     const EXPECTED: &str = "expected FIRST..END, such as 0..120 for 120 frames from 0 to 119";
     let (first, end) = text.split_once("..").ok_or(EXPECTED)?;
     let (end, inclusive) = end.strip_prefix('=').map_or((end, 0), |end| (end, 1));
@@ -28,7 +28,7 @@ pub fn range(text: &str) -> Result<Range<u32>, String> {
 
 /// A number of the scene that changes evenly during a film.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Motion {
+pub(crate) struct Motion {
     path: String,
     from: f64,
     to: f64,
@@ -36,7 +36,7 @@ pub struct Motion {
 
 impl Motion {
     /// `PATH=FROM:TO`.
-    pub fn parse(text: &str) -> Result<Self, String> {
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
         const EXPECTED: &str = "expected PATH=FROM:TO, such as camera.fov_deg=20:60";
         let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
         let (from, to) = values.split_once(':').ok_or(EXPECTED)?;
@@ -49,7 +49,7 @@ impl Motion {
     }
 
     /// What to set after a part of the film.
-    pub fn at(&self, part: f64) -> (String, String) {
+    pub(crate) fn at(&self, part: f64) -> (String, String) {
         // Not more digits than a value that is set by hand would have.
         (self.path.clone(), number(self.from + (self.to - self.from) * part))
     }
@@ -57,7 +57,7 @@ impl Motion {
 
 /// A file name with a place for the frame's number: `{frame}`, or `{frame:04}` for four digits.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Template {
+pub(crate) struct Template {
     before: String,
     after: String,
     digits: usize,
@@ -65,7 +65,7 @@ pub struct Template {
 
 impl Template {
     /// The template in `text`; `None` if there is no place for a number.
-    pub fn parse(text: &str) -> Option<Self> {
+    pub(crate) fn parse(text: &str) -> Option<Self> {
         let (before, rest) = text.split_once("{frame")?;
         let (format, after) = rest.split_once('}')?;
         let digits = match format.strip_prefix(':') {
@@ -77,7 +77,7 @@ impl Template {
     }
 
     /// The name of frame `number`.
-    pub fn name(&self, number: u32) -> String {
+    pub(crate) fn name(&self, number: u32) -> String {
         format!("{}{number:0digits$}{}", self.before, self.after, digits = self.digits)
     }
 }
@@ -85,7 +85,7 @@ impl Template {
 /// The camera after `part` of a full turn around its target, counter-clockwise seen from above.
 ///
 /// The axis is the camera's `up`, so that the horizon stays level.
-pub fn turned(camera: &Camera, part: f64) -> Camera {
+pub(crate) fn turned(camera: &Camera, part: f64) -> Camera {
     if part == 0.0 {
         // The picture before the first turn is that without any, to the last bit.
         return *camera;

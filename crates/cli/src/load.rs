@@ -10,12 +10,16 @@ use super::args::{CameraArgs, InputArgs};
 use super::print::failure::{Failure, Report, without_number};
 
 /// A scene and what belongs to it.
-pub type Input = Opened;
+pub(crate) type Input = Opened;
 
 impl InputArgs {
     /// Reads the file, with the values that `--set` gives and then those in `more`. The camera that
     /// `camera` names is among the input's cameras.
-    pub fn load(&self, camera: Option<&CameraArgs>, more: &[(String, String)]) -> Result<Input, Failure> {
+    pub(crate) fn load(
+        &self,
+        camera: Option<&CameraArgs>,
+        more: &[(String, String)],
+    ) -> Result<Input, Failure> {
         let sets = self.set.iter().chain(more).cloned().collect();
         let mut options = LoadOptions { allow_outside: self.allow_outside, sets };
         // A scene finds a camera of its models itself, if its own `camera` is a name.
@@ -43,7 +47,7 @@ impl InputArgs {
 }
 
 /// The input that a scene made in code is.
-pub fn input_of_stage(scene: Scene) -> Input {
+pub(crate) fn input_of_stage(scene: Scene) -> Input {
     Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true }
 }
 

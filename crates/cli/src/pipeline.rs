@@ -18,7 +18,7 @@ use super::progress::Progress;
 
 /// How pictures of one scene are made, as the command line has it.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub(crate) struct Plan {
     /// What the picture is made with.
     pub options: ShotOptions,
     /// The SIMD instructions that `GLANZ_SIMD` names.
@@ -27,7 +27,7 @@ pub struct Plan {
 
 impl Plan {
     /// How the pictures of `input` are made, in this size if not in the scene's own.
-    pub fn new(
+    pub(crate) fn new(
         input: &Input,
         size: Option<(u32, u32)>,
         look: &LookArgs,
@@ -59,19 +59,19 @@ impl Plan {
     }
 
     /// The scene, prepared to be drawn.
-    pub fn shot(&self, scene: &Scene) -> Result<Shot, Failure> {
+    pub(crate) fn shot(&self, scene: &Scene) -> Result<Shot, Failure> {
         Ok(Shot::with(scene, self.options.clone())?.on_level(self.level))
     }
 
     /// The same with another shading.
-    pub fn shot_shaded(&self, scene: &Scene, shading: Shading) -> Result<Shot, Failure> {
+    pub(crate) fn shot_shaded(&self, scene: &Scene, shading: Shading) -> Result<Shot, Failure> {
         let mut options = self.options.clone();
         options.prepare.shading = Some(shading);
         Ok(Shot::with(scene, options)?.on_level(self.level))
     }
 
     /// Width and height of the pictures.
-    pub fn size(&self) -> (usize, usize) {
+    pub(crate) fn size(&self) -> (usize, usize) {
         (self.options.size.0 as usize, self.options.size.1 as usize)
     }
 }
@@ -85,12 +85,12 @@ fn simd_level() -> Result<SimdLevel, Failure> {
 }
 
 /// Points a shot's camera after a part of a full turn around its target.
-pub fn turn(shot: &mut Shot, camera: &Camera, part: f64) -> Result<(), Failure> {
+pub(crate) fn turn(shot: &mut Shot, camera: &Camera, part: f64) -> Result<(), Failure> {
     Ok(shot.set_camera(turned(camera, part))?)
 }
 
 /// Draws a picture.
-pub fn picture(
+pub(crate) fn picture(
     shot: &mut Shot,
     kind: PictureKind,
     timings: &mut Timings,
@@ -122,7 +122,11 @@ fn without_spectra(error: ShotError) -> Failure {
 }
 
 /// Draws 8-bit codes.
-pub fn codes(shot: &mut Shot, timings: &mut Timings, progress: &mut Progress) -> Result<Canvas, Failure> {
+pub(crate) fn codes(
+    shot: &mut Shot,
+    timings: &mut Timings,
+    progress: &mut Progress,
+) -> Result<Canvas, Failure> {
     let (width, height) = (shot.view().width as usize, shot.view().height as usize);
     if takes_several_frames(shot.prepared()) {
         let frame = timings.measure(Stage::Draw, || frame(shot, Aovs::default(), progress))?;
@@ -135,7 +139,7 @@ pub fn codes(shot: &mut Shot, timings: &mut Timings, progress: &mut Progress) ->
 }
 
 /// Draws linear light with object numbers, and develops it.
-pub fn developed(shot: &mut Shot, progress: &mut Progress) -> Result<Developed, Failure> {
+pub(crate) fn developed(shot: &mut Shot, progress: &mut Progress) -> Result<Developed, Failure> {
     let frame = frame(shot, Aovs { object: true, ..Aovs::default() }, progress)?;
     let frame = shot.on_screen(frame)?;
     let codes = codes_of(shot, &frame)?;
@@ -154,7 +158,7 @@ fn codes_of(shot: &Shot, screen: &Frame) -> Result<Vec<u8>, Failure> {
 }
 
 /// The picture as a screen shows it.
-pub fn on_screen(shot: &Shot, picture: &PictureData) -> Result<Canvas, Failure> {
+pub(crate) fn on_screen(shot: &Shot, picture: &PictureData) -> Result<Canvas, Failure> {
     Ok(match picture {
         PictureData::Codes8 { width, height, rgba } => {
             Canvas { width: *width, height: *height, rgba: rgba.clone() }

@@ -13,7 +13,7 @@ const STEPS: usize = 1000;
 /// Progress through a number of things, such as pictures, and through the one that is being made. There is
 /// one bar for all of it.
 #[derive(Debug)]
-pub struct Progress {
+pub(crate) struct Progress {
     total: usize,
     done: usize,
     start: Instant,
@@ -23,17 +23,17 @@ pub struct Progress {
 
 impl Progress {
     /// Progress through `total` things called `what`.
-    pub fn new(total: usize, what: &'static str) -> Self {
+    pub(crate) fn new(total: usize, what: &'static str) -> Self {
         Self { total, done: 0, start: Instant::now(), what, bar: None }
     }
 
     /// Progress through one picture alone.
-    pub fn of_one_picture() -> Self {
+    pub(crate) fn of_one_picture() -> Self {
         Self::new(1, "pictures")
     }
 
     /// One more is done.
-    pub fn step(&mut self) {
+    pub(crate) fn step(&mut self) {
         self.done += 1;
         if self.total > 1 {
             self.show(0.0);
@@ -41,7 +41,7 @@ impl Progress {
     }
 
     /// This part of the next one is done, 0 to 1.
-    pub fn within(&mut self, part: f64) {
+    pub(crate) fn within(&mut self, part: f64) {
         self.show(part);
     }
 

@@ -11,7 +11,7 @@ macro_rules! names {
             $($(#[doc = $help])+ #[serde(rename = $text)] $variant),+
         }
 
-        #[allow(dead_code, reason = "the private lists are not printed")]
+        #[allow(dead_code, unreachable_pub, reason = "some lists are private, and not printed")]
         impl $name {
             /// All of them, with their names and what they mean.
             pub const ALL: &[(Self, &'static str, &'static str)] =

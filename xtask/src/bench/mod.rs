@@ -20,7 +20,7 @@ use crate::{Failure, Result};
 
 /// What is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
+pub(crate) struct Options {
     /// Fewer frames.
     pub quick: bool,
     /// The peers, too.
@@ -32,7 +32,7 @@ pub struct Options {
 }
 
 /// Measures, then prints the tables.
-pub fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
+pub(crate) fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
     let mut lines = Vec::new();
     if !options.only_peers {
         let quick = if options.quick { " -- --quick" } else { "" };

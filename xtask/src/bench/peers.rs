@@ -15,7 +15,7 @@ use crate::workspace::{Workspace, run, works};
 const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
 
 /// Runs both peers. One that cannot be set up is a loud line, and the other still runs.
-pub fn run_all(workspace: &Workspace, quick: bool) -> Vec<Value> {
+pub(super) fn run_all(workspace: &Workspace, quick: bool) -> Vec<Value> {
     let mut lines = Vec::new();
     for (name, result) in [("llvmpipe", llvmpipe(workspace, quick)), ("euc", euc(workspace, quick))] {
         match result {
@@ -31,7 +31,7 @@ fn llvmpipe(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
 }
 
 /// Glanz and llvmpipe in turn; a table.
-pub fn in_turn(workspace: &Workspace, quick: bool) -> Result<String> {
+pub(super) fn in_turn(workspace: &Workspace, quick: bool) -> Result<String> {
     let mut command = llvmpipe_command(workspace)?;
     command.arg("--serve");
     turns::run_all(workspace, command, quick)

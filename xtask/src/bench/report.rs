@@ -14,7 +14,7 @@ const MARK: &str = "<!-- measured -->";
 const LIGHTS: [u64; 3] = [1, 4, 8];
 
 /// All tables, with date, processor and command.
-pub fn report(workspace: &Workspace, lines: &[Value], options: &Options) -> String {
+pub(super) fn report(workspace: &Workspace, lines: &[Value], options: &Options) -> String {
     let mut text = format!("Measured on {} with `{}`.\n", date(workspace), command(options));
     let _ = writeln!(text, "Processor: {}, {} threads.", processor(), threads());
     let frames: Vec<&Value> = lines.iter().filter(|line| line["sphere"].is_string()).collect();
@@ -30,7 +30,7 @@ pub fn report(workspace: &Workspace, lines: &[Value], options: &Options) -> Stri
 }
 
 /// Puts the report into `docs/BENCHMARKS.md`, in place of the last one.
-pub fn write(workspace: &Workspace, report: &str) -> Result<()> {
+pub(super) fn write(workspace: &Workspace, report: &str) -> Result<()> {
     let path = workspace.path("docs/BENCHMARKS.md");
     let old = std::fs::read_to_string(&path).map_err(Failure::during(path.display()))?;
     let (head, _) = old

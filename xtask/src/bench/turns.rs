@@ -41,7 +41,7 @@ struct Times {
 }
 
 /// Lets them draw in turn; gives the tables of what they took.
-pub fn run_all(workspace: &Workspace, llvmpipe: Command, quick: bool) -> Result<String> {
+pub(super) fn run_all(workspace: &Workspace, llvmpipe: Command, quick: bool) -> Result<String> {
     run(&mut workspace.cargo("build --release --quiet --package glanz-render --example bench"))?;
     let bench = workspace.target().join("release/examples/bench");
     let mut players = vec![Player::start("llvmpipe, 2 threads", llvmpipe)?];

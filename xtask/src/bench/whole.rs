@@ -45,7 +45,7 @@ material = \"red\"
 const SILHOUETTE: f64 = 0.7;
 
 /// Measures time and memory of `glanz render`.
-pub fn run_all(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
+pub(super) fn run_all(workspace: &Workspace, quick: bool) -> Result<Vec<Value>> {
     let glanz = workspace.glanz(Profile::Release)?;
     let folder = workspace.target_folder("bench")?;
     let scene = folder.join("sphere.toml");

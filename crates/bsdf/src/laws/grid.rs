@@ -51,17 +51,17 @@ impl Place {
     }
 
     /// The pair in `f64`.
-    pub fn pair(&self) -> DirectionPair<f64> {
+    pub(super) fn pair(&self) -> DirectionPair<f64> {
         DirectionPair::new(self.wo, self.wi)
     }
 
     /// The pair of the directions rounded to `f32`.
-    pub fn pair_f32(&self) -> DirectionPair<f32> {
+    pub(super) fn pair_f32(&self) -> DirectionPair<f32> {
         DirectionPair::new(to_f32(self.wo), to_f32(self.wi))
     }
 
     /// Its angles in words.
-    pub fn words(&self) -> String {
+    pub(super) fn words(&self) -> String {
         let degrees = |radians: f64| radians * 180.0 / PI;
         let number = |v: f64| {
             let text = format!("{v:.3}");

@@ -11,7 +11,7 @@ use crate::print::failure::Failure;
 /// Another camera than the scene's.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Camera")]
-pub struct CameraArgs {
+pub(crate) struct CameraArgs {
     /// A camera of the model by its name or its number, from 0
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
@@ -36,7 +36,7 @@ pub struct CameraArgs {
 impl CameraArgs {
     /// The camera to use: the one named, or the scene's, or one that shows everything; with the
     /// numbers given instead of its own.
-    pub fn resolve(
+    pub(crate) fn resolve(
         &self,
         Input { scene, cameras, .. }: &Input,
         (width, height): (u32, u32),

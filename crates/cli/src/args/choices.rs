@@ -32,33 +32,33 @@ where
 }
 
 /// Parses the name of a shading.
-pub fn shading() -> impl TypedValueParser<Value = Shading> {
+pub(crate) fn shading() -> impl TypedValueParser<Value = Shading> {
     parser(Shading::ALL)
 }
 
 /// Parses the name of an interpolation.
-pub fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
+pub(crate) fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
     parser(Interpolation::ALL)
 }
 
 /// Parses the name of a view.
-pub fn show() -> impl TypedValueParser<Value = DebugView> {
+pub(crate) fn show() -> impl TypedValueParser<Value = DebugView> {
     parser(DebugView::ALL)
 }
 
 /// Parses the name of a tone map.
-pub fn tone_map() -> impl TypedValueParser<Value = ToneMap> {
+pub(crate) fn tone_map() -> impl TypedValueParser<Value = ToneMap> {
     parser(TONE_MAPS)
 }
 
 /// Parses the name of a model of highlights.
-pub fn highlight_model() -> impl TypedValueParser<Value = String> {
+pub(crate) fn highlight_model() -> impl TypedValueParser<Value = String> {
     let models = MODELS.iter().filter(|info| info.term == LightTerm::Specular);
     PossibleValuesParser::new(models.map(|info| PossibleValue::new(info.name).help(info.title)))
 }
 
 /// Parses a number of samples.
-pub fn samples() -> impl TypedValueParser<Value = u32> {
+pub(crate) fn samples() -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(["1", "2", "4", "8", "16"])
         .map(|text| text.parse().expect("the parser lets only numbers through"))
 }

@@ -11,7 +11,7 @@ use crate::print::failure::Failure;
 /// Colour otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Colour")]
-pub struct ColorArgs {
+pub(crate) struct ColorArgs {
     /// How colour is treated: rgb, spectral, meyer, meyer-adapted, sampled:N (N wavelengths), or
     /// reference (slow) [default: the scene's, else rgb]
     #[arg(long, value_name = "MODE", value_parser = |text: &str| text.parse::<ColorMode>())]
@@ -36,7 +36,7 @@ fn white() -> impl TypedValueParser<Value = White> {
 
 /// How a scene is seen.
 #[derive(Clone, Debug)]
-pub struct Look {
+pub(crate) struct Look {
     /// Observer and colour mode.
     pub observation: Observation,
     /// The white of the screen.
@@ -45,7 +45,7 @@ pub struct Look {
 
 impl ColorArgs {
     /// Observer, mode and white for a scene. Views that show no light know no colour mode.
-    pub fn resolve(&self, scene: &Scene, show: DebugView) -> Result<Look, Failure> {
+    pub(crate) fn resolve(&self, scene: &Scene, show: DebugView) -> Result<Look, Failure> {
         let white = self.white.unwrap_or(scene.render.white);
         let mode = self.mode.unwrap_or(scene.render.mode);
         if !show.is_light() {

@@ -8,7 +8,7 @@ use super::values;
 
 /// The scene or model, and what to change of it.
 #[derive(Args, Clone, Debug)]
-pub struct InputArgs {
+pub(crate) struct InputArgs {
     /// A scene (.toml) or a model (.glb, .gltf, .obj, .ply, .stl)
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
     pub input: PathBuf,

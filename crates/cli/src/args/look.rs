@@ -10,7 +10,7 @@ use crate::print::failure::Failure;
 /// What to draw otherwise than the scene says.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Picture")]
-pub struct LookArgs {
+pub(crate) struct LookArgs {
     /// Samples per pixel for smooth edges [default: the scene's, else 4]
     #[arg(long, value_name = "N", value_parser = choices::samples())]
     pub samples: Option<u32>,
@@ -45,7 +45,7 @@ pub struct LookArgs {
 
 impl LookArgs {
     /// The picture to be made of this scene, in this size if not in its own.
-    pub fn image(&self, scene: &Scene, size: Option<(u32, u32)>) -> Image {
+    pub(crate) fn image(&self, scene: &Scene, size: Option<(u32, u32)>) -> Image {
         let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
         Image {
             width,
@@ -57,7 +57,7 @@ impl LookArgs {
     }
 
     /// What to change of the scene before it is drawn.
-    pub fn prepare_options(&self, observation: Observation) -> PrepareOptions {
+    pub(crate) fn prepare_options(&self, observation: Observation) -> PrepareOptions {
         PrepareOptions {
             shading: self.shading,
             interpolation: self.interpolation,
@@ -67,7 +67,7 @@ impl LookArgs {
     }
 
     /// How to draw this picture; `show` is the scene's own view.
-    pub fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
+    pub(crate) fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
         Ok(DrawOptions {
             samples: image.samples.try_into().map_err(|error: SamplesError| Failure::new(error))?,
             supersample: image.supersample,

@@ -1,7 +1,7 @@
 //! Groups of options that commands share. Help, completions and documentation come from here.
 
 mod camera;
-pub mod choices;
+pub(crate) mod choices;
 mod color;
 mod input;
 mod look;
@@ -9,13 +9,13 @@ mod picture;
 mod target;
 mod values;
 
-pub use camera::CameraArgs;
-pub use color::ColorArgs;
-pub use input::InputArgs;
-pub use look::LookArgs;
-pub use picture::{BitDepth, DevelopArgs};
-pub use target::{Target, TargetArgs, check_folder};
-pub use values::{angles, assignment, numbers, size};
+pub(crate) use camera::CameraArgs;
+pub(crate) use color::ColorArgs;
+pub(crate) use input::InputArgs;
+pub(crate) use look::LookArgs;
+pub(crate) use picture::{BitDepth, DevelopArgs};
+pub(crate) use target::{Target, TargetArgs, check_folder};
+pub(crate) use values::{angles, assignment, numbers, size};
 
 use clap::Args;
 
@@ -24,7 +24,7 @@ use crate::print::failure::Failure;
 /// How large the picture is.
 #[derive(Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Picture")]
-pub struct SizeArgs {
+pub(crate) struct SizeArgs {
     /// Width and height in pixels [default: the scene's, else 800x600]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
@@ -33,7 +33,7 @@ pub struct SizeArgs {
 /// How the machine is used.
 #[derive(Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Machine")]
-pub struct MachineArgs {
+pub(crate) struct MachineArgs {
     /// How many threads draw; the picture does not depend on it [default: all processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -41,7 +41,7 @@ pub struct MachineArgs {
 
 impl MachineArgs {
     /// Sets the number of threads for the whole process. Threads start when there is work for them.
-    pub fn apply(self) -> Result<(), Failure> {
+    pub(crate) fn apply(self) -> Result<(), Failure> {
         let Some(threads) = self.threads else {
             return Ok(());
         };

@@ -9,7 +9,7 @@ use crate::print::failure::Failure;
 
 /// Bits per channel of a PNG.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum BitDepth {
+pub(crate) enum BitDepth {
     /// 256 steps
     #[default]
     #[value(name = "8")]
@@ -22,7 +22,7 @@ pub enum BitDepth {
 /// From linear light to a picture.
 #[derive(Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Development")]
-pub struct DevelopArgs {
+pub(crate) struct DevelopArgs {
     /// Exposure in stops: 1 doubles the light
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     pub ev: Option<f32>,
@@ -38,7 +38,7 @@ pub struct DevelopArgs {
 
 impl DevelopArgs {
     /// The settings, checked: those of the scene where the command line has none.
-    pub fn resolve(self, settings: &RenderSettings) -> Result<Develop, Failure> {
+    pub(crate) fn resolve(self, settings: &RenderSettings) -> Result<Develop, Failure> {
         let ev = self.ev.unwrap_or(settings.ev as f32);
         if !(-64.0..=64.0).contains(&ev) {
             return Err(Failure::Usage(format!("--ev is {ev}, but must be between -64 and 64 stops")));

@@ -11,7 +11,7 @@ use crate::print::failure::{Failure, Report};
 /// Where the picture goes.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Output")]
-pub struct TargetArgs {
+pub(crate) struct TargetArgs {
     /// The picture's file, its format by its ending; - for a PNG to stdout [default: beside the
     /// input, never over an existing file]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -24,7 +24,7 @@ pub struct TargetArgs {
 
 /// Where the picture goes, checked before any work is done.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
+pub(crate) enum Target {
     /// To whoever reads our output, as PNG.
     Stdout,
     /// Into this file.
@@ -33,7 +33,7 @@ pub enum Target {
 
 impl Target {
     /// The file's name, for programs.
-    pub fn file(&self) -> Option<String> {
+    pub(crate) fn file(&self) -> Option<String> {
         match self {
             Self::Stdout => None,
             Self::File(path) => Some(path.display().to_string()),
@@ -44,7 +44,7 @@ impl Target {
 impl TargetArgs {
     /// Where the picture goes; without `-o` into a file beside `input`, with `ending` for its own
     /// name's: `model.glb` and `.png` make `model.png`.
-    pub fn resolve(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
+    pub(crate) fn resolve(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
         let target = self.named(input, ending)?;
         if let Target::File(path) = &target {
             check_folder(path)?;
@@ -54,7 +54,7 @@ impl TargetArgs {
     }
 
     /// The same, with nothing asked of the file system.
-    pub fn named(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
+    pub(crate) fn named(&self, input: &Path, ending: &str) -> Result<Target, Failure> {
         match &self.output {
             Some(path) if path == OsStr::new("-") => {
                 if io::stdout().is_terminal() {
@@ -69,7 +69,7 @@ impl TargetArgs {
     }
 
     /// That a file which the user did not name may be written.
-    pub fn check_free(&self, path: &Path) -> Result<(), Failure> {
+    pub(crate) fn check_free(&self, path: &Path) -> Result<(), Failure> {
         if self.output.is_none() && !self.force && path.exists() {
             let report = Report::new(format_args!("'{}' exists already", path.display())).file(path);
             return Err(report.help("write over it with --force, or choose another file with -o").into());
@@ -79,14 +79,14 @@ impl TargetArgs {
 }
 
 /// The file beside `input` whose name has `ending` in place of its own.
-pub fn beside(input: &Path, ending: &str) -> PathBuf {
+pub(super) fn beside(input: &Path, ending: &str) -> PathBuf {
     let mut name = input.file_stem().unwrap_or(OsStr::new("picture")).to_owned();
     name.push(ending);
     input.with_file_name(name)
 }
 
 /// That the folder of a file exists and the file is none.
-pub fn check_folder(path: &Path) -> Result<(), Failure> {
+pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
         let report = Report::new(format_args!("cannot write '{}'", path.display())).file(path);

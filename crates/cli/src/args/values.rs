@@ -7,7 +7,7 @@ use glanz_scene::Background;
 const MAX_SIZE: u32 = 16_384;
 
 /// `WxH` in pixels.
-pub fn size(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
     let (width, height) = text.split_once(['x', '×']).ok_or("expected WIDTHxHEIGHT, such as 800x600")?;
     let side = |name: &str, text: &str| match text.trim().parse::<u64>() {
         Ok(value) if (1..=u64::from(MAX_SIZE)).contains(&value) => Ok(value as u32),
@@ -18,7 +18,7 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
 }
 
 /// `x,y,z`, finite.
-pub fn triple(text: &str) -> Result<[f64; 3], String> {
+pub(super) fn triple(text: &str) -> Result<[f64; 3], String> {
     let values = numbers(text)?;
     values
         .try_into()
@@ -26,7 +26,7 @@ pub fn triple(text: &str) -> Result<[f64; 3], String> {
 }
 
 /// Two angles in degrees: from the normal, and around it.
-pub fn angles(text: &str) -> Result<[f64; 2], String> {
+pub(crate) fn angles(text: &str) -> Result<[f64; 2], String> {
     let [theta, phi]: [f64; 2] = numbers(text)?
         .try_into()
         .map_err(|values: Vec<f64>| format!("expected two angles theta,phi, found {}", values.len()))?;
@@ -37,7 +37,7 @@ pub fn angles(text: &str) -> Result<[f64; 2], String> {
 }
 
 /// Finite numbers between commas.
-pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
+pub(crate) fn numbers(text: &str) -> Result<Vec<f64>, String> {
     let number = |part: &str| match part.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("'{}' is not a finite number", part.trim())),
@@ -46,7 +46,7 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
 }
 
 /// `PATH=VALUE`.
-pub fn assignment(text: &str) -> Result<(String, String), String> {
+pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((path, value)) if !path.trim().is_empty() => {
             Ok((path.trim().to_owned(), value.trim().to_owned()))
@@ -56,7 +56,7 @@ pub fn assignment(text: &str) -> Result<(String, String), String> {
 }
 
 /// `transparent`, `#rrggbb` (sRGB codes), or linear `r,g,b`.
-pub fn background(text: &str) -> Result<Background, String> {
+pub(super) fn background(text: &str) -> Result<Background, String> {
     const EXPECTED: &str = "expected #rrggbb, linear r,g,b, or transparent";
     if text == "transparent" {
         return Ok(Background::Transparent);

@@ -16,7 +16,7 @@ use crate::print::failure::{ErrorFacts, Failure, Report};
 use crate::print::{self, FormatArgs, finite};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz check phong
   glanz check phong blinn-phong --set shininess=8,32
@@ -31,7 +31,7 @@ kept.";
 
 /// Options of `glanz check`.
 #[derive(Args, Debug)]
-pub struct CheckArgs {
+pub(crate) struct CheckArgs {
     /// Names of models, from `glanz bsdf list`
     #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true,
           required_unless_present = "all")]
@@ -55,7 +55,7 @@ pub struct CheckArgs {
 
 impl CheckArgs {
     /// Looks at every combination, and prints what is found.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         let lobes = match self.all {
             true => self.set.lobes(&MODELS.iter().map(|info| info.name.to_owned()).collect::<Vec<_>>())?,
@@ -112,7 +112,7 @@ fn table(lobes: &[Lobe], certificates: &[Certificate]) -> String {
 
 /// What is found of models.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(super) struct Document {
     /// One for each model and each combination of its parameters
     certificates: Vec<CertificateFacts>,
     /// Why the command fails, where a law does

@@ -23,7 +23,7 @@ use crate::print::{self, Format, FormatArgs, finite, number};
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz compare a.png b.png
   glanz compare reference.exr b.exr -o errors.png --metric de2000,flip
@@ -40,7 +40,7 @@ be read or compared.";
 
 /// Options of `glanz compare`.
 #[derive(Args, Debug)]
-pub struct CompareArgs {
+pub(crate) struct CompareArgs {
     /// The picture that the other is compared with (.png, .exr)
     #[arg(value_name = "REFERENCE", value_hint = ValueHint::FilePath)]
     reference: PathBuf,
@@ -81,7 +81,7 @@ pub struct CompareArgs {
 
 impl CompareArgs {
     /// Measures.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         let target = self.target()?;
         let pair = self.pair()?;
@@ -274,7 +274,7 @@ impl CompareArgs {
 
 /// How far two pictures are apart.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(super) struct Document {
     /// The picture that the other is compared with
     reference: String,
     /// The other picture

@@ -8,7 +8,7 @@ use crate::print::failure::Failure;
 
 /// Options of `glanz completions`.
 #[derive(Args, Debug)]
-pub struct CompletionsArgs {
+pub(crate) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum)]
     shell: Shell,
@@ -16,7 +16,7 @@ pub struct CompletionsArgs {
 
 impl CompletionsArgs {
     /// Prints the script.
-    pub fn run(&self, mut command: Command) -> Result<(), Failure> {
+    pub(crate) fn run(&self, mut command: Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut command, "glanz", &mut script);
         print::bytes(&script)

@@ -7,14 +7,14 @@ use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs, Summary};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz info model.glb
   glanz info scene.toml --format json";
 
 /// Options of `glanz info`.
 #[derive(Args, Debug)]
-pub struct InfoArgs {
+pub(crate) struct InfoArgs {
     #[command(flatten)]
     input: InputArgs,
     #[command(flatten)]
@@ -23,7 +23,7 @@ pub struct InfoArgs {
 
 impl InfoArgs {
     /// Tells it.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let input = self.input.load(None, &[])?;
         let summary = Summary { input: &input, path: &self.input.input };
         match self.format.format {

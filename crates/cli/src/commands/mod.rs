@@ -18,7 +18,7 @@ use crate::print::failure::Failure;
 
 /// What to do.
 #[derive(Subcommand, Debug)]
-pub enum Command {
+pub(crate) enum Command {
     /// Draw a scene or a model
     #[command(after_help = render::EXAMPLES)]
     Render(Box<render::RenderArgs>),
@@ -79,7 +79,7 @@ pub enum Command {
 
 impl Command {
     /// The names that lead to the command.
-    pub fn path(&self) -> Vec<&'static str> {
+    pub(crate) fn path(&self) -> Vec<&'static str> {
         match self {
             Self::Render(_) => vec!["render"],
             Self::Sweep(_) => vec!["sweep"],
@@ -100,7 +100,7 @@ impl Command {
     }
 
     /// Does it. `root` defines the whole command line.
-    pub fn run(&self, root: fn() -> ClapCommand) -> Result<(), Failure> {
+    pub(crate) fn run(&self, root: fn() -> ClapCommand) -> Result<(), Failure> {
         match self {
             Self::Render(args) => args.run(),
             Self::Sweep(args) => args.run(),

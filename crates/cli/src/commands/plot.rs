@@ -10,7 +10,7 @@ use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz plot phong --set shininess=8,32 --theta 0,30,60 -o polar.svg
   glanz plot phong blinn-phong --set shininess=32 --set blinn-phong.shininess=128 \\
@@ -56,7 +56,7 @@ enum Quantity {
 
 /// Options of `glanz plot`.
 #[derive(Args, Debug)]
-pub struct PlotArgs {
+pub(crate) struct PlotArgs {
     /// Names of models, from `glanz bsdf list`; none for --kind fresnel
     #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true)]
     models: Vec<String>,
@@ -118,7 +118,7 @@ impl From<Quantity> for glanz_plot::Quantity {
 
 impl PlotArgs {
     /// Makes the plot.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(Some(&self.output))?;
         save_plot(&self.output, self.figure()?.as_ref())
     }

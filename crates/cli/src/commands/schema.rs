@@ -13,7 +13,7 @@ use crate::print::files::SheetDocument;
 use crate::print::scene_document;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz schema > scene.schema.json
   glanz schema --of compare
@@ -56,7 +56,7 @@ const SCHEMAS: [Named; 25] = [
 
 /// Options of `glanz schema`.
 #[derive(Args, Debug)]
-pub struct SchemaArgs {
+pub(crate) struct SchemaArgs {
     /// What the schema is of: scene files, or what a command prints with --format json
     #[arg(long, value_name = "NAME", default_value = "scene",
           value_parser = PossibleValuesParser::new(SCHEMAS.map(|(name, _)| name)))]
@@ -65,7 +65,7 @@ pub struct SchemaArgs {
 
 impl SchemaArgs {
     /// Prints the JSON Schema.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let found = SCHEMAS.iter().find(|(name, _)| *name == self.of);
         let (_, schema) = found.expect("the parser lets only known names through");
         print::text(&format!("{:#}\n", schema()))

@@ -16,13 +16,13 @@ use crate::print::failure::Failure;
 const MAX_LOBES: usize = 1000;
 
 /// Parses the name of a model.
-pub fn model_names() -> PossibleValuesParser {
+pub(crate) fn model_names() -> PossibleValuesParser {
     PossibleValuesParser::new(MODELS.iter().map(|info| PossibleValue::new(info.name).help(info.title)))
 }
 
 /// Parameters of models.
 #[derive(Args, Clone, Debug)]
-pub struct SetArgs {
+pub(crate) struct SetArgs {
     /// A parameter and its values: NAME=0.05,0.16 or NAME=start:stop:count, for every model that has it, or
     /// MODEL.NAME=… for one; may be repeated, and all combinations are taken
     #[arg(long, value_name = "NAME=VALUES", value_parser = variation)]
@@ -31,7 +31,7 @@ pub struct SetArgs {
 
 impl SetArgs {
     /// A lobe for every combination of parameters of these models.
-    pub fn lobes(&self, models: &[String]) -> Result<Vec<Lobe>, Failure> {
+    pub(crate) fn lobes(&self, models: &[String]) -> Result<Vec<Lobe>, Failure> {
         let infos: Vec<_> = models.iter().map(|name| info(name)).collect();
         self.check_names(&infos)?;
         let mut lobes = Vec::new();
@@ -127,7 +127,7 @@ fn info(name: &str) -> &'static ModelInfo {
 /// What lobes are multiplied with.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Tint")]
-pub struct FactorArgs {
+pub(crate) struct FactorArgs {
     /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list metals`, or a refractive
     /// index such as 1.5
     #[arg(long, value_name = "NAME")]
@@ -143,7 +143,7 @@ pub struct FactorArgs {
 }
 
 /// A wavelength within the grid of spectra.
-pub fn wavelength(text: &str) -> Result<f64, String> {
+pub(crate) fn wavelength(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(nm) if (FIRST_NM..=LAST_NM).contains(&nm) => Ok(nm),
         Ok(nm) => Err(format!("{nm} nm is not between {FIRST_NM} and {LAST_NM}")),
@@ -153,12 +153,12 @@ pub fn wavelength(text: &str) -> Result<f64, String> {
 
 impl FactorArgs {
     /// The wavelength, in nm.
-    pub fn nm(&self) -> f64 {
+    pub(crate) fn nm(&self) -> f64 {
         self.lambda_nm.unwrap_or(DEFAULT_NM)
     }
 
     /// The factor that is meant.
-    pub fn factor(&self) -> Result<Factor, Failure> {
+    pub(crate) fn factor(&self) -> Result<Factor, Failure> {
         match (&self.ior, &self.tint) {
             (Some(word), _) => Ok(Factor::Fresnel(Medium::named(word, self.nm())?)),
             (None, Some(word)) => match word.trim().parse::<f64>() {

@@ -1,6 +1,6 @@
 //! Words of the command line that name things: spectra, lobes, variations, bounds.
 
-pub mod lobes;
-pub mod spectra;
-pub mod thresholds;
-pub mod vary;
+pub(crate) mod lobes;
+pub(crate) mod spectra;
+pub(crate) mod thresholds;
+pub(crate) mod vary;

@@ -33,7 +33,7 @@ const RATIO_TOLERANCE: f64 = 1e-6;
 
 /// What the option --as takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// Power by wavelength
     Light,
     /// Reflectance or transmittance by wavelength
@@ -51,7 +51,7 @@ impl From<Kind> for SpectrumKind {
 
 /// A spectrum that the command line named.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub(crate) struct Source {
     /// Its name.
     pub name: String,
     /// What it is, in a few words, and where it comes from.
@@ -68,7 +68,7 @@ pub struct Source {
 
 /// A re-radiation matrix that the command line named.
 #[derive(Clone, Debug)]
-pub struct FluorescentSource {
+pub(crate) struct FluorescentSource {
     /// Its name.
     pub name: String,
     /// What it is, in a few words.
@@ -86,7 +86,7 @@ impl Source {
 /// The spectrum of that name, or of that file. `kind` is what the user says it is of.
 ///
 /// What is assumed of a file is told on stderr.
-pub fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+pub(crate) fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
     let unknown_name = match catalog_spectrum(word) {
         Ok(found) => return Ok(Source::of_catalog(word, found)),
         // Numbers that are not possible have their own message.
@@ -103,7 +103,7 @@ pub fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure>
 }
 
 /// The light of that name, or of that file.
-pub fn light_source(word: &str) -> Result<Source, Failure> {
+pub(crate) fn light_source(word: &str) -> Result<Source, Failure> {
     match light(word) {
         Ok(_) => source(word, Some(SpectrumKind::Light)),
         // Numbers that are not possible have their own message.
@@ -116,7 +116,7 @@ pub fn light_source(word: &str) -> Result<Source, Failure> {
 }
 
 /// The observer of that name, or the sensor whose channels are the columns of that file.
-pub fn observer_source(word: &str) -> Result<Observer, Failure> {
+pub(crate) fn observer_source(word: &str) -> Result<Observer, Failure> {
     let error = match observer(word) {
         Ok(observer) => return Ok(observer),
         Err(error) => error,
@@ -128,7 +128,7 @@ pub fn observer_source(word: &str) -> Result<Observer, Failure> {
 }
 
 /// The re-radiation matrix of that name, or of that file.
-pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
+pub(crate) fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
     let error = match fluorescent(word) {
         Ok(matrix) => {
             let info = fluorescents().iter().find(|info| same(info.name, word));
@@ -149,7 +149,7 @@ pub fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failure> {
 }
 
 /// All surfaces of a file.
-pub fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
+pub(crate) fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
     let spectra = read_spectra(&read(Path::new(file))?, file)?;
     let surface = |named: &NamedSpectrum| {
         if matches!(named.quantity, Quantity::Light | Quantity::Relative | Quantity::Absorptance) {
@@ -196,7 +196,7 @@ fn note_beyond_1(surface: &Spectrum, name: &str) {
 }
 
 /// Words between commas; commas in brackets, as in `gaussian(530, 30)`, do not count.
-pub fn words(text: &str) -> Result<Vec<String>, String> {
+pub(crate) fn words(text: &str) -> Result<Vec<String>, String> {
     let mut words = vec![String::new()];
     let mut depth = 0_usize;
     for c in text.chars() {

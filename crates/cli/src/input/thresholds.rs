@@ -8,7 +8,7 @@ use crate::print::{finite, number};
 
 /// Which number of a metric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Statistic {
+pub(crate) enum Statistic {
     /// The one number that stands for the metric.
     Value,
     Mean,
@@ -19,11 +19,11 @@ pub enum Statistic {
 
 impl Statistic {
     /// Those over the pixels, with their names.
-    pub const OVER_PIXELS: [(Self, &'static str); 4] =
+    pub(crate) const OVER_PIXELS: [(Self, &'static str); 4] =
         [(Self::Mean, "mean"), (Self::Median, "median"), (Self::P95, "p95"), (Self::Max, "max")];
 
     /// The number itself.
-    pub fn of(self, measured: &Measurement) -> f64 {
+    pub(crate) fn of(self, measured: &Measurement) -> f64 {
         match self {
             Self::Value => measured.value,
             Self::Mean => measured.spread.mean,
@@ -35,13 +35,13 @@ impl Statistic {
 }
 
 /// Whether a metric has statistics over the pixels beside its value.
-pub fn is_spread(metric: Metric) -> bool {
+pub(crate) fn is_spread(metric: Metric) -> bool {
     matches!(metric, Metric::De2000 | Metric::Flip | Metric::Rmse)
 }
 
 /// A bound on a metric, for programs.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct BoundFacts {
+pub(crate) struct BoundFacts {
     /// The metric, and the statistic where it is not the metric's one number
     of: String,
     /// The least that is allowed
@@ -58,7 +58,7 @@ pub struct BoundFacts {
 
 /// A bound on a number of a metric: above it, or below it for metrics that grow with likeness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Threshold {
+pub(crate) struct Threshold {
     /// The metric.
     pub metric: Metric,
     statistic: Statistic,
@@ -67,7 +67,7 @@ pub struct Threshold {
 
 impl Threshold {
     /// `METRIC=LIMIT` or `METRIC.STATISTIC=LIMIT` of a metric that grows with the difference.
-    pub fn above(text: &str) -> Result<Self, String> {
+    pub(crate) fn above(text: &str) -> Result<Self, String> {
         let threshold = Self::parse(text, "de2000=1 or flip.max=0.2")?;
         let name = threshold.metric.name();
         match threshold.metric.grows_with_likeness() {
@@ -77,7 +77,7 @@ impl Threshold {
     }
 
     /// `METRIC=LIMIT` of a metric that grows with likeness.
-    pub fn below(text: &str) -> Result<Self, String> {
+    pub(crate) fn below(text: &str) -> Result<Self, String> {
         let threshold = Self::parse(text, "psnr=40 or ssim=0.98")?;
         let name = threshold.metric.name();
         match threshold.metric.grows_with_likeness() {
@@ -128,7 +128,7 @@ impl Threshold {
     }
 
     /// What is wrong with these measurements, if anything. What is no number is wrong.
-    pub fn broken_by(&self, measured: &[Measurement]) -> Option<String> {
+    pub(crate) fn broken_by(&self, measured: &[Measurement]) -> Option<String> {
         let value = self.value(measured);
         let (side, holds) = match self.metric.grows_with_likeness() {
             true => ("below", value >= self.limit),
@@ -138,7 +138,7 @@ impl Threshold {
     }
 
     /// The bound and whether it holds, for programs.
-    pub fn facts(&self, measured: &[Measurement]) -> BoundFacts {
+    pub(crate) fn facts(&self, measured: &[Measurement]) -> BoundFacts {
         let is_least = self.metric.grows_with_likeness();
         BoundFacts {
             of: self.name(),

@@ -6,7 +6,7 @@ use glanz_plot::{Variation, number};
 const MAX_COUNT: usize = 10_000;
 
 /// `PATH=a,b,c` or `PATH=start:stop:count`. Commas inside brackets or quotes do not separate.
-pub fn variation(text: &str) -> Result<Variation, String> {
+pub(crate) fn variation(text: &str) -> Result<Variation, String> {
     const EXPECTED: &str = "expected PATH=1,4,16 or PATH=start:stop:count";
     let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
     let (path, values) = (path.trim(), values.trim());

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use glanz_plot::number;
 
 /// A light's colour for people: in RGB, and where it is a spectrum.
-pub fn light_text(color: &LightColor) -> String {
+pub(super) fn light_text(color: &LightColor) -> String {
     match color {
         LightColor::Rgb(rgb) => rgb_text(rgb.0.map(f64::from)),
         LightColor::Spectrum(spectrum) => {
@@ -17,7 +17,7 @@ pub fn light_text(color: &LightColor) -> String {
 }
 
 /// A light's colour for programs.
-pub fn light_json(color: &LightColor) -> Value {
+pub(super) fn light_json(color: &LightColor) -> Value {
     match color {
         LightColor::Rgb(rgb) => json!(rgb),
         LightColor::Spectrum(spectrum) => spectrum_json(spectrum),
@@ -25,7 +25,7 @@ pub fn light_json(color: &LightColor) -> Value {
 }
 
 /// A tint for people.
-pub fn tint_text(tint: &Tint) -> String {
+pub(super) fn tint_text(tint: &Tint) -> String {
     match tint {
         Tint::Rgb(rgb) => rgb_text(rgb.0.map(f64::from)),
         Tint::Spectrum(spectrum) => {
@@ -53,7 +53,7 @@ pub fn tint_text(tint: &Tint) -> String {
 }
 
 /// A tint for programs.
-pub fn tint_json(tint: &Tint) -> Value {
+pub(super) fn tint_json(tint: &Tint) -> Value {
     match tint {
         Tint::Rgb(Rgb(channels)) => json!(channels),
         Tint::Spectrum(spectrum) => spectrum_json(spectrum),

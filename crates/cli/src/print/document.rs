@@ -9,14 +9,14 @@ use serde_json::{Map, Value, json};
 const VERSION: u32 = 1;
 
 /// The document as JSON, with its version.
-pub fn versioned(document: &impl Serialize) -> Value {
+pub(crate) fn versioned(document: &impl Serialize) -> Value {
     let value = serde_json::to_value(document).expect("documents have string keys and no failing parts");
     let Value::Object(keys) = value else { unreachable!("a document is an object: {value}") };
     Value::Object(Map::from_iter([("version".to_owned(), json!(VERSION))]).into_iter().chain(keys).collect())
 }
 
 /// The JSON Schema (draft 2020-12) of a document, from the type that it is made of.
-pub fn schema<T: JsonSchema>() -> Value {
+pub(crate) fn schema<T: JsonSchema>() -> Value {
     // What is printed, not what could be read: a key that is always written is required.
     let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
     let mut schema: Schema = generator.into_root_schema_for::<T>();

@@ -20,7 +20,7 @@ use super::document::versioned;
 use super::stdout::Format;
 
 /// Shown after the help of the whole command.
-pub const EXIT_CODES: &str = "\
+pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  done
   1  judged and failed: a bound of compare is broken, a law fails in check
@@ -29,7 +29,7 @@ Exit codes:
 
 /// Why a command ends early. The kind alone decides the exit code.
 #[derive(Debug)]
-pub enum Failure {
+pub(crate) enum Failure {
     /// The work is done, and what it judged has failed.
     Judged(Box<Report>),
     /// The command line makes no sense.
@@ -42,7 +42,7 @@ pub enum Failure {
 
 impl Failure {
     /// The exit code, as [`EXIT_CODES`] tells it.
-    pub fn code(&self) -> u8 {
+    pub(crate) fn code(&self) -> u8 {
         match self {
             Self::Closed => 0,
             Self::Judged(_) => 1,
@@ -52,12 +52,12 @@ impl Failure {
     }
 
     /// Work that could not be done, told by its message alone.
-    pub fn new(message: impl fmt::Display) -> Self {
+    pub(crate) fn new(message: impl fmt::Display) -> Self {
         Report::new(message).into()
     }
 
     /// Tells the failure, on stderr for people and on stdout for programs, and the exit code.
-    pub fn report<C: CommandFactory>(self, command: &[&str], format: Format) -> ExitCode {
+    pub(crate) fn report<C: CommandFactory>(self, command: &[&str], format: Format) -> ExitCode {
         let code = ExitCode::from(self.code());
         // Nothing is left to be done where what is told cannot be written.
         let _ = match (self, format) {
@@ -77,7 +77,7 @@ impl Failure {
 }
 
 /// Tells that the command line makes no sense, and the exit code.
-pub fn wrong_use(error: &clap::Error, format: Format) -> ExitCode {
+pub(crate) fn wrong_use(error: &clap::Error, format: Format) -> ExitCode {
     let _ = match format {
         Format::Text => error.print(),
         Format::Json => tell(ErrorFacts::of_usage(error)),
@@ -94,14 +94,14 @@ fn tell(error: ErrorFacts) -> io::Result<()> {
 
 /// What a command prints with `--format json` in place of its own document when it fails.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct ErrorDocument {
+pub(crate) struct ErrorDocument {
     /// Why the command failed
     error: ErrorFacts,
 }
 
 /// Why a command failed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
-pub struct ErrorFacts {
+pub(crate) struct ErrorFacts {
     /// What is wrong, in one line where it can be said in one
     message: String,
     /// The file that it is about
@@ -186,7 +186,7 @@ impl From<ShotError> for Failure {
 }
 
 /// A message without the operating system's number of the error, which helps nobody.
-pub fn without_number(message: &str) -> String {
+pub(crate) fn without_number(message: &str) -> String {
     match message.split_once(" (os error ") {
         Some((before, after)) => format!("{before}{}", after.split_once(')').map_or("", |(_, rest)| rest)),
         None => message.to_owned(),
@@ -202,7 +202,7 @@ fn subcommand<'a>(root: &'a mut Command, path: &[&str]) -> &'a mut Command {
 
 /// A failure with all that helps to mend it.
 #[derive(Debug, Default)]
-pub struct Report {
+pub(crate) struct Report {
     message: String,
     help: Option<String>,
     file: Option<String>,
@@ -214,39 +214,39 @@ pub struct Report {
 
 impl Report {
     /// A report of this message.
-    pub fn new(message: impl fmt::Display) -> Self {
+    pub(crate) fn new(message: impl fmt::Display) -> Self {
         Self { message: message.to_string(), ..Self::default() }
     }
 
     /// The failure of something that was judged.
-    pub fn judged(self) -> Failure {
+    pub(crate) fn judged(self) -> Failure {
         Failure::Judged(Box::new(self))
     }
 
     /// Adds what could be done about it.
-    pub fn help(mut self, help: impl fmt::Display) -> Self {
+    pub(crate) fn help(mut self, help: impl fmt::Display) -> Self {
         self.help = Some(help.to_string());
         self
     }
 
     /// Adds the file that it is about, for programs; the message names it for people.
-    pub fn file(mut self, file: &Path) -> Self {
+    pub(crate) fn file(mut self, file: &Path) -> Self {
         self.file = Some(file.display().to_string());
         self
     }
 
     /// Adds the line of the file, from 1, for programs.
-    pub fn line(self, line: u64) -> Self {
+    pub(crate) fn line(self, line: u64) -> Self {
         Self { line: Some(line), ..self }
     }
 
     /// Adds line and column in the file, from 1, for programs.
-    pub fn place(self, line: u64, column: u64) -> Self {
+    pub(crate) fn place(self, line: u64, column: u64) -> Self {
         Self { line: Some(line), column: Some(column), ..self }
     }
 
     /// Adds the text of a file, or of an argument, and the bytes of it that are at fault.
-    pub fn source(mut self, file: &str, text: String, span: std::ops::Range<usize>) -> Self {
+    pub(crate) fn source(mut self, file: &str, text: String, span: std::ops::Range<usize>) -> Self {
         let start = span.start.min(text.len());
         let length = span.end.clamp(start, text.len()) - start;
         self.label =
@@ -256,7 +256,7 @@ impl Report {
     }
 
     /// What programs are told.
-    pub fn facts(&self) -> ErrorFacts {
+    pub(crate) fn facts(&self) -> ErrorFacts {
         ErrorFacts {
             message: self.message.clone(),
             file: self.file.clone(),

@@ -15,26 +15,26 @@ use super::stdout::{self, FormatArgs, note};
 use crate::args::{Target, check_folder};
 
 /// Writes spectra as columns, by their names. The file is old or new, but never half.
-pub fn save_csv(path: &Path, spectra: &[(&str, &Spectrum)]) -> Result<(), Failure> {
+pub(crate) fn save_csv(path: &Path, spectra: &[(&str, &Spectrum)]) -> Result<(), Failure> {
     write_atomically(path, |out| write_csv(out, spectra).map_err(OutputError::Stream))?;
     note(format_args!("wrote {}", path.display()));
     Ok(())
 }
 
 /// That the file of a plot can be written, before any work is done.
-pub fn check_plot(file: Option<&PlotFile>) -> Result<(), Failure> {
+pub(crate) fn check_plot(file: Option<&PlotFile>) -> Result<(), Failure> {
     file.map_or(Ok(()), |file| check_folder(file.path()))
 }
 
 /// Writes a plot. The file is old or new, but never half.
-pub fn save_plot(file: &PlotFile, figure: &dyn Figure) -> Result<(), Failure> {
+pub(crate) fn save_plot(file: &PlotFile, figure: &dyn Figure) -> Result<(), Failure> {
     file.save(&figure.page())?;
     note(format_args!("wrote {}", file.path().display()));
     Ok(())
 }
 
 /// Tells that a contact sheet was written, and to programs what each picture of it sets.
-pub fn tell_sheet(
+pub(crate) fn tell_sheet(
     target: &Target,
     (width, height): (usize, usize),
     cells: &[Vec<(String, String)>],
@@ -61,7 +61,7 @@ pub fn tell_sheet(
 
 /// A sheet of pictures.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct SheetDocument {
+pub(crate) struct SheetDocument {
     /// The sheet's file
     file: String,
     width: usize,

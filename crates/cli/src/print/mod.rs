@@ -1,18 +1,18 @@
 //! What is printed: data on stdout, everything else on stderr.
 
 mod colors;
-pub mod document;
-pub mod failure;
-pub mod files;
-pub mod preview;
-pub mod scene_document;
+pub(crate) mod document;
+pub(crate) mod failure;
+pub(crate) mod files;
+pub(crate) mod preview;
+pub(crate) mod scene_document;
 mod stdout;
 mod summary;
 mod text;
-pub mod timings;
+pub(crate) mod timings;
 
-pub use glanz_plot::number;
+pub(crate) use glanz_plot::number;
 
-pub use self::stdout::{Format, FormatArgs, bytes, json, note, notes, text};
-pub use self::summary::Summary;
-pub use self::text::{decimals, finite, fixed, line, wavelength};
+pub(crate) use self::stdout::{Format, FormatArgs, bytes, json, note, notes, text};
+pub(crate) use self::summary::Summary;
+pub(crate) use self::text::{decimals, finite, fixed, line, wavelength};

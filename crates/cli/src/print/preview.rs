@@ -8,7 +8,7 @@ use glanz_plot::Canvas;
 const DEFAULT_COLUMNS: usize = 80;
 
 /// How many columns the terminal has; `COLUMNS` counts where it is not asked itself.
-pub fn columns() -> usize {
+pub(crate) fn columns() -> usize {
     let from_terminal = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
     let from_variable = || std::env::var("COLUMNS").ok()?.parse().ok();
     from_terminal.or_else(from_variable).filter(|columns| *columns > 0).unwrap_or(DEFAULT_COLUMNS)
@@ -16,7 +16,7 @@ pub fn columns() -> usize {
 
 /// The picture as lines of upper half blocks, not wider than `columns`. Transparent pixels are drawn
 /// over black.
-pub fn half_blocks(picture: &Canvas, columns: usize) -> String {
+pub(crate) fn half_blocks(picture: &Canvas, columns: usize) -> String {
     let width = picture.width.min(columns).max(1);
     let height = (picture.height * width).div_ceil(picture.width.max(1)).max(1).next_multiple_of(2);
     let mut text = String::new();

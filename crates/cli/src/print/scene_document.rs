@@ -16,7 +16,7 @@ use super::summary::{Summary, attributes, maps};
 
 /// What is in a scene or a model.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     file: String,
     /// How many triangles are drawn: those of a mesh count once per object
     triangles: usize,
@@ -169,7 +169,7 @@ struct CameraFacts {
 
 impl Document {
     /// What is in this scene.
-    pub fn of(summary: &Summary<'_>) -> Self {
+    pub(crate) fn of(summary: &Summary<'_>) -> Self {
         let scene = &summary.input.scene;
         let image = scene.image;
         let texture = |texture: &glanz_scene::Texture| TextureFacts {

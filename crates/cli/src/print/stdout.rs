@@ -11,7 +11,7 @@ use crate::args::Target;
 
 /// How data is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Format {
+pub(crate) enum Format {
     /// For people
     #[default]
     Text,
@@ -21,7 +21,7 @@ pub enum Format {
 
 /// The choice between text and JSON.
 #[derive(Args, Clone, Copy, Debug)]
-pub struct FormatArgs {
+pub(crate) struct FormatArgs {
     /// How data is printed on stdout
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT", help_heading = "Output")]
     pub format: Format,
@@ -29,12 +29,12 @@ pub struct FormatArgs {
 
 impl FormatArgs {
     /// Whether data is printed for programs.
-    pub fn is_json(self) -> bool {
+    pub(crate) fn is_json(self) -> bool {
         self.format == Format::Json
     }
 
     /// That stdout does not take both a picture and what is printed for programs.
-    pub fn check_beside(self, target: &Target) -> Result<(), Failure> {
+    pub(crate) fn check_beside(self, target: &Target) -> Result<(), Failure> {
         match (self.format, target) {
             (Format::Json, Target::Stdout) => {
                 let message = "stdout cannot take both the picture and --format json; name a file with -o";
@@ -46,7 +46,7 @@ impl FormatArgs {
 }
 
 /// Writes all of `bytes` to stdout. That nobody reads any more is [`Failure::Closed`].
-pub fn bytes(bytes: &[u8]) -> Result<(), Failure> {
+pub(crate) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::Closed,
@@ -55,22 +55,22 @@ pub fn bytes(bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Writes text to stdout.
-pub fn text(text: &str) -> Result<(), Failure> {
+pub(crate) fn text(text: &str) -> Result<(), Failure> {
     bytes(text.as_bytes())
 }
 
 /// Writes a document to stdout, as indented JSON with its version.
-pub fn json(document: &impl Serialize) -> Result<(), Failure> {
+pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
     text(&format!("{:#}\n", versioned(document)))
 }
 
 /// Tells something on stderr that is no data. That nobody listens is no failure.
-pub fn note(message: impl std::fmt::Display) {
+pub(crate) fn note(message: impl std::fmt::Display) {
     let _ = writeln!(io::stderr().lock(), "{message}");
 }
 
 /// Tells on stderr that not all of `input` is drawn as it says, and where to read more.
-pub fn notes(input: &std::path::Path, notes: &[String]) {
+pub(crate) fn notes(input: &std::path::Path, notes: &[String]) {
     match notes {
         [] => {}
         [only] => note(format_args!("note: {only}")),

@@ -18,7 +18,7 @@ use crate::load::Input;
 const MOST_LISTED: usize = 40;
 
 /// What is in a scene.
-pub struct Summary<'a> {
+pub(crate) struct Summary<'a> {
     /// The scene.
     pub input: &'a Input,
     /// Its file.
@@ -27,7 +27,7 @@ pub struct Summary<'a> {
 
 impl Summary<'_> {
     /// For people.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let scene = &self.input.scene;
         let mut text = format!("{}\n", self.path.display());
         let total: usize = self.triangles();
@@ -66,7 +66,7 @@ impl Summary<'_> {
     }
 
     /// For programs.
-    pub fn document(&self) -> Document {
+    pub(crate) fn document(&self) -> Document {
         Document::of(self)
     }
 

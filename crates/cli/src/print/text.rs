@@ -5,18 +5,18 @@ use std::fmt::{Arguments, Write};
 use glanz_color::dominant::Dominant;
 
 /// A number for programs, which have no infinity: null in its place.
-pub fn finite(value: f64) -> Option<f64> {
+pub(crate) fn finite(value: f64) -> Option<f64> {
     Some(value).filter(|value| value.is_finite())
 }
 
 /// Numbers with so many decimals each, between blanks.
-pub fn decimals(values: &[f64], decimals: usize) -> String {
+pub(crate) fn decimals(values: &[f64], decimals: usize) -> String {
     let texts: Vec<_> = values.iter().map(|value| fixed(*value, decimals)).collect();
     texts.join(" ")
 }
 
 /// A number with so many decimals; one that would need very many digits in powers of ten. No minus before 0.
-pub fn fixed(value: f64, decimals: usize) -> String {
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     if value.abs() >= 1e7 {
         return format!("{value:.3e}");
     }
@@ -28,7 +28,7 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 }
 
 /// A dominant wavelength: `580.2 nm`, or `purple, complement of 520.1 nm`.
-pub fn wavelength(dominant: &Dominant) -> String {
+pub(crate) fn wavelength(dominant: &Dominant) -> String {
     match dominant.is_purple() {
         true => format!("purple, complement of {:.1} nm", -dominant.nm),
         false => format!("{:.1} nm", dominant.nm),
@@ -36,7 +36,7 @@ pub fn wavelength(dominant: &Dominant) -> String {
 }
 
 /// Adds a line.
-pub fn line(text: &mut String, line: Arguments<'_>) {
+pub(crate) fn line(text: &mut String, line: Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }
 

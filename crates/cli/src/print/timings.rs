@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// The stages, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
+pub(crate) enum Stage {
     /// From files to a scene.
     Load,
     /// From a scene to arrays.
@@ -32,7 +32,7 @@ const STAGES: [(Stage, &str); 5] = [
 
 /// How long the stages of a picture take.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct TimingsFacts {
+pub(crate) struct TimingsFacts {
     /// How often everything was done
     runs: usize,
     unit: &'static str,
@@ -48,18 +48,18 @@ struct StageFacts {
 
 /// Milliseconds of every stage of every run.
 #[derive(Clone, Debug, Default)]
-pub struct Timings {
+pub(crate) struct Timings {
     runs: Vec<[Option<f64>; STAGES.len()]>,
 }
 
 impl Timings {
     /// Begins the next run.
-    pub fn begin_run(&mut self) {
+    pub(crate) fn begin_run(&mut self) {
         self.runs.push([None; STAGES.len()]);
     }
 
     /// Does `work` and adds its time to `stage` of the current run.
-    pub fn measure<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> T {
+    pub(crate) fn measure<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = work();
         let elapsed = start.elapsed().as_secs_f64() * 1e3;
@@ -72,7 +72,7 @@ impl Timings {
     }
 
     /// A table for people. A stage that was done together with the one before it has a dash.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let runs = self.runs.len();
         let mut text = format!("ms over {runs} {}\n", if runs == 1 { "run" } else { "runs" });
         text.push_str("stage        median       min\n");
@@ -87,7 +87,7 @@ impl Timings {
     }
 
     /// The same for programs; `null` for a stage that was done together with the one before it.
-    pub fn facts(&self) -> TimingsFacts {
+    pub(crate) fn facts(&self) -> TimingsFacts {
         let stage = |(median, min)| StageFacts { median: round(median), min: round(min) };
         let stages = self.rows().into_iter().map(|(name, summary)| (name, summary.map(stage)));
         TimingsFacts { runs: self.runs.len(), unit: "ms", stages: stages.collect() }

@@ -6,11 +6,11 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A folder that is removed at the end.
-pub struct Folder(PathBuf);
+pub(crate) struct Folder(PathBuf);
 
 /// What a run of the command left behind.
 #[derive(Debug)]
-pub struct Run {
+pub(crate) struct Run {
     /// The exit code.
     pub code: i32,
     /// Data.
@@ -21,7 +21,7 @@ pub struct Run {
 
 impl Folder {
     /// A new, empty folder.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         static COUNT: AtomicU32 = AtomicU32::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
         let path = std::env::temp_dir().join(format!("glanz-cli-{}-{number}", std::process::id()));
@@ -30,29 +30,29 @@ impl Folder {
     }
 
     /// A folder with `scene.toml` in it.
-    pub fn with_scene() -> Self {
+    pub(crate) fn with_scene() -> Self {
         let folder = Self::new();
         folder.write("scene.toml", SCENE);
         folder
     }
 
     /// The path of a file in it.
-    pub fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.0.join(name)
     }
 
     /// Writes a file.
-    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         fs::write(self.path(name), content).unwrap();
     }
 
     /// The bytes of a file.
-    pub fn read(&self, name: &str) -> Vec<u8> {
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
         fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
     /// The names of all files, sorted.
-    pub fn names(&self) -> Vec<String> {
+    pub(crate) fn names(&self) -> Vec<String> {
         let names = fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().file_name());
         let mut names: Vec<_> = names.map(|name| name.to_string_lossy().into_owned()).collect();
         names.sort();
@@ -60,12 +60,12 @@ impl Folder {
     }
 
     /// Runs `glanz` with these words in this folder.
-    pub fn glanz(&self, words: &[&str]) -> Run {
+    pub(crate) fn glanz(&self, words: &[&str]) -> Run {
         self.glanz_with(words, &[])
     }
 
     /// The same with environment variables.
-    pub fn glanz_with(&self, words: &[&str], variables: &[(&str, &str)]) -> Run {
+    pub(crate) fn glanz_with(&self, words: &[&str], variables: &[(&str, &str)]) -> Run {
         let output = command(&self.0).args(words).envs(variables.iter().copied()).output().unwrap();
         Run {
             code: output.status.code().expect("ends by itself"),
@@ -83,18 +83,18 @@ impl Drop for Folder {
 
 impl Run {
     /// stdout as text, of a run that went well.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         assert_eq!(self.code, 0, "{}", self.stderr);
         std::str::from_utf8(&self.stdout).unwrap()
     }
 
     /// stdout as JSON, of a run that went well.
-    pub fn json(&self) -> serde_json::Value {
+    pub(crate) fn json(&self) -> serde_json::Value {
         serde_json::from_str(self.text()).unwrap()
     }
 
     /// Exit code and message, of a run that failed and printed nothing else.
-    pub fn failure(&self) -> String {
+    pub(crate) fn failure(&self) -> String {
         assert_ne!(self.code, 0);
         assert!(self.stdout.is_empty(), "{:?}", String::from_utf8_lossy(&self.stdout));
         assert_eq!(self.stderr.matches("error:").count(), 1, "{}", self.stderr);
@@ -103,7 +103,7 @@ impl Run {
 }
 
 /// The command, undisturbed by the variables of whoever runs the tests.
-pub fn command(folder: &Path) -> Command {
+pub(crate) fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_glanz"));
     command.current_dir(folder).stdin(Stdio::null());
     for variable in ["GLANZ_SIMD", "NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "COLUMNS", "RUST_BACKTRACE"] {
@@ -113,7 +113,7 @@ pub fn command(folder: &Path) -> Command {
 }
 
 /// A ball under one lamp.
-pub const SCENE: &str = r#"[image]
+pub(crate) const SCENE: &str = r#"[image]
 width = 48
 height = 32
 samples = 1

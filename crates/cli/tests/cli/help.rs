@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub const COMMANDS: [&[&str]; 36] = [
+pub(crate) const COMMANDS: [&[&str]; 36] = [
     &[],
     &["render"],
     &["sweep"],
@@ -43,7 +43,7 @@ pub const COMMANDS: [&[&str]; 36] = [
 ];
 
 /// The help of the command that `words` lead to.
-pub fn help(words: &[&str]) -> String {
+pub(crate) fn help(words: &[&str]) -> String {
     let folder = Folder::new();
     let run = folder.glanz(&[words, &["--help"]].concat());
     assert!(run.stderr.is_empty());

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 
 /// A decoded PNG: width, height, bits per channel, RGBA bytes.
 #[derive(Debug, PartialEq)]
-pub struct Png {
+pub(crate) struct Png {
     pub width: usize,
     pub height: usize,
     bits: u8,
@@ -14,7 +14,7 @@ pub struct Png {
 }
 
 impl Png {
-    pub fn decode(bytes: &[u8]) -> Self {
+    pub(crate) fn decode(bytes: &[u8]) -> Self {
         let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
         let mut data = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut data).unwrap();
@@ -33,7 +33,7 @@ impl Png {
         (self.width, self.height)
     }
 
-    pub fn pixel(&self, x: usize, y: usize) -> [u8; 4] {
+    pub(crate) fn pixel(&self, x: usize, y: usize) -> [u8; 4] {
         self.rgba[4 * (y * self.width + x)..][..4].try_into().unwrap()
     }
 

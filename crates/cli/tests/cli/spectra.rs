@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::folder::Folder;
 
 /// Three patches under daylight.
-pub const PATCHES: &str = r#"[image]
+pub(crate) const PATCHES: &str = r#"[image]
 width = 48
 height = 16
 samples = 1

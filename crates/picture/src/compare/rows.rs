@@ -5,7 +5,11 @@
 const ROWS_AT_LEAST: usize = 8;
 
 /// Calls `work` for every row of `out`.
-pub fn for_each_row<T: Send>(out: &mut [T], width: usize, work: impl Fn(usize, &mut [T]) + Sync + Send) {
+pub(super) fn for_each_row<T: Send>(
+    out: &mut [T],
+    width: usize,
+    work: impl Fn(usize, &mut [T]) + Sync + Send,
+) {
     if width == 0 {
         return;
     }
@@ -19,7 +23,7 @@ pub fn for_each_row<T: Send>(out: &mut [T], width: usize, work: impl Fn(usize, &
 }
 
 /// Three planes of which pixel `i` is `value(i)`.
-pub fn three_planes(
+pub(super) fn three_planes(
     width: usize,
     height: usize,
     value: impl Fn(usize) -> [f32; 3] + Sync + Send,
@@ -51,7 +55,7 @@ pub fn three_planes(
 }
 
 /// One plane of which pixel `i` is `value(i)`.
-pub fn one_plane<T: Copy + Default + Send>(
+pub(super) fn one_plane<T: Copy + Default + Send>(
     width: usize,
     height: usize,
     value: impl Fn(usize) -> T + Sync + Send,

@@ -10,7 +10,7 @@ use crate::page::style::{GRAY, NUMBER, Rgb8, WHITE};
 use crate::page::{Anchor, Page, Rect};
 
 /// How high a band is, in points.
-pub const HEIGHT: f64 = 16.0;
+pub(crate) const HEIGHT: f64 = 16.0;
 /// What stands for ultraviolet, which has no colour.
 const ULTRAVIOLET: Rgb8 = [0xb4, 0xae, 0xc2];
 /// Where ultraviolet ends and light begins; between both the colours are blended.
@@ -48,7 +48,7 @@ fn of_nm(nm: f64) -> Rgb8 {
 }
 
 /// Draws the band below axes whose x are wavelengths in nm.
-pub fn below(page: &mut Page, axes: &Axes) {
+pub(crate) fn below(page: &mut Page, axes: &Axes) {
     let (from, to) = axes.x.range;
     let mut nm = from;
     while nm < to {
@@ -67,7 +67,7 @@ pub fn below(page: &mut Page, axes: &Axes) {
 }
 
 /// Draws the band to the left of axes whose y are wavelengths in nm.
-pub fn beside(page: &mut Page, axes: &Axes) {
+pub(crate) fn beside(page: &mut Page, axes: &Axes) {
     let (from, to) = axes.y.range;
     let x = axes.rect.x - HEIGHT;
     let mut nm = from;
@@ -81,7 +81,7 @@ pub fn beside(page: &mut Page, axes: &Axes) {
 }
 
 /// Fills what lies under a curve of wavelengths with their colours.
-pub fn under(page: &mut Page, axes: &Axes, value: impl Fn(f64) -> f64) {
+pub(crate) fn under(page: &mut Page, axes: &Axes, value: impl Fn(f64) -> f64) {
     let (from, to) = axes.x.range;
     let mut nm = from;
     while nm < to {

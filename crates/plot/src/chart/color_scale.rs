@@ -28,7 +28,7 @@ pub fn magma(part: f64) -> Rgb8 {
 }
 
 /// Draws the scale upwards, with the numbers of an axis beside it.
-pub fn bar(page: &mut Page, rect: Rect, axis: &Axis) {
+pub(crate) fn bar(page: &mut Page, rect: Rect, axis: &Axis) {
     let rows = (rect.height as usize).max(1);
     let rgb = (0..rows).rev().flat_map(|row| magma((row as f64 + 0.5) / rows as f64));
     page.rasters.push(Raster { rect, columns: 1, rows, rgb: rgb.collect() });

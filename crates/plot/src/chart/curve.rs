@@ -26,7 +26,7 @@ impl Curve {
 }
 
 /// The least and the greatest value, and 0.
-pub fn extent(curves: &[Curve]) -> (f64, f64) {
+pub(crate) fn extent(curves: &[Curve]) -> (f64, f64) {
     let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|(_, value)| *value));
     (values().fold(0.0, f64::min), values().fold(0.0, f64::max))
 }

@@ -12,18 +12,18 @@ const PIECE: f64 = 26.0;
 const GAP: f64 = 8.0;
 
 /// The width of the legend in points.
-pub fn width(curves: &[Curve]) -> f64 {
+pub(crate) fn width(curves: &[Curve]) -> f64 {
     let widest = curves.iter().map(|curve| letters::width(&curve.name, NUMBER)).fold(0.0, f64::max);
     if widest == 0.0 { 0.0 } else { PIECE + GAP + widest }
 }
 
 /// The height of the legend in points.
-pub fn height(curves: &[Curve]) -> f64 {
+pub(crate) fn height(curves: &[Curve]) -> f64 {
     NAME * curves.iter().filter(|curve| !curve.name.is_empty()).count() as f64
 }
 
 /// Writes the names below each other, each beside a piece of its curve.
-pub fn draw(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
+pub(crate) fn draw(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
     for (index, curve) in curves.iter().filter(|curve| !curve.name.is_empty()).enumerate() {
         let y = y + NAME * index as f64;
         curve.stroke(page, &[(x, y), (x + PIECE, y)], 2.8);

@@ -83,7 +83,7 @@ impl WavelengthChart {
 }
 
 /// Draws curves over wavelength in these axes, with the band of the spectrum.
-pub fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
+pub(crate) fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
     axes.grid(page);
     if axes.y.range.0 < 0.0 {
         let zero = [axes.at(axes.x.range.0, 0.0), axes.at(axes.x.range.1, 0.0)];
@@ -102,7 +102,7 @@ pub fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
 }
 
 /// The legend of curves over wavelength, with long names shortened.
-pub fn names(page: &mut Page, at: (f64, f64), curves: &[Curve]) {
+pub(crate) fn names(page: &mut Page, at: (f64, f64), curves: &[Curve]) {
     let shortened = |curve: &Curve| {
         let mut name: String = curve.name.chars().take(LONGEST_NAME).collect();
         if curve.name.chars().nth(LONGEST_NAME).is_some() {

@@ -19,13 +19,13 @@ fn scale(em: f64) -> PxScale {
 }
 
 /// The width of a text of this size.
-pub fn width(text: &str, size: f64) -> f64 {
+pub(crate) fn width(text: &str, size: f64) -> f64 {
     let font = FONT.as_scaled(scale(size));
     text.chars().map(|c| f64::from(font.h_advance(font.glyph_id(c)))).sum()
 }
 
 /// Gives every pixel that a text covers, and how much of it, for points of `pixels` pixels.
-pub fn draw(text: &Text, pixels: f64, mut cover: impl FnMut(i32, i32, f32)) {
+pub(crate) fn draw(text: &Text, pixels: f64, mut cover: impl FnMut(i32, i32, f32)) {
     let font = FONT.as_scaled(scale(text.size * pixels));
     let whole = width(&text.text, text.size * pixels);
     let mut along = match text.anchor {

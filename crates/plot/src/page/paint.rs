@@ -8,7 +8,7 @@ use super::shapes::{Page, Shape};
 use super::style::Rgb8;
 
 /// Draws the shapes of a page except texts, each point `scale` pixels large.
-pub fn paint<B: DrawingBackend>(
+pub(super) fn paint<B: DrawingBackend>(
     page: &Page,
     scale: f64,
     area: &DrawingArea<B, Shift>,

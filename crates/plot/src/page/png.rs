@@ -16,7 +16,7 @@ const PIXELS: usize = 2;
 const SMOOTH: usize = 2;
 
 /// Writes the page as PNG.
-pub fn write(page: &Page, out: impl Write) -> Result<(), OutputError> {
+pub(super) fn write(page: &Page, out: impl Write) -> Result<(), OutputError> {
     let scale = PIXELS * SMOOTH;
     let (width, height) = (page.width as usize * scale, page.height as usize * scale);
     let mut rgb = vec![0xff; width * height * 3];

@@ -4,17 +4,17 @@
 pub type Rgb8 = [u8; 3];
 
 /// Titles and what is most important.
-pub const INK: Rgb8 = [0x1f, 0x24, 0x2b];
+pub(crate) const INK: Rgb8 = [0x1f, 0x24, 0x2b];
 /// Axes and labels.
-pub const GRAY: Rgb8 = [0x5b, 0x63, 0x6e];
+pub(crate) const GRAY: Rgb8 = [0x5b, 0x63, 0x6e];
 /// The lines of the grid.
-pub const GRID: Rgb8 = [0xe3, 0xe6, 0xea];
+pub(crate) const GRID: Rgb8 = [0xe3, 0xe6, 0xea];
 /// Paper.
-pub const WHITE: Rgb8 = [0xff; 3];
+pub(crate) const WHITE: Rgb8 = [0xff; 3];
 
 /// Colours of curves: those of Okabe and Ito (2008), which the colour-blind tell apart, in an order that
 /// keeps neighbours different; yellow is left out, for it is too light on white.
-pub const CURVES: [Rgb8; 8] = [
+pub(crate) const CURVES: [Rgb8; 8] = [
     [0x00, 0x72, 0xb2],
     [0xd5, 0x5e, 0x00],
     [0x00, 0x9e, 0x73],
@@ -26,11 +26,11 @@ pub const CURVES: [Rgb8; 8] = [
 ];
 
 /// The size of a title in points.
-pub const TITLE: f64 = 24.0;
+pub(crate) const TITLE: f64 = 24.0;
 /// The size of a line below a title, and of labels of axes.
-pub const LABEL: f64 = 15.5;
+pub(crate) const LABEL: f64 = 15.5;
 /// The size of numbers at axes and of legends.
-pub const NUMBER: f64 = 14.0;
+pub(crate) const NUMBER: f64 = 14.0;
 
 /// How curves are dashed, by how often their colour has been used before.
 const DASHES: [Option<(f64, f64)>; 4] = [None, Some((9.0, 6.0)), Some((2.5, 4.0)), Some((16.0, 5.0))];

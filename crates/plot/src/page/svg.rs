@@ -16,7 +16,7 @@ const UNITS: f64 = 20.0;
 const FAMILY: &str = "Noto Sans, DejaVu Sans, sans-serif";
 
 /// Writes the page as SVG.
-pub fn write(page: &Page, mut out: impl Write) -> Result<(), OutputError> {
+pub(super) fn write(page: &Page, mut out: impl Write) -> Result<(), OutputError> {
     let units = |points: u32| (f64::from(points) * UNITS) as u32;
     let (width, height) = (units(page.width), units(page.height));
     let mut drawn = String::new();

@@ -9,9 +9,9 @@ use crate::page::Figure;
 use crate::{Error, number};
 
 /// The most curves of a plot.
-pub const MOST_CURVES: usize = 64;
+pub(super) const MOST_CURVES: usize = 64;
 /// The most bodies or maps of a plot.
-pub const MOST_PANELS: usize = 12;
+pub(super) const MOST_PANELS: usize = 12;
 /// The wavelength where none is given, in nm: near the greatest sensitivity of the eye.
 pub const DEFAULT_NM: f64 = 550.0;
 

@@ -38,13 +38,13 @@ pub(crate) struct Grid {
 impl Grid {
     /// The sample of a pixel of the tile, in 1/256 pixel of the picture.
     #[inline(always)]
-    pub fn fixed(&self, pixel: usize, axis: usize) -> i32 {
+    pub(super) fn fixed(&self, pixel: usize, axis: usize) -> i32 {
         (self.origin[axis] + pixel) as i32 * SUBPIXEL + self.sample[axis]
     }
 
     /// The same in pixels.
     #[inline(always)]
-    pub fn center(&self, pixel: usize, axis: usize) -> f32 {
+    pub(super) fn center(&self, pixel: usize, axis: usize) -> f32 {
         (self.origin[axis] + pixel) as f32 + self.sample[axis] as f32 * (1.0 / SUBPIXEL as f32)
     }
 }

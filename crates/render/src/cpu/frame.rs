@@ -64,7 +64,7 @@ pub(crate) struct FrameView<'a> {
 }
 
 impl<'a> FrameView<'a> {
-    pub fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
+    pub(super) fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
         let camera = ViewCamera::new(prepared, view);
         let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options));
         let materials = ShadeMaterial::all(shown_materials(prepared, options.show));
@@ -115,7 +115,7 @@ impl ObjectView {
 
     /// Whether no textures, no vertex colours and no special view change its light.
     #[inline(always)]
-    pub fn is_simple(&self, show: DebugView) -> bool {
+    pub(super) fn is_simple(&self, show: DebugView) -> bool {
         self.layout.groups == 1
             && self.polygons.is_none()
             && matches!(

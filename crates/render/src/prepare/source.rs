@@ -39,7 +39,7 @@ pub(crate) struct ObjectSource {
 }
 
 impl Colors {
-    pub fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         Self {
             lights: scene.lights.clone(),
             materials: scene.materials.clone(),

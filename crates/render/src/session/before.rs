@@ -27,19 +27,19 @@ pub(super) struct Before {
 
 impl Before {
     /// Whether nothing can have changed.
-    pub fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.parts.is_empty() && self.whole.is_none()
     }
 
     /// Keeps a part, unless it is kept already. `is_it` tells it from others.
-    pub fn keep(&mut self, is_it: impl Fn(&Part) -> bool, part: impl FnOnce() -> Part) {
+    pub(super) fn keep(&mut self, is_it: impl Fn(&Part) -> bool, part: impl FnOnce() -> Part) {
         if self.whole.is_none() && !self.parts.iter().any(is_it) {
             self.parts.push(part());
         }
     }
 
     /// Keeps all of a scene, of which parts may have changed already.
-    pub fn keep_all(&mut self, scene: &Scene) {
+    pub(super) fn keep_all(&mut self, scene: &Scene) {
         if self.whole.is_none() {
             let mut whole = scene.clone();
             core::mem::take(self).restore(&mut whole);
@@ -48,7 +48,7 @@ impl Before {
     }
 
     /// Makes a scene what it was.
-    pub fn restore(self, scene: &mut Scene) {
+    pub(super) fn restore(self, scene: &mut Scene) {
         if let Some(whole) = self.whole {
             *scene = *whole;
         }
@@ -66,7 +66,7 @@ impl Before {
     }
 
     /// What must be redone for the scene as it is now.
-    pub fn changes(&self, scene: &Scene) -> Vec<Change> {
+    pub(super) fn changes(&self, scene: &Scene) -> Vec<Change> {
         match &self.whole {
             Some(whole) => Change::between(whole, scene),
             None => self.parts.iter().flat_map(|part| part.changes(scene)).flatten().collect(),

@@ -24,7 +24,7 @@ pub(crate) struct Sight {
 
 impl Sight {
     /// Checks camera and size, too.
-    pub fn new(options: &ShotOptions, to_screen: Option<ToScreen>) -> Result<Self, ShotError> {
+    pub(crate) fn new(options: &ShotOptions, to_screen: Option<ToScreen>) -> Result<Self, ShotError> {
         let ShotOptions { draw, ev, tone_map, dither, white, size, camera, .. } = *options;
         let view = View::new(&camera, size.0, size.1)?;
         let develop = Develop { ev, tone_map, dither, to_screen: None };
@@ -35,7 +35,7 @@ impl Sight {
     }
 
     /// Takes another way to the screen: that of another observer, or under other lights.
-    pub fn adapt(&mut self, to_screen: Option<ToScreen>) {
+    pub(crate) fn adapt(&mut self, to_screen: Option<ToScreen>) {
         self.draw.background = match (self.background, &to_screen) {
             (Background::Color(color), Some(to_screen)) => {
                 Background::Color(Rgb(to_screen.channels_of(color.0)))

@@ -16,33 +16,33 @@ use glanz_scene::{
 use super::{add, builtin, camera, empty, light, rectangle, shiny, sphere};
 
 /// Numbers of the materials and objects of [`everything`]; each object has its own.
-pub const METAL: usize = 0;
-pub const COATED: usize = 1;
-pub const WINDOW: usize = 2;
-pub const TEXTURED: usize = 3;
-pub const GROUND: usize = 4;
-pub const GLASS: usize = 5;
-pub const PHONG: usize = 6;
+pub(crate) const METAL: usize = 0;
+pub(crate) const COATED: usize = 1;
+pub(crate) const WINDOW: usize = 2;
+pub(crate) const TEXTURED: usize = 3;
+pub(crate) const GROUND: usize = 4;
+pub(crate) const GLASS: usize = 5;
+pub(crate) const PHONG: usize = 6;
 
 /// Numbers of its lights.
-pub const AMBIENT: usize = 0;
-pub const DIRECTIONAL: usize = 1;
-pub const POINT: usize = 2;
-pub const SPOT: usize = 3;
-pub const LUMINAIRE: usize = 4;
+pub(crate) const AMBIENT: usize = 0;
+pub(crate) const DIRECTIONAL: usize = 1;
+pub(crate) const POINT: usize = 2;
+pub(crate) const SPOT: usize = 3;
+pub(crate) const LUMINAIRE: usize = 4;
 /// The lights from this one on are not punctual; [`punctual`] has none of them.
-pub const ENVIRONMENT: usize = 5;
-pub const RECTANGLE: usize = 6;
-pub const BALL: usize = 7;
+pub(crate) const ENVIRONMENT: usize = 5;
+pub(crate) const RECTANGLE: usize = 6;
+pub(crate) const BALL: usize = 7;
 
 /// The scene without environments and areas, which is much faster to prepare.
-pub fn punctual() -> Scene {
+pub(crate) fn punctual() -> Scene {
     let mut scene = everything();
     scene.lights.truncate(ENVIRONMENT);
     scene
 }
 
-pub fn everything() -> Scene {
+pub(crate) fn everything() -> Scene {
     let mut scene = empty(camera(3.0, 50.0));
     scene.textures.extend([texture(true), texture(false)]);
     add_lamps(&mut scene, Some((0.9, 0.8)));
@@ -61,21 +61,21 @@ pub fn everything() -> Scene {
     scene
 }
 
-pub fn at(x: f64, y: f64, z: f64) -> DMat4 {
+pub(crate) fn at(x: f64, y: f64, z: f64) -> DMat4 {
     DMat4::from_translation(DVec3::new(x, y, z))
 }
 
 /// A large plane below all.
-pub fn add_ground(scene: &mut Scene, material: Material) {
+pub(crate) fn add_ground(scene: &mut Scene, material: Material) {
     let place = at(0.0, -0.8, 0.0) * DMat4::from_scale(DVec3::splat(8.0));
     add(scene, builtin(Builtin::Plane), material, place);
 }
 
-pub fn of(name: &str, set: &[(&str, f64)]) -> Shape {
+pub(crate) fn of(name: &str, set: &[(&str, f64)]) -> Shape {
     Shape::named(name, set).unwrap()
 }
 
-pub fn matte() -> Lobe {
+pub(crate) fn matte() -> Lobe {
     Lobe::new(of("lambert", &[]), Rgb([0.5, 0.2, 0.1]))
 }
 
@@ -84,20 +84,20 @@ fn gold() -> Tint {
 }
 
 /// Anisotropic, with a tint that depends on the angle.
-pub fn metal() -> Material {
+pub(crate) fn metal() -> Material {
     let ward = of("ward", &[("alpha", 0.1), ("alpha_y", 0.4)]);
     Material { aniso: 0.7, ..Material::of_lobes("metal", vec![Lobe::new(ward, gold()), matte()]) }
 }
 
 /// Below layers.
-pub fn coated() -> Material {
+pub(crate) fn coated() -> Material {
     let coat = Coat { absorption_per_mm: Some(Spectrum::constant(5.0)), ..Coat::default() };
     let lobes = vec![matte(), Lobe::new(of("ggx", &[("alpha", 0.3)]), gold())];
     Material::of_lobes("coated", lobes).under_coat(&coat).unwrap()
 }
 
 /// With a mirror and a transmittance.
-pub fn window() -> Material {
+pub(crate) fn window() -> Material {
     let absorption = glanz_color::rgb_spectra::spectrum_of_reflectance(Rgb([0.1, 0.6, 0.9])) * 200.0;
     let pane = Arc::new(Pane { ior: Ior::constant(1.5), thickness: 0.003, absorption });
     let mirror = Lobe::new(of("mirror", &[]), Tint::Pane(pane.clone()));
@@ -105,12 +105,12 @@ pub fn window() -> Material {
 }
 
 /// Matte, by two lobes.
-pub fn ground() -> Material {
+pub(crate) fn ground() -> Material {
     Material::of_lobes("ground", vec![matte(), Lobe::new(of("oren-nayar", &[]), Rgb::gray(0.3))])
 }
 
 /// Blended with what is behind it.
-pub fn glass() -> Material {
+pub(crate) fn glass() -> Material {
     Material { alpha: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) }
 }
 
@@ -132,7 +132,7 @@ fn textured() -> Material {
 }
 
 /// Ambient, directional, point and spot light.
-pub fn add_lamps(scene: &mut Scene, smooth_edge: Option<(f64, f64)>) {
+pub(crate) fn add_lamps(scene: &mut Scene, smooth_edge: Option<(f64, f64)>) {
     let position = DVec3::new(1.5, 2.0, 2.0);
     let attenuation = Attenuation { constant: 0.2, linear: 0.1, quadratic: 0.1 };
     let spot = LightKind::Spot {
@@ -153,7 +153,7 @@ pub fn add_lamps(scene: &mut Scene, smooth_edge: Option<(f64, f64)>) {
 }
 
 /// A lamp that sends more to its sides than along its axis.
-pub fn luminaire() -> Light {
+pub(crate) fn luminaire() -> Light {
     let position = DVec3::new(0.0, 2.0, 2.0);
     let mut lamp = light(LightKind::Point { position, attenuation: Attenuation::PHYSICAL }, Rgb::WHITE);
     let profile = Arc::new(Profile {
@@ -167,7 +167,7 @@ pub fn luminaire() -> Light {
 }
 
 /// An environment and surfaces that shine.
-pub fn add_fields(scene: &mut Scene) {
+pub(crate) fn add_fields(scene: &mut Scene) {
     let area = |shape, position: DVec3| LightKind::Area {
         shape,
         position,
@@ -184,7 +184,7 @@ pub fn add_fields(scene: &mut Scene) {
 }
 
 /// A map of 16×8 pixels, whose blue is mostly `blue`.
-pub fn environment_map(blue: f32) -> Arc<EnvironmentMap> {
+pub(crate) fn environment_map(blue: f32) -> Arc<EnvironmentMap> {
     let pixel = |i: usize| {
         [(i % 7) as f32 * 0.1, (i % 16) as f32 * 0.04, if i.is_multiple_of(50) { 4.0 } else { blue }]
     };
@@ -192,7 +192,7 @@ pub fn environment_map(blue: f32) -> Arc<EnvironmentMap> {
 }
 
 /// A texture of 16×16 texels with holes.
-pub fn texture(srgb: bool) -> Texture {
+pub(crate) fn texture(srgb: bool) -> Texture {
     let texel = |i: u32| {
         let (x, y) = (i % 16, i / 16);
         [(x * 16) as u8, (y * 16) as u8, (x * y) as u8, if (x ^ y) & 3 == 0 { 0 } else { 255 }]
@@ -208,7 +208,7 @@ pub fn texture(srgb: bool) -> Texture {
 }
 
 /// With colours at its vertices.
-pub fn colored(mut mesh: Mesh) -> Mesh {
+pub(crate) fn colored(mut mesh: Mesh) -> Mesh {
     mesh.colors = mesh.positions.iter().map(|p| (p.abs() * 0.5).extend(0.5 + 0.5 * p.x.abs())).collect();
     assert!(mesh.colors.iter().all(|c| c.cmple(Vec4::ONE).all()));
     mesh

@@ -24,7 +24,7 @@ struct Triangle {
 }
 
 /// What a pixel sees.
-pub struct Hit {
+pub(crate) struct Hit {
     pub pixel: usize,
     triangle: usize,
     point: DVec3,
@@ -35,7 +35,7 @@ pub struct Hit {
 }
 
 /// The visible surface of a scene with one object.
-pub struct Reference {
+pub(crate) struct Reference {
     camera: Camera,
     axes: [DVec3; 3],
     triangles: Vec<Triangle>,
@@ -49,7 +49,7 @@ pub struct Reference {
 }
 
 /// How light at a point is found.
-pub struct Lighting<'a> {
+pub(crate) struct Lighting<'a> {
     pub lights: &'a [Light],
     pub material: &'a ClassicMaterial,
     pub two_sided: bool,
@@ -58,7 +58,7 @@ pub struct Lighting<'a> {
 }
 
 impl Reference {
-    pub fn new(scene: &Scene, width: usize, height: usize) -> Self {
+    pub(crate) fn new(scene: &Scene, width: usize, height: usize) -> Self {
         let object = &scene.objects[0];
         let (mesh, camera) = (&scene.meshes[object.mesh], scene.camera.unwrap());
         let place = |p: glam::Vec3| object.transform.transform_point3(p.as_dvec3());
@@ -150,7 +150,7 @@ impl Reference {
     }
 
     /// The colour of a hit, or `None` where a jump is too near to compare.
-    pub fn color(&self, hit: &Hit, lighting: &Lighting) -> Option<Color> {
+    pub(crate) fn color(&self, hit: &Hit, lighting: &Lighting) -> Option<Color> {
         let triangle = &self.triangles[hit.triangle];
         let weights = hit.weights[usize::from(lighting.interpolation == Interpolation::ScreenLinear)];
         let side = match (hit.back, lighting.two_sided) {

@@ -3,7 +3,7 @@
 use glanz_render::Frame;
 
 /// FNV-1a over the bits of every plane (Fowler, Noll and Vo 1991). All NaNs count as one.
-pub fn of(frame: &Frame) -> u64 {
+pub(crate) fn of(frame: &Frame) -> u64 {
     let planes = frame.rgb.iter().chain(&frame.more).chain([&frame.alpha, &frame.depth]).chain(&frame.normal);
     let floats = planes.flatten().map(|value| if value.is_nan() { u32::MAX } else { value.to_bits() });
     let words = floats.chain(frame.object.iter().copied());

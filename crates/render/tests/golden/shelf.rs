@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The folder of this test.
-pub fn folder() -> PathBuf {
+pub(crate) fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
 }
 
@@ -15,7 +15,7 @@ fn renews() -> bool {
 
 /// Compares a group of pictures, each a name, a size, its 8-bit codes and its hash, with those that are kept in
 /// `folder/GROUP/`; or writes them.
-pub fn compare(group: &str, pictures: Vec<(String, [usize; 2], Vec<u8>, u64)>) {
+pub(crate) fn compare(group: &str, pictures: Vec<(String, [usize; 2], Vec<u8>, u64)>) {
     let folder = folder().join(group);
     let list = folder.join("hashes.txt");
     if renews() {

@@ -53,11 +53,11 @@ pub(crate) struct Problem {
 }
 
 impl Problem {
-    pub fn at(span: &Range<usize>, message: impl Into<String>) -> Self {
+    pub(super) fn at(span: &Range<usize>, message: impl Into<String>) -> Self {
         Self { span: Some(span.clone()), message: message.into(), help: None }
     }
 
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
@@ -74,12 +74,12 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    pub fn new(path: &Path, text: &str) -> Self {
+    pub(super) fn new(path: &Path, text: &str) -> Self {
         Self { path: path.to_owned(), text: text.into(), overrides: Vec::new(), end: text.len() + 1 }
     }
 
     /// Adds an override; the answer is the byte where it begins.
-    pub fn add_override(&mut self, text: &str) -> usize {
+    pub(super) fn add_override(&mut self, text: &str) -> usize {
         let begin = self.end;
         self.overrides.push((begin, text.into()));
         self.end += text.len() + 1;
@@ -87,7 +87,7 @@ impl Source {
     }
 
     /// The error as people see it.
-    pub fn error(&self, problem: Problem) -> FileError {
+    pub(super) fn error(&self, problem: Problem) -> FileError {
         let Problem { span, message, help } = problem;
         let begin = span.as_ref().map_or(0, |span| span.start);
         let (path, text, offset) = match self.overrides.iter().rfind(|(from, _)| *from <= begin) {

@@ -92,7 +92,7 @@ pub(crate) struct Paths {
 
 impl Paths {
     /// The paths of the tables below `root`.
-    pub fn of(root: &Spanned<DeTable<'_>>) -> Self {
+    pub(super) fn of(root: &Spanned<DeTable<'_>>) -> Self {
         let mut paths = Self { tables: Vec::new() };
         paths.add_table(root.get_ref(), "");
         paths

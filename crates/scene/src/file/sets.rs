@@ -46,7 +46,7 @@ pub(crate) fn collect(source: &mut Source, sets: &[(String, String)]) -> Result<
 
 impl Override {
     /// Sets the value in the document.
-    pub fn apply<'i>(&'i self, root: &mut DeTable<'i>) -> Result<(), Problem> {
+    pub(super) fn apply<'i>(&'i self, root: &mut DeTable<'i>) -> Result<(), Problem> {
         let keys: Vec<&'i str> = self.path.split('.').map(str::trim).collect();
         if keys.iter().any(|key| key.is_empty()) {
             let message = format!("expected a path such as materials.ball.shininess, found '{}'", self.path);

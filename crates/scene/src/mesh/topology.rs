@@ -15,7 +15,7 @@ pub(crate) struct Welded {
 
 impl Welded {
     /// Welds by position, bit by bit but for the sign of zero.
-    pub fn of(positions: &[Vec3]) -> Self {
+    pub(crate) fn of(positions: &[Vec3]) -> Self {
         let mut known: HashMap<[u32; 3], u32> = HashMap::with_capacity(positions.len());
         let mut first = Vec::new();
         let point_of = positions
@@ -44,12 +44,12 @@ pub(crate) struct Splitter<K> {
 
 impl<K: Copy + Eq + Hash> Splitter<K> {
     /// For so many vertices.
-    pub fn new(vertices: usize) -> Self {
+    pub(crate) fn new(vertices: usize) -> Self {
         Self { sources: (0..vertices as u32).collect(), served: vec![None; vertices], twins: HashMap::new() }
     }
 
     /// The vertex to use where `vertex` needs the value that `key` stands for.
-    pub fn user(&mut self, vertex: u32, key: K) -> u32 {
+    pub(crate) fn user(&mut self, vertex: u32, key: K) -> u32 {
         let served = self.served[vertex as usize].get_or_insert(key);
         if *served == key {
             return vertex;
@@ -61,7 +61,7 @@ impl<K: Copy + Eq + Hash> Splitter<K> {
     }
 
     /// Whether the vertex has been asked for any value yet.
-    pub fn serves(&self, vertex: u32) -> bool {
+    pub(crate) fn serves(&self, vertex: u32) -> bool {
         self.served[vertex as usize].is_some()
     }
 }
@@ -77,7 +77,7 @@ pub(crate) struct Edges {
 impl Edges {
     /// Finds them in time linear in the number of triangles (times the logarithm of the most edges
     /// that meet in one point).
-    pub fn of(triangles: &[[u32; 3]], points: usize) -> Self {
+    pub(crate) fn of(triangles: &[[u32; 3]], points: usize) -> Self {
         let sides: Vec<[u32; 2]> = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         let mut ends = Vec::with_capacity(sides.len() / 2 + 1);
         let mut of_corner = vec![[0; 3]; triangles.len()];
@@ -91,7 +91,7 @@ impl Edges {
     }
 
     /// Cuts each triangle in four, where edge `i` has got the vertex `first + i` in its middle.
-    pub fn split(&self, triangles: &[[u32; 3]], first: u32) -> Vec<[u32; 3]> {
+    pub(crate) fn split(&self, triangles: &[[u32; 3]], first: u32) -> Vec<[u32; 3]> {
         let mut parts = Vec::with_capacity(4 * triangles.len());
         for (&[a, b, c], edges) in triangles.iter().zip(&self.of_corner) {
             let [ab, bc, ca] = edges.map(|edge| first + edge);
@@ -135,7 +135,7 @@ pub(crate) struct Groups(Vec<u32>);
 
 impl Groups {
     /// Each member alone.
-    pub fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self((0..count as u32).collect())
     }
 
@@ -152,13 +152,13 @@ impl Groups {
     }
 
     /// Makes one set of those of both members.
-    pub fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
     }
 
     /// The first member of the set of each.
-    pub fn into_roots(mut self) -> Vec<u32> {
+    pub(crate) fn into_roots(mut self) -> Vec<u32> {
         for member in 0..self.0.len() as u32 {
             // Parents come before their children, so one step is enough here.
             self.0[member as usize] = self.0[self.0[member as usize] as usize];

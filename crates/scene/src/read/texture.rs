@@ -115,7 +115,7 @@ pub(super) mod tests {
     use super::*;
 
     /// A PNG of these RGBA texels.
-    pub fn png(width: u32, height: u32, rgba: &[u8]) -> Vec<u8> {
+    pub(crate) fn png(width: u32, height: u32, rgba: &[u8]) -> Vec<u8> {
         encode(width, height, rgba, ImageFormat::Png)
     }
 
@@ -130,7 +130,7 @@ pub(super) mod tests {
     }
 
     /// The same picture in both formats.
-    pub fn samples() -> [Vec<u8>; 2] {
+    pub(crate) fn samples() -> [Vec<u8>; 2] {
         let rgba: Vec<u8> = (0..16 * 8 * 4).map(|i| (i * 37 % 251) as u8).collect();
         [encode(16, 8, &rgba, ImageFormat::Png), encode(16, 8, &rgba, ImageFormat::Jpeg)]
     }

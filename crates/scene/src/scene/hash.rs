@@ -39,7 +39,7 @@ fn hash_of(value: &impl Serialize) -> u64 {
 pub(crate) struct Hash(u64);
 
 impl Hash {
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self(OFFSET)
     }
 
@@ -51,7 +51,7 @@ impl Hash {
     }
 
     /// Adds bytes and how many they are.
-    pub fn bytes(&mut self, bytes: &[u8]) {
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
         let mut words = bytes.chunks_exact(8);
         for word in &mut words {
             self.word(u64::from_le_bytes(word.try_into().expect("chunks of eight")));
@@ -63,7 +63,7 @@ impl Hash {
     }
 
     /// The number.
-    pub const fn finish(self) -> u64 {
+    pub(crate) const fn finish(self) -> u64 {
         // The finaliser of SplitMix64 (S. Vigna).
         let mut x = self.0;
         x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

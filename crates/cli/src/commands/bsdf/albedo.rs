@@ -13,14 +13,14 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, line, number};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz bsdf albedo phong-normalized --set shininess=8 --theta 0,30,60
   glanz bsdf albedo blinn-phong-normalized --set shininess=100 --ior Au --lambda-nm 650";
 
 /// Options of `glanz bsdf albedo`.
 #[derive(Args, Debug)]
-pub struct AlbedoArgs {
+pub(crate) struct AlbedoArgs {
     #[command(flatten)]
     model: ModelArgs,
 
@@ -40,7 +40,7 @@ pub struct AlbedoArgs {
 
 /// The part of the light that leaves.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The model's name
     model: &'static str,
     params: BTreeMap<&'static str, f64>,
@@ -62,7 +62,7 @@ struct AlbedoFacts {
 
 impl AlbedoArgs {
     /// Prints the albedos.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let shape = self.model.shape()?;
         let info = shape.info();
         if matches!(info.term, LightTerm::Ambient | LightTerm::Emission) {

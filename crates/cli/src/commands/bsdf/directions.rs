@@ -15,7 +15,7 @@ const LONGEST: usize = 40;
 
 /// Why a table cannot be used.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum TableError {
+pub(super) enum TableError {
     /// There is not even a first line.
     #[error("expected a line with the names of columns, found an empty table")]
     Empty,
@@ -69,7 +69,7 @@ pub enum TableError {
 
 impl TableError {
     /// The line that it is in, from 1.
-    pub fn line(&self) -> Option<usize> {
+    pub(super) fn line(&self) -> Option<usize> {
         match self {
             Self::Empty => None,
             Self::LongLine { line, .. }
@@ -83,7 +83,7 @@ impl TableError {
 
 /// Where the directions are in a line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Columns {
+pub(super) struct Columns {
     separator: char,
     count: usize,
     /// The names of the columns used and their numbers from 0.
@@ -92,7 +92,7 @@ pub struct Columns {
 
 impl Columns {
     /// Finds the columns by the names in the first line.
-    pub fn of_header(text: &str, line: usize) -> Result<Self, TableError> {
+    pub(super) fn of_header(text: &str, line: usize) -> Result<Self, TableError> {
         let separator = [',', ';', '\t'].into_iter().find(|c| text.contains(*c)).unwrap_or(',');
         let names: Vec<_> = fields(text, separator).into_iter().map(|name| name.trim().to_owned()).collect();
         let failed = |found: String| Err(TableError::Header { line, found });
@@ -122,12 +122,12 @@ impl Columns {
     }
 
     /// What stands between fields.
-    pub fn separator(&self) -> char {
+    pub(super) fn separator(&self) -> char {
         self.separator
     }
 
     /// The directions to the viewer and to the light.
-    pub fn directions(&self, text: &str, line: usize) -> Result<(Vec3<f64>, Vec3<f64>), TableError> {
+    pub(super) fn directions(&self, text: &str, line: usize) -> Result<(Vec3<f64>, Vec3<f64>), TableError> {
         let fields = fields(text, self.separator);
         if fields.len() != self.count {
             return Err(TableError::Fields { line, expected: self.count, found: fields.len() });

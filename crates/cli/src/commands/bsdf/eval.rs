@@ -18,7 +18,7 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz bsdf eval phong --set shininess=32 --wo 30,0 --wi 45,180
   glanz bsdf eval blinn-phong --ior Cu --lambda-nm 600 --wo 30,0 --wi 45,180
@@ -33,7 +33,7 @@ const LEAST_COSINE: f64 = 1e-12;
 
 /// Options of `glanz bsdf eval`.
 #[derive(Args, Debug)]
-pub struct EvalArgs {
+pub(crate) struct EvalArgs {
     #[command(flatten)]
     model: ModelArgs,
 
@@ -64,7 +64,7 @@ pub struct EvalArgs {
 
 impl EvalArgs {
     /// Prints the value, or writes the table.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let shape = self.model.shape()?;
         let factor = self.factor.factor()?;
         if let Some(directions) = &self.directions {
@@ -114,7 +114,7 @@ impl EvalArgs {
 
 /// The value of a model for a pair of directions.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The model's name
     model: &'static str,
     params: BTreeMap<&'static str, f64>,

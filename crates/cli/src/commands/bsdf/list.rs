@@ -12,7 +12,7 @@ use crate::print::{self, Format, FormatArgs, finite, line, number};
 
 /// Options of `glanz bsdf show`.
 #[derive(Args, Debug)]
-pub struct ShowArgs {
+pub(crate) struct ShowArgs {
     /// The model's name, from `glanz bsdf list`
     #[arg(value_name = "NAME", value_parser = model_names())]
     name: String,
@@ -22,7 +22,7 @@ pub struct ShowArgs {
 
 impl ShowArgs {
     /// Prints what is known of the model.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let info = info_named(&self.name).map_err(|error| Failure::Usage(error.to_string()))?;
         if self.format.format == Format::Json {
             return print::json(&ModelFacts::of(info));
@@ -73,7 +73,7 @@ fn term_name(term: LightTerm) -> &'static str {
 }
 
 /// Prints all models.
-pub fn run(format: FormatArgs) -> Result<(), Failure> {
+pub(crate) fn run(format: FormatArgs) -> Result<(), Failure> {
     if format.format == Format::Json {
         return print::json(&ListDocument { models: MODELS.iter().map(ModelFacts::of).collect() });
     }
@@ -100,14 +100,14 @@ fn kinds(info: &ModelInfo) -> [(bool, &'static str); 3] {
 
 /// The models of reflection.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct ListDocument {
+pub(crate) struct ListDocument {
     /// All models, in the order of their list
     models: Vec<ModelFacts>,
 }
 
 /// What is known of a model.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct ModelFacts {
+pub(crate) struct ModelFacts {
     name: &'static str,
     title: &'static str,
     /// The term of the light that it answers: ambient, diffuse, specular or emission

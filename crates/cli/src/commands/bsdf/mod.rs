@@ -1,9 +1,9 @@
 //! `glanz bsdf`: the models of reflection, and their numbers.
 
-pub mod albedo;
+pub(super) mod albedo;
 mod directions;
-pub mod eval;
-pub mod list;
+pub(super) mod eval;
+pub(super) mod list;
 mod model;
 mod table;
 
@@ -14,7 +14,7 @@ use crate::print::failure::Failure;
 
 /// What to do with the models.
 #[derive(Subcommand, Debug)]
-pub enum BsdfCommand {
+pub(crate) enum BsdfCommand {
     /// All models, one per line
     #[command(after_help = "Example:\n  glanz bsdf list --format json")]
     List(FormatArgs),
@@ -31,7 +31,7 @@ pub enum BsdfCommand {
 
 impl BsdfCommand {
     /// The subcommand's name.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
             Self::Show(_) => "show",
@@ -41,7 +41,7 @@ impl BsdfCommand {
     }
 
     /// Does it.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(format) => list::run(*format),
             Self::Show(args) => args.run(),

@@ -15,7 +15,7 @@ use crate::print::failure::Failure;
 
 /// A model with its parameters.
 #[derive(Args, Debug)]
-pub struct ModelArgs {
+pub(super) struct ModelArgs {
     /// The model's name, from `glanz bsdf list`
     #[arg(value_name = "NAME", value_parser = model_names())]
     name: String,
@@ -27,7 +27,7 @@ pub struct ModelArgs {
 
 impl ModelArgs {
     /// The shape, with the parameters checked.
-    pub fn shape(&self) -> Result<Shape, Failure> {
+    pub(super) fn shape(&self) -> Result<Shape, Failure> {
         let mut set = Vec::with_capacity(self.set.len());
         for (name, text) in &self.set {
             let value = text.parse::<f64>().map_err(|_| {
@@ -48,13 +48,13 @@ impl ModelArgs {
 }
 
 /// The parameters for programs.
-pub fn params(shape: &Shape) -> BTreeMap<&'static str, f64> {
+pub(super) fn params(shape: &Shape) -> BTreeMap<&'static str, f64> {
     shape.info().params.iter().map(|param| param.name).zip(shape.params()).collect()
 }
 
 /// What a lobe is multiplied with, if anything, for programs.
 #[derive(Debug, Default, Serialize, JsonSchema)]
-pub struct TintFacts {
+pub(super) struct TintFacts {
     /// What the lobe is multiplied with
     #[serde(skip_serializing_if = "Option::is_none")]
     tint: Option<String>,
@@ -65,7 +65,7 @@ pub struct TintFacts {
 
 impl TintFacts {
     /// That of a factor at a wavelength; nothing where there is no factor.
-    pub fn of(factor: &Factor, nm: f64) -> Self {
+    pub(super) fn of(factor: &Factor, nm: f64) -> Self {
         let name = factor.name();
         match name.is_empty() {
             true => Self::default(),

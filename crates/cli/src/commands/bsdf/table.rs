@@ -16,7 +16,7 @@ use crate::print::failure::{Failure, Report, without_number};
 const MAX_LINE: u64 = 1 << 20;
 
 /// Reads directions from a file, or from stdin for `-`, and writes them with `values` of them.
-pub fn run(
+pub(super) fn run(
     input: &Path,
     output: Option<&Path>,
     values: impl Fn(Vec3<f64>, Vec3<f64>) -> (f64, Option<f64>),

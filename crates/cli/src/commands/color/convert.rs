@@ -14,7 +14,7 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color convert --from hls --to ac1c2 210,0.4,0.8
   glanz color convert --from srgb --to lab 1,0.5,0
   glanz color convert --from lab --to oklch --format json -- 50,-20,30
@@ -25,7 +25,7 @@ another colour.";
 
 /// Options of `glanz color convert`.
 #[derive(Args, Debug)]
-pub struct ConvertArgs {
+pub(crate) struct ConvertArgs {
     /// The model of the numbers
     #[arg(long, value_name = "MODEL", value_parser = models())]
     from: String,
@@ -44,7 +44,7 @@ pub struct ConvertArgs {
 
 /// A colour in another model.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The model of the numbers
     from: String,
     /// The model asked for
@@ -75,7 +75,7 @@ fn models() -> PossibleValuesParser {
 
 impl ConvertArgs {
     /// Converts the colour.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(error.to_string());
         let found = convert(&self.from, &self.to, &self.values.0).map_err(|error| usage(&error))?;
         let model = Model::from_name(&self.to).map_err(|error| usage(&error))?;

@@ -17,7 +17,7 @@ use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color efficiency
   glanz color efficiency --under D65,A --set samples --plot efficiency.png
   glanz color efficiency --set patches.csv --format json
@@ -37,7 +37,7 @@ const SHOWN: [usize; 8] = [3, 4, 6, 8, 12, 16, 24, 32];
 
 /// Options of `glanz color efficiency`.
 #[derive(Args, Debug)]
-pub struct EfficiencyArgs {
+pub(crate) struct EfficiencyArgs {
     #[command(flatten)]
     what: WhatArgs,
 
@@ -51,7 +51,7 @@ pub struct EfficiencyArgs {
 
 /// Which lights and surfaces.
 #[derive(Args, Debug)]
-pub struct WhatArgs {
+pub(crate) struct WhatArgs {
     /// Lights between commas, names or files; all is E,D65,A,FL2,FL11,LED-B3
     #[arg(long, value_name = "LIGHT,…", default_value = "all")]
     under: String,
@@ -62,7 +62,7 @@ pub struct WhatArgs {
 }
 
 /// What was found.
-pub struct Found {
+pub(crate) struct Found {
     set: String,
     count: usize,
     lights: Vec<String>,
@@ -72,7 +72,7 @@ pub struct Found {
 
 /// How wrong colours are that are computed with few samples of the spectrum.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The set of surfaces
     set: String,
     /// How many surfaces there are
@@ -105,7 +105,7 @@ struct ErrorsFacts {
 
 impl EfficiencyArgs {
     /// Computes the errors, and draws them.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         let found = self.what.find()?;
         if let Some(file) = &self.plot {
@@ -120,7 +120,7 @@ impl EfficiencyArgs {
 
 impl WhatArgs {
     /// Computes the errors of all representations under all lights.
-    pub fn find(&self) -> Result<Found, Failure> {
+    pub(crate) fn find(&self) -> Result<Found, Failure> {
         let under = if self.under.eq_ignore_ascii_case("all") { ALL } else { &self.under };
         let under = words(under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
         let lights = under.iter().map(|word| light_source(word)).collect::<Result<Vec<_>, _>>()?;
@@ -164,7 +164,7 @@ impl WhatArgs {
 
 impl Found {
     /// The plot: a panel for each light.
-    pub fn chart(&self) -> EfficiencyChart {
+    pub(crate) fn chart(&self) -> EfficiencyChart {
         let kinds = [
             Representation::Uniform(0),
             Representation::UniformVisible(0),

@@ -21,7 +21,7 @@ use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, number};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color fluorescence paper-note-pink --under D65,A,UV365
   glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
 
@@ -41,7 +41,7 @@ const LEAST_POWER: f64 = 1e-3;
 
 /// Options of `glanz color fluorescence`.
 #[derive(Args, Debug)]
-pub struct FluorescenceArgs {
+pub(crate) struct FluorescenceArgs {
     /// A material from `glanz color list fluorescent`, or a file
     #[arg(value_name = "NAME|FILE")]
     material: String,
@@ -85,7 +85,7 @@ struct Stimulus {
 
 impl FluorescenceArgs {
     /// Tells the colour of the material under each light.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
@@ -152,7 +152,7 @@ fn row(matrix: &Reradiation, light: &Source, observer: &Observer) -> Result<Row,
 
 /// What a fluorescent material makes of each of several lights.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     name: String,
     title: String,
     observer: String,

@@ -13,7 +13,7 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, finite, number};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color list lights
   glanz color list models --format json
 
@@ -21,7 +21,7 @@ Without a kind, all are listed.";
 
 /// Options of `glanz color list`.
 #[derive(Args, Debug)]
-pub struct ListArgs {
+pub(crate) struct ListArgs {
     /// What to list
     #[arg(value_enum, value_name = "KIND")]
     kind: Option<Kind>,
@@ -59,7 +59,7 @@ struct Entry {
 
 /// What there is by name.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The entries of each kind that was asked for, all without one: lights, observers, reflectances, metals,
     /// fluorescent, models
     #[serde(flatten)]
@@ -154,7 +154,7 @@ impl Kind {
 
 impl ListArgs {
     /// Prints the list.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let kinds: Vec<Kind> = self.kind.map_or(Kind::ALL.to_vec(), |kind| vec![kind]);
         if self.format.is_json() {
             let of = |kind: &Kind| kind.entries().into_iter().map(|entry| entry.facts).collect();

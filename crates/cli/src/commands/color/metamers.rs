@@ -15,7 +15,7 @@ use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color metamers a.csv b.csv --under D65,A,FL11
   glanz color metamers pairs.csv:1 pairs.csv:2 --observer cie1964 --format json
 
@@ -27,7 +27,7 @@ counts. The same with ΔE00 stands beside it.";
 
 /// Options of `glanz color metamers`.
 #[derive(Args, Debug)]
-pub struct MetamersArgs {
+pub(crate) struct MetamersArgs {
     /// The first surface: a name from `glanz color list`, or a file
     #[arg(value_name = "FIRST")]
     first: String,
@@ -63,7 +63,7 @@ struct Row {
 
 impl MetamersArgs {
     /// Compares the pair under each light.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
         let mut pair = [surface(&self.first)?, surface(&self.second)?];
@@ -97,7 +97,7 @@ impl MetamersArgs {
 
 /// How different two surfaces look under each of several lights.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The name of the first surface
     first: String,
     /// The name of the second surface

@@ -1,12 +1,12 @@
 //! `glanz color`: spectra, lights and colours, and their numbers.
 
-pub mod convert;
-pub mod efficiency;
-pub mod fluorescence;
-pub mod list;
-pub mod metamers;
+pub(super) mod convert;
+pub(super) mod efficiency;
+pub(super) mod fluorescence;
+pub(super) mod list;
+pub(super) mod metamers;
 mod plot;
-pub mod spectrum;
+pub(super) mod spectrum;
 
 use clap::Subcommand;
 
@@ -14,7 +14,7 @@ use crate::print::failure::Failure;
 
 /// What to do with colours.
 #[derive(Subcommand, Debug)]
-pub enum ColorCommand {
+pub(crate) enum ColorCommand {
     /// Convert a colour from one model to another
     #[command(after_help = convert::EXAMPLES)]
     Convert(convert::ConvertArgs),
@@ -40,7 +40,7 @@ pub enum ColorCommand {
 
 impl ColorCommand {
     /// The names that lead to the command, from this one on.
-    pub fn path(&self) -> Vec<&'static str> {
+    pub(crate) fn path(&self) -> Vec<&'static str> {
         match self {
             Self::Convert(_) => vec!["convert"],
             Self::Spectrum(_) => vec!["spectrum"],
@@ -53,7 +53,7 @@ impl ColorCommand {
     }
 
     /// Does it.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Convert(args) => args.run(),
             Self::Spectrum(args) => args.run(),

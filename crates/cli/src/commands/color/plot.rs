@@ -17,14 +17,14 @@ use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(super) const EXAMPLES: &str = "Examples:
   glanz color plot spectra D65 A FL11 -o lights.svg
   glanz color plot chromaticity --mark D65,A,E -o diagram.png
   glanz color plot cones -o cones.svg";
 
 /// What to draw.
 #[derive(Subcommand, Debug)]
-pub enum PlotCommand {
+pub(crate) enum PlotCommand {
     /// Spectra over the band of the spectral colours
     #[command(after_help = "Examples:
   glanz color plot spectra D65 A FL11 -o lights.svg
@@ -49,7 +49,7 @@ pub enum PlotCommand {
 
 /// Where the plot goes.
 #[derive(Args, Debug)]
-pub struct OutputArgs {
+pub(crate) struct OutputArgs {
     /// The plot's file; .svg or .png
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     output: PlotFile,
@@ -57,7 +57,7 @@ pub struct OutputArgs {
 
 /// Options of `glanz color plot spectra`.
 #[derive(Args, Debug)]
-pub struct SpectraArgs {
+pub(crate) struct SpectraArgs {
     /// Lights or surfaces: names from `glanz color list`, or files
     #[arg(value_name = "NAME|FILE", required = true)]
     spectra: Vec<String>,
@@ -76,7 +76,7 @@ pub struct SpectraArgs {
 
 /// Options of `glanz color plot chromaticity`.
 #[derive(Args, Debug)]
-pub struct ChromaticityArgs {
+pub(crate) struct ChromaticityArgs {
     /// Lights that are marked, between commas: names or files
     #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,E")]
     mark: String,
@@ -87,7 +87,7 @@ pub struct ChromaticityArgs {
 
 /// Options of `glanz color plot matrix`.
 #[derive(Args, Debug)]
-pub struct MatrixArgs {
+pub(crate) struct MatrixArgs {
     /// A material from `glanz color list fluorescent`, or a file
     #[arg(value_name = "NAME|FILE")]
     material: String,
@@ -98,7 +98,7 @@ pub struct MatrixArgs {
 
 /// Options of `glanz color plot efficiency`.
 #[derive(Args, Debug)]
-pub struct EfficiencyArgs {
+pub(crate) struct EfficiencyArgs {
     #[command(flatten)]
     what: WhatArgs,
 
@@ -108,7 +108,7 @@ pub struct EfficiencyArgs {
 
 impl PlotCommand {
     /// The subcommand's name.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Spectra(_) => "spectra",
             Self::Chromaticity(_) => "chromaticity",
@@ -120,7 +120,7 @@ impl PlotCommand {
     }
 
     /// Draws it.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let file = &self.output().output;
         check_plot(Some(file))?;
         let figure: Box<dyn Figure> = match self {

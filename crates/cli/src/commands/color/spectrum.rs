@@ -23,7 +23,7 @@ use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
 
 /// Shown below the help.
-pub const EXAMPLES: &str = "Examples:
+pub(crate) const EXAMPLES: &str = "Examples:
   glanz color spectrum D65
   glanz color spectrum gold --under A
   glanz color spectrum sample.csv --observer cie1964 --plot sample.svg
@@ -41,7 +41,7 @@ const WHITE_Y: f64 = 100.0;
 
 /// Options of `glanz color spectrum`.
 #[derive(Args, Debug)]
-pub struct SpectrumArgs {
+pub(crate) struct SpectrumArgs {
     /// A light, a reflectance, a metal or a medium from `glanz color list`, or a file
     #[arg(value_name = "NAME|FILE")]
     spectrum: String,
@@ -80,7 +80,7 @@ struct Facts {
 /// The colour numbers of a light or a surface.
 #[derive(Debug, Serialize)]
 #[serde(transparent)]
-pub struct Document(Map<String, Value>);
+pub(crate) struct Document(Map<String, Value>);
 
 /// The keys follow from what the spectrum is of and who sees it, so the schema is written here.
 impl JsonSchema for Document {
@@ -132,7 +132,7 @@ impl Facts {
 
 impl SpectrumArgs {
     /// Tells the numbers, and draws and writes what is asked for.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let kind = self.kind.map(SpectrumKind::from);

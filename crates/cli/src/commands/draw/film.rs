@@ -20,7 +20,7 @@ use crate::progress::Progress;
 
 /// A film that was drawn.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// A file for each frame, or one that moves
     files: Vec<String>,
 }
@@ -43,7 +43,7 @@ struct Frames<'a> {
 
 impl RenderArgs {
     /// Draws all frames of `range`.
-    pub fn film(&self, range: Range<u32>) -> Result<(), Failure> {
+    pub(crate) fn film(&self, range: Range<u32>) -> Result<(), Failure> {
         if !self.turntable && self.animate.is_empty() {
             let message = "all frames would be the same: add --turntable or --animate PATH=FROM:TO";
             return Err(Failure::Usage(message.to_owned()));

@@ -1,11 +1,11 @@
 //! The commands that draw scenes.
 
-pub mod film;
-pub mod modes;
-pub mod relight;
-pub mod render;
-pub mod shade_compare;
-pub mod sheet;
+pub(super) mod film;
+pub(super) mod modes;
+pub(super) mod relight;
+pub(super) mod render;
+pub(super) mod shade_compare;
+pub(super) mod sheet;
 mod side_by_side;
-pub mod stage_sheet;
-pub mod sweep;
+pub(super) mod stage_sheet;
+pub(super) mod sweep;

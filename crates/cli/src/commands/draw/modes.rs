@@ -20,7 +20,7 @@ use crate::print::{self, Format};
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz modes scene.toml -o modes.png
   glanz modes scene.toml --modes rgb,sampled:4,sampled:8,sampled:16 --format json
@@ -35,7 +35,7 @@ const DEFAULT_MODES: &str = "rgb,meyer,meyer-adapted,sampled:8,spectral";
 
 /// Options of `glanz modes`.
 #[derive(Args, Debug)]
-pub struct ModesArgs {
+pub(crate) struct ModesArgs {
     #[command(flatten)]
     input: InputArgs,
 
@@ -66,7 +66,7 @@ struct Column {
 
 impl ModesArgs {
     /// Draws and measures.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         self.check()?;
         let (target, input) = self.pictures.begin(&self.input, "_modes.png", "a comparison")?;
         let columns = self.columns(&input)?;
@@ -198,7 +198,7 @@ fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas
 
 /// How far colour modes are apart.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The sheet of pictures
     file: String,
     /// The mode that the others are compared with

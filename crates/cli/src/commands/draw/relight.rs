@@ -18,7 +18,7 @@ use crate::print::timings::Timings;
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz relight scene.toml --light A --light D65 --light FL11 --light UV365 -o lights.png
   glanz relight scene.toml --light A --light D65 --white scene
@@ -29,7 +29,7 @@ the scene without its fluorescence.";
 
 /// Options of `glanz relight`.
 #[derive(Args, Debug)]
-pub struct RelightArgs {
+pub(crate) struct RelightArgs {
     #[command(flatten)]
     input: InputArgs,
 
@@ -44,7 +44,7 @@ pub struct RelightArgs {
 
 impl RelightArgs {
     /// Draws.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let spectra = self.spectra()?;
         let (target, mut input) = self.pictures.begin(&self.input, "_lights.png", "a sheet of lights")?;
         let mut look = self.pictures.look.clone();
@@ -155,7 +155,7 @@ impl RelightArgs {
 
 /// A scene under several lights.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The sheet of pictures
     file: String,
     /// In the order of the columns

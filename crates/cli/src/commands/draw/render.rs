@@ -22,7 +22,7 @@ use crate::print::{self, FormatArgs, preview};
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz render examples/kite.toml -o kite.png
   glanz render model.glb --preview
@@ -36,7 +36,7 @@ Examples:
 
 /// Options of `glanz render`.
 #[derive(Args, Debug)]
-pub struct RenderArgs {
+pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]
@@ -108,7 +108,7 @@ pub struct RenderArgs {
 
 impl RenderArgs {
     /// Draws.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         match &self.frames {
             Some(range) => self.film(range.clone()),
@@ -173,19 +173,19 @@ impl RenderArgs {
     }
 
     /// Reads the scene, with these values set.
-    pub fn load(&self, values: &[(String, String)]) -> Result<Input, Failure> {
+    pub(crate) fn load(&self, values: &[(String, String)]) -> Result<Input, Failure> {
         self.input.load(Some(&self.camera), values)
     }
 
     /// The scene as arrays, and how it is drawn.
-    pub fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
+    pub(crate) fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
         let shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
         Ok((plan, shot))
     }
 
     /// What the picture must keep for a file of this format.
-    pub fn kind(&self, format: Format) -> Result<PictureKind, Failure> {
+    pub(crate) fn kind(&self, format: Format) -> Result<PictureKind, Failure> {
         if self.spectral_exr && format != Format::Exr {
             let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
             return Err(Failure::Usage(message.to_owned()));
@@ -237,7 +237,7 @@ impl RenderArgs {
 
 /// A picture that was drawn.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The picture's file
     file: Option<String>,
     /// SHA-256 of the bytes of the file: equal pictures of equal scenes are equal files

@@ -18,7 +18,7 @@ use crate::print::{self, Format};
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz shade-compare scene.toml -o three.png
   glanz shade-compare model.glb --size 400x400 --format json
@@ -35,7 +35,7 @@ const SHADINGS: [(Shading, &str, &str); 3] = [
 
 /// Options of `glanz shade-compare`.
 #[derive(Args, Debug)]
-pub struct ShadeCompareArgs {
+pub(crate) struct ShadeCompareArgs {
     #[command(flatten)]
     input: InputArgs,
     #[command(flatten)]
@@ -44,7 +44,7 @@ pub struct ShadeCompareArgs {
 
 impl ShadeCompareArgs {
     /// Draws and measures.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.pictures.look.shading.is_some() {
             let message = "--shading has no place here: all three shadings are drawn";
             return Err(Failure::Usage(message.to_owned()));
@@ -86,7 +86,7 @@ impl ShadeCompareArgs {
 
 /// How far shadings are apart.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     /// The sheet of pictures
     file: String,
     /// The shading that the others are compared with

@@ -12,7 +12,7 @@ use crate::print::{self, FormatArgs};
 
 /// Where the pictures go, and how each is drawn and developed.
 #[derive(Args, Debug)]
-pub struct SideBySideArgs {
+pub(super) struct SideBySideArgs {
     #[command(flatten)]
     pub target: TargetArgs,
     #[command(flatten)]
@@ -32,7 +32,12 @@ pub struct SideBySideArgs {
 impl SideBySideArgs {
     /// Where the pictures go, without `-o` beside the scene with this ending, and the scene. `what` they are is said
     /// where they cannot be written.
-    pub fn begin(&self, input: &InputArgs, ending: &str, what: &str) -> Result<(Target, Input), Failure> {
+    pub(super) fn begin(
+        &self,
+        input: &InputArgs,
+        ending: &str,
+        what: &str,
+    ) -> Result<(Target, Input), Failure> {
         self.machine.apply()?;
         let target = self.target.resolve(&input.input, ending)?;
         encode::expect_png(&target, what)?;
@@ -43,12 +48,12 @@ impl SideBySideArgs {
     }
 
     /// How a picture is drawn, with this look in place of that of the command line.
-    pub fn plan(&self, input: &Input, look: &LookArgs) -> Result<Plan, Failure> {
+    pub(super) fn plan(&self, input: &Input, look: &LookArgs) -> Result<Plan, Failure> {
         Plan::new(input, self.size.size, look, &self.camera, self.develop)
     }
 
     /// Brings the pictures, on one sheet, to where they go, and says so.
-    pub fn deliver(&self, sheet: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
+    pub(super) fn deliver(&self, sheet: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
         encode::deliver(sheet.into(), target, &encode::metadata(hash))?;
         if let Target::File(path) = target {
             print::note(format_args!("wrote {}", path.display()));

@@ -17,7 +17,7 @@ use crate::progress::Progress;
 
 /// Where the sheet goes, and how its pictures are coloured and developed.
 #[derive(Args, Debug)]
-pub struct StageSheetArgs {
+pub(crate) struct StageSheetArgs {
     #[command(flatten)]
     target: TargetArgs,
     #[command(flatten)]
@@ -32,7 +32,7 @@ pub struct StageSheetArgs {
 
 impl StageSheetArgs {
     /// Where the sheet goes; without `-o` into a file of this name.
-    pub fn begin(&self, name: &str) -> Result<Target, Failure> {
+    pub(crate) fn begin(&self, name: &str) -> Result<Target, Failure> {
         self.machine.apply()?;
         let target = self.target.resolve(Path::new(name), "_sheet.png")?;
         encode::expect_png(&target, "a sheet")?;
@@ -41,7 +41,7 @@ impl StageSheetArgs {
     }
 
     /// Draws each stage, in this size and with so many samples per pixel, into a cell of the sheet.
-    pub fn draw(
+    pub(crate) fn draw(
         &self,
         sheet: &ContactSheet,
         stages: impl Iterator<Item = Result<Input, Failure>>,
@@ -64,7 +64,7 @@ impl StageSheetArgs {
     }
 
     /// Brings the sheet to where it goes, and tells what each of its cells sets.
-    pub fn deliver(
+    pub(crate) fn deliver(
         &self,
         sheet: Canvas,
         target: &Target,

@@ -13,7 +13,7 @@ use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 -o row.png
   glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 \\
@@ -27,7 +27,7 @@ const DEFAULT_COLUMNS: usize = 8;
 
 /// Options of `glanz sweep`.
 #[derive(Args, Debug)]
-pub struct SweepArgs {
+pub(crate) struct SweepArgs {
     #[command(flatten)]
     input: InputArgs,
 
@@ -61,7 +61,7 @@ pub struct SweepArgs {
 
 impl SweepArgs {
     /// Draws the sheet.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         let target = self.target.resolve(&self.input.input, "_sweep.png")?;
         encode::expect_png(&target, "a sheet")?;

@@ -4,7 +4,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glanz_scene::library::Category;
 
 /// Parses the name of a category.
-pub fn categories() -> impl TypedValueParser<Value = Category> {
+pub(super) fn categories() -> impl TypedValueParser<Value = Category> {
     PossibleValuesParser::new(Category::ALL.map(Category::name))
         .map(|name| Category::named(&name).expect("the parser lets only known names through"))
 }

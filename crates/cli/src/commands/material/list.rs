@@ -12,14 +12,14 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz material list
   glanz material list --category metal --format json";
 
 /// Options of `glanz material list`.
 #[derive(Args, Debug)]
-pub struct ListArgs {
+pub(crate) struct ListArgs {
     /// Only materials of this category; may be repeated
     #[arg(long, value_name = "CATEGORY", value_parser = categories())]
     category: Vec<Category>,
@@ -30,7 +30,7 @@ pub struct ListArgs {
 
 impl ListArgs {
     /// Prints the list.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let listed: Vec<&'static MaterialInfo> = materials().iter().filter(|info| self.lists(info)).collect();
         match self.format.is_json() {
             true => print::json(&Document { materials: listed.into_iter().map(MaterialFacts::of).collect() }),
@@ -45,13 +45,13 @@ impl ListArgs {
 
 /// Materials of the library.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     materials: Vec<MaterialFacts>,
 }
 
 /// What is known of a material.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct MaterialFacts {
+pub(crate) struct MaterialFacts {
     name: &'static str,
     title: &'static str,
     category: &'static str,
@@ -60,7 +60,7 @@ pub struct MaterialFacts {
 
 impl MaterialFacts {
     /// That of this material.
-    pub fn of(info: &'static MaterialInfo) -> Self {
+    pub(crate) fn of(info: &'static MaterialInfo) -> Self {
         let MaterialInfo { name, title, category, source, .. } = info;
         Self { name, title, category: category.name(), source }
     }

@@ -1,9 +1,9 @@
 //! `glanz material`: the library of materials.
 
 mod categories;
-pub mod list;
+pub(super) mod list;
 mod sheet;
-pub mod show;
+pub(super) mod show;
 
 use clap::Subcommand;
 
@@ -11,7 +11,7 @@ use crate::print::failure::Failure;
 
 /// What to do with the library.
 #[derive(Subcommand, Debug)]
-pub enum MaterialCommand {
+pub(crate) enum MaterialCommand {
     /// All materials, one per line
     #[command(after_help = list::EXAMPLES)]
     List(list::ListArgs),
@@ -25,7 +25,7 @@ pub enum MaterialCommand {
 
 impl MaterialCommand {
     /// The subcommand's name.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::List(_) => "list",
             Self::Show(_) => "show",
@@ -34,7 +34,7 @@ impl MaterialCommand {
     }
 
     /// Does it.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::List(args) => args.run(),
             Self::Show(args) => args.run(),

@@ -15,7 +15,7 @@ use crate::load::input_of_stage;
 use crate::print::failure::Failure;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz material sheet -o all.png
   glanz material sheet --category metal --columns 6 -o metals.png
@@ -29,7 +29,7 @@ const DEFAULT_COLUMNS: u32 = 9;
 
 /// Options of `glanz material sheet`.
 #[derive(Args, Debug)]
-pub struct SheetArgs {
+pub(crate) struct SheetArgs {
     /// Names of materials, from `glanz material list`
     #[arg(value_name = "NAME")]
     names: Vec<String>,
@@ -61,7 +61,7 @@ pub struct SheetArgs {
 
 impl SheetArgs {
     /// Draws the sheet.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let target = self.sheet.begin("materials")?;
         let chosen = self.chosen()?;
         let stage = MaterialStage::new(self.lamp()?);

@@ -10,7 +10,7 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz material show gold
   glanz material show car-paint-red >> scene.toml
@@ -20,7 +20,7 @@ in an object, is short for it.";
 
 /// Options of `glanz material show`.
 #[derive(Args, Debug)]
-pub struct ShowArgs {
+pub(crate) struct ShowArgs {
     /// The material's name, from `glanz material list`
     #[arg(value_name = "NAME")]
     name: String,
@@ -31,7 +31,7 @@ pub struct ShowArgs {
 
 impl ShowArgs {
     /// Prints the material.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let info = library::info(&self.name).map_err(|error| Failure::Usage(error.to_string()))?;
         if !self.format.is_json() {
             return print::text(&snippet(info));
@@ -42,7 +42,7 @@ impl ShowArgs {
 
 /// A material of the library.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Document {
+pub(crate) struct Document {
     #[serde(flatten)]
     material: MaterialFacts,
     /// The table of the material in a scene file

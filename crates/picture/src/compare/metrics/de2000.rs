@@ -10,7 +10,7 @@ use crate::compare::rows::one_plane;
 ///
 /// Light brighter than white has L* above 100, where CIEDE2000 was never tried: L* weighs less there, as
 /// the formula has it.
-pub fn map(pair: &Pair) -> Vec<f32> {
+pub(crate) fn map(pair: &Pair) -> Vec<f32> {
     let [reference, test] = pair.light();
     one_plane(pair.width, pair.height, |i| {
         let color = |rgb: &[Vec<f32>; 3]| [0, 1, 2].map(|channel: usize| rgb[channel][i]);

@@ -5,7 +5,7 @@ use core::ops::{Add, Mul, Sub};
 use crate::compare::rows::for_each_row;
 
 /// What is filtered.
-pub trait Sample:
+pub(crate) trait Sample:
     Copy + Default + Send + Sync + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
 }
@@ -15,21 +15,21 @@ impl Sample for f64 {}
 
 /// One direction of a filter: an odd number of weights around the middle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kernel<T> {
+pub(crate) struct Kernel<T> {
     weights: Vec<T>,
     from_middle: bool,
 }
 
 impl<T: Sample> Kernel<T> {
     /// A kernel of these weights.
-    pub fn new(weights: Vec<T>) -> Self {
+    pub(crate) fn new(weights: Vec<T>) -> Self {
         assert!(weights.len() % 2 == 1, "a kernel has a middle");
         Self { weights, from_middle: false }
     }
 
     /// A kernel whose weights sum to zero. It is applied to the differences from the middle, which is the
     /// same sum but exactly zero where nothing changes.
-    pub fn of_differences(weights: Vec<T>) -> Self {
+    pub(crate) fn of_differences(weights: Vec<T>) -> Self {
         Self { from_middle: true, ..Self::new(weights) }
     }
 
@@ -49,12 +49,12 @@ impl<T: Sample> Kernel<T> {
 }
 
 /// The plane filtered with `down` along the columns, then with `across` along the rows.
-pub fn filter<T: Sample>(plane: &[T], width: usize, across: &Kernel<T>, down: &Kernel<T>) -> Vec<T> {
+pub(crate) fn filter<T: Sample>(plane: &[T], width: usize, across: &Kernel<T>, down: &Kernel<T>) -> Vec<T> {
     filter_across(&filter_down(plane, width, down), width, across)
 }
 
 /// The same with the rows first: zero-sum kernels go last, so that they meet smooth values.
-pub fn filter_rows_first<T: Sample>(
+pub(crate) fn filter_rows_first<T: Sample>(
     plane: &[T],
     width: usize,
     across: &Kernel<T>,

@@ -21,7 +21,7 @@ const C2: f64 = 0.03 * 0.03;
 const LUMA: [f64; 3] = [0.299, 0.587, 0.114];
 
 /// 1 − SSIM of every pixel.
-pub fn map(pair: &Pair) -> Vec<f32> {
+pub(crate) fn map(pair: &Pair) -> Vec<f32> {
     let (width, height) = (pair.width, pair.height);
     let [reference, test] = pair.values();
     let luma = |codes: &[Vec<f32>; 3], i: usize| {
@@ -45,7 +45,7 @@ pub fn map(pair: &Pair) -> Vec<f32> {
 }
 
 /// The mean SSIM, from the map of 1 − SSIM.
-pub fn mean(pair: &Pair, map: &[f32]) -> f64 {
+pub(crate) fn mean(pair: &Pair, map: &[f32]) -> f64 {
     let inside = |side: usize| if side > 2 * RADIUS { RADIUS..side - RADIUS } else { 0..side };
     let (columns, rows) = (inside(pair.width), inside(pair.height));
     let count = columns.len() * rows.len();

@@ -8,7 +8,7 @@ use super::super::{Picture, Scale};
 use super::error::ReadError;
 use super::source::Source;
 
-pub fn decode(source: &Source) -> Result<Picture, ReadError> {
+pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
     let failed = |error: ExrReadError| match error {
         ExrReadError::Malformed { expected, found } => source.content(expected, found),
         ExrReadError::Unsupported { expected, found } => source.content(expected, found),

@@ -18,7 +18,7 @@ const DECODER_BYTES: usize = 64 << 20;
 /// The gamma chunk of sRGB, 1/2.2, in units of 1e-5 (ISO/IEC 15948, 11.3.3.5).
 const SRGB_GAMMA: u32 = 45_455;
 
-pub fn decode(source: &Source) -> Result<Picture, ReadError> {
+pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
     let failed = |error: ::png::DecodingError| source.content("a complete PNG", error);
     let limits = Limits { bytes: MAX_PIXELS * 8 + DECODER_BYTES };
     let mut decoder = Decoder::new_with_limits(Cursor::new(source.bytes), limits);

@@ -18,7 +18,7 @@ pub(crate) struct Bins<T> {
 
 impl<T: Copy> Bins<T> {
     /// Empties the lists, for a picture of this size.
-    pub fn reset(&mut self, width: usize, height: usize) {
+    pub(crate) fn reset(&mut self, width: usize, height: usize) {
         self.columns = columns(width);
         self.tiles.resize_with(self.columns * height.div_ceil(TILE_HEIGHT), Vec::new);
         if self.used {
@@ -29,7 +29,7 @@ impl<T: Copy> Bins<T> {
 
     /// Adds a thing to all tiles from pixel `first` to pixel `last`, which are in the picture.
     #[inline(always)]
-    pub fn push(&mut self, first: [i32; 2], last: [i32; 2], thing: T) {
+    pub(crate) fn push(&mut self, first: [i32; 2], last: [i32; 2], thing: T) {
         self.used = true;
         let tile = |p: i32, size: usize| p as usize / size;
         for row in tile(first[1], TILE_HEIGHT)..=tile(last[1], TILE_HEIGHT) {
@@ -41,14 +41,14 @@ impl<T: Copy> Bins<T> {
 
     /// Adds a thing to the tile of this number: row by row, as [`columns`] counts them.
     #[inline(always)]
-    pub fn push_to(&mut self, tile: usize, thing: T) {
+    pub(crate) fn push_to(&mut self, tile: usize, thing: T) {
         self.used = true;
         self.tiles[tile].push(thing);
     }
 
     /// The things of a tile.
     #[inline(always)]
-    pub fn of(&self, column: usize, row: usize) -> &[T] {
+    pub(crate) fn of(&self, column: usize, row: usize) -> &[T] {
         if !self.used {
             return &[];
         }

@@ -50,7 +50,7 @@ struct Edge<S: Simd> {
 impl<S: Simd> MicroTriangles<S> {
     /// Puts the covered samples of the triangles `kept` into the tiles' bins.
     #[inline(always)]
-    pub fn scatter(&self, simd: S, frame: &FrameView, kept: u32, bins: &mut Bins<MicroSample>) {
+    pub(crate) fn scatter(&self, simd: S, frame: &FrameView, kept: u32, bins: &mut Bins<MicroSample>) {
         let at = self.first.map_samples(simd, frame.samples[0]);
         let edges = three(
             [(0, 1), (1, 2), (2, 0)],

@@ -25,7 +25,11 @@ pub(crate) struct LightSum<'a, R> {
 impl<'a, R: Real> LightSum<'a, R> {
     /// What ambient light gives.
     #[inline(always)]
-    pub fn new(material: &'a ShadeMaterial<'a>, point: &'a ShadingPoint<R>, texel: Option<[R; 3]>) -> Self {
+    pub(crate) fn new(
+        material: &'a ShadeMaterial<'a>,
+        point: &'a ShadingPoint<R>,
+        texel: Option<[R; 3]>,
+    ) -> Self {
         let like = point.normal.x;
         let mix = material.mix.as_deref().zip(texel);
         let reflected = Reflected::ambient(like, material, &mix);
@@ -36,7 +40,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// The pair of viewer and light.
     #[inline(always)]
-    pub fn pair(&self, wi: Vec3<R>) -> DirectionPair<R> {
+    pub(crate) fn pair(&self, wi: Vec3<R>) -> DirectionPair<R> {
         let wo = self.point.wo;
         let mut pair = DirectionPair::between((self.cos_o, wo), (self.point.normal.dot(wi), wi));
         pair.alpha_scale = self.point.alpha_scale;
@@ -49,7 +53,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// The pair of the viewer and light that is mirrored to it by the surface itself.
     #[inline(always)]
-    pub fn mirror_pair(&self) -> DirectionPair<R> {
+    pub(crate) fn mirror_pair(&self) -> DirectionPair<R> {
         let c2 = self.cos_o.sqr();
         let mut pair = DirectionPair::isotropic(self.cos_o, self.cos_o, c2 + c2 - c2.one());
         // 2 + 2 (2 cos²θ − 1), without the rounding of 1.
@@ -60,7 +64,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// The pair of the viewer and light that goes on straight to it, or refracted by a boundary of this index.
     #[inline(always)]
-    pub fn straight_pair(&self, eta: f64) -> DirectionPair<R> {
+    pub(crate) fn straight_pair(&self, eta: f64) -> DirectionPair<R> {
         let inverse = self.cos_o.lit(1.0 / eta);
         let sin2 = (self.cos_o.one() - self.cos_o.sqr()) * inverse.sqr();
         let cos_t = (self.cos_o.one() - sin2).max(self.cos_o.zero()).sqrt();
@@ -72,7 +76,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// The pair that stands for all light that a lobe takes from areas and environments.
     #[inline(always)]
-    pub fn typical_pair(&self, lobe: &DirectLobe) -> DirectionPair<R> {
+    pub(crate) fn typical_pair(&self, lobe: &DirectLobe) -> DirectionPair<R> {
         match is_transmitting(lobe) {
             true => self.straight_pair(lobe.shape.eta()),
             false => self.mirror_pair(),
@@ -92,7 +96,7 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// Adds a lobe's value for a light of the table; the pair says where a tint that is a curve is taken.
     #[inline(never)]
-    pub fn add(&mut self, row: usize, lobe: usize, value: R, pair: &DirectionPair<R>) {
+    pub(crate) fn add(&mut self, row: usize, lobe: usize, value: R, pair: &DirectionPair<R>) {
         value.at_own_level(
             #[inline(always)]
             || self.add_here(row, lobe, value, pair),

@@ -40,7 +40,7 @@ struct LoopLight {
 
 impl MatteHighlight {
     /// The loop of a material; none where it has, or meets, anything else.
-    pub fn new(material: &ShadeMaterial, lights: &ShadeLights) -> Option<Self> {
+    pub(crate) fn new(material: &ShadeMaterial, lights: &ShadeLights) -> Option<Self> {
         if !material.fast_path || !lights.fast_path || !material.spot_ambient.is_empty() {
             return None;
         }
@@ -71,7 +71,7 @@ impl MatteHighlight {
 
     /// All light that the material sends from the point to the viewer, without its own emission.
     #[inline(always)]
-    pub fn reflect<R: Real>(&self, point: &ShadingPoint<R>) -> Reflected<R> {
+    pub(crate) fn reflect<R: Real>(&self, point: &ShadingPoint<R>) -> Reflected<R> {
         match self.fades {
             true => self.matte.visit(OnMatte::<R, true> { material: self, point }),
             false => self.matte.visit(OnMatte::<R, false> { material: self, point }),

@@ -24,7 +24,7 @@ pub(crate) struct ShadingPoint<R> {
 impl<R: Real> ShadingPoint<R> {
     /// A point of a surface without tangents and textures.
     #[inline(always)]
-    pub fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
+    pub(crate) fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
         let one = normal.x.one();
         Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one }
     }
@@ -40,7 +40,7 @@ pub(crate) struct Reflected<R> {
 impl<R: Real> Reflected<R> {
     /// Ambient light times the ambient tints, the textured one mixed by the texel where that mixes spectra.
     #[inline(always)]
-    pub fn ambient(like: R, material: &PreparedMaterial, mix: &Option<(&MixTints, [R; 3])>) -> Self {
+    pub(crate) fn ambient(like: R, material: &PreparedMaterial, mix: &Option<(&MixTints, [R; 3])>) -> Self {
         Self {
             textured: match mix {
                 Some((mix, texel)) => mixed(&mix.ambient, texel),

@@ -20,7 +20,7 @@ pub(crate) struct ShadeMaterial<'a> {
 
 impl<'a> ShadeMaterial<'a> {
     /// The materials of a frame.
-    pub fn all(materials: Cow<'a, [PreparedMaterial]>) -> Vec<Self> {
+    pub(crate) fn all(materials: Cow<'a, [PreparedMaterial]>) -> Vec<Self> {
         match materials {
             Cow::Borrowed(materials) => materials.iter().map(|data| Self::new(Cow::Borrowed(data))).collect(),
             Cow::Owned(materials) => materials.into_iter().map(|data| Self::new(Cow::Owned(data))).collect(),
@@ -57,7 +57,7 @@ pub(crate) struct ShadeLights<'a> {
 }
 
 impl<'a> ShadeLights<'a> {
-    pub fn new(view: ViewLights<'a>) -> Self {
+    pub(crate) fn new(view: ViewLights<'a>) -> Self {
         let simple = |light: &ViewLight| {
             matches!(light, ViewLight::Directional { .. } | ViewLight::Point { luminaire: None, .. })
         };

@@ -35,7 +35,7 @@ struct EnvironmentView<'a> {
 impl<'a> ViewBackground<'a> {
     /// The background of a frame.
     #[inline(always)]
-    pub fn of(frame: &'a FrameView<'a>) -> Self {
+    pub(crate) fn of(frame: &'a FrameView<'a>) -> Self {
         Self::new(frame.options.background, &frame.camera, &frame.lights, frame.prepared.environment_tint)
     }
 
@@ -62,13 +62,13 @@ impl<'a> ViewBackground<'a> {
     }
 
     /// Colour and coverage, if they are the same everywhere.
-    pub fn fixed(&self) -> Option<([f32; 3], f32)> {
+    pub(crate) fn fixed(&self) -> Option<([f32; 3], f32)> {
         self.environment.is_none().then_some(self.fixed)
     }
 
     /// Colour and coverage of the block at a place of a tile.
     #[inline(always)]
-    pub fn block<S: Simd>(&self, simd: S, grid: &Grid, at: usize) -> ([Lanes<S>; 3], Lanes<S>) {
+    pub(crate) fn block<S: Simd>(&self, simd: S, grid: &Grid, at: usize) -> ([Lanes<S>; 3], Lanes<S>) {
         let (color, alpha) = self.fixed;
         let alpha = Lanes::splat(simd, alpha);
         let Some(seen) = &self.environment else {
@@ -81,7 +81,7 @@ impl<'a> ViewBackground<'a> {
 
     /// Colour and coverage of a block with the background where nothing covers it.
     #[inline(always)]
-    pub fn behind<S: Simd>(
+    pub(crate) fn behind<S: Simd>(
         &self,
         simd: S,
         rgb: [Lanes<S>; 3],

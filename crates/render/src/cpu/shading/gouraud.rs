@@ -23,7 +23,7 @@ pub(crate) struct VertexLight<'a> {
 
 impl VertexLight<'_> {
     /// The part of some vertices.
-    pub fn part(&mut self, range: core::ops::Range<usize>) -> VertexLight<'_> {
+    pub(crate) fn part(&mut self, range: core::ops::Range<usize>) -> VertexLight<'_> {
         let mix = if self.mix.is_empty() { &mut [] } else { &mut self.mix[range.clone()] };
         VertexLight { lit: &mut self.lit[range], mix }
     }

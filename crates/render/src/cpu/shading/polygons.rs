@@ -32,7 +32,7 @@ pub(crate) struct PolygonView {
 }
 
 impl PolygonView {
-    pub fn new(
+    pub(crate) fn new(
         polygons: &Arc<Polygons>,
         object: &PreparedObject,
         camera: &ViewCamera,
@@ -59,7 +59,7 @@ impl PolygonView {
 
     /// The values at a pixel position inside a facet, or `None` where a corner is behind the eye and
     /// the scheme has no edges to follow.
-    pub fn interpolate(&self, facet: u32, back: bool, px: f32, py: f32) -> Option<PolygonCorner> {
+    pub(crate) fn interpolate(&self, facet: u32, back: bool, px: f32, py: f32) -> Option<PolygonCorner> {
         let corners = self.polygons.corners(facet);
         let values = &self.values[usize::from(back)];
         let mut left: Option<(f32, PolygonCorner)> = None;

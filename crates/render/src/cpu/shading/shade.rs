@@ -98,7 +98,7 @@ impl<S: Simd> ShadeBlock<'_, S> {
     /// Colour and normal where there are no textures, no vertex colours and no special view. `value` is
     /// the first attribute group, and `reflect` sums up the light at a point.
     #[inline(always)]
-    pub fn simple(
+    pub(crate) fn simple(
         &self,
         material: &ShadeMaterial,
         place: &Place<S>,

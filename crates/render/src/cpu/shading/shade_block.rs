@@ -49,14 +49,14 @@ pub(crate) fn interpolate<S: Simd>(rows: &[Lanes<S>; GROUP], place: &Place<S>) -
 impl<S: Simd> Shaded<S> {
     /// All zero.
     #[inline(always)]
-    pub fn nothing(simd: S) -> Self {
+    pub(crate) fn nothing(simd: S) -> Self {
         let zero = Lanes::splat(simd, 0.0);
         let normal = Vec3::new(zero, zero, zero);
         Self { rgb: [zero; 3], alpha: zero, transmittance: [zero; 3], distance: zero, normal }
     }
 
     #[inline(always)]
-    pub fn merge(&mut self, other: &Self, mask: LanesMask<S>) {
+    pub(crate) fn merge(&mut self, other: &Self, mask: LanesMask<S>) {
         for c in 0..3 {
             self.rgb[c] = other.rgb[c].select(mask, self.rgb[c]);
             self.transmittance[c] = other.transmittance[c].select(mask, self.transmittance[c]);
@@ -72,14 +72,14 @@ impl<S: Simd> Shaded<S> {
 impl TriangleSetups {
     /// Nine floats of a run's record, from the `part`-th nine on.
     #[inline(always)]
-    pub fn row(&self, run: &Run, part: usize) -> &[f32; GROUP] {
+    pub(crate) fn row(&self, run: &Run, part: usize) -> &[f32; GROUP] {
         let start = self.list[run.setup as usize].offset as usize + part * GROUP;
         self.floats[start..].first_chunk().expect("records hold whole groups")
     }
 
     /// Nine floats of each pixel's record, from the `part`-th nine on; 0 where there are no records.
     #[inline(always)]
-    pub fn gather<S: Simd>(&self, simd: S, runs: &[Run], part: usize) -> [Lanes<S>; GROUP] {
+    pub(crate) fn gather<S: Simd>(&self, simd: S, runs: &[Run], part: usize) -> [Lanes<S>; GROUP] {
         let Some((first, others)) = runs.split_first() else {
             return [Lanes::splat(simd, 0.0); GROUP];
         };
@@ -102,13 +102,13 @@ impl TriangleSetups {
 
 impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// The record of a run.
-    pub fn setup(&self, run: &Run) -> &TriangleSetup {
+    pub(crate) fn setup(&self, run: &Run) -> &TriangleSetup {
         &self.setups.list[run.setup as usize]
     }
 
     /// A group without records.
     #[inline(always)]
-    pub fn bare(
+    pub(crate) fn bare(
         simd: S,
         frame: &'a FrameView<'a>,
         setups: &'a TriangleSetups,
@@ -120,7 +120,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
 
     /// [`ShadeBlock::gather`] where there is one record.
     #[inline(always)]
-    pub fn splat(&self, part: usize) -> [Lanes<S>; GROUP] {
+    pub(crate) fn splat(&self, part: usize) -> [Lanes<S>; GROUP] {
         let row = self.setups.row(&self.runs[0], part);
         nine(
             #[inline(always)]
@@ -131,20 +131,20 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// The place on the surface from the rows of the position, and the values of the attribute group
     /// with the second rows there.
     #[inline(always)]
-    pub fn locate(&self, [position, attribute]: &[[Lanes<S>; GROUP]; 2]) -> (Place<S>, [Lanes<S>; 3]) {
+    pub(crate) fn locate(&self, [position, attribute]: &[[Lanes<S>; GROUP]; 2]) -> (Place<S>, [Lanes<S>; 3]) {
         let place = self.place(position, self.px, self.py);
         (place, interpolate(attribute, &place))
     }
 
     /// Nine floats of each pixel's record, from the `part`-th nine on.
     #[inline(always)]
-    pub fn gather(&self, part: usize) -> [Lanes<S>; GROUP] {
+    pub(crate) fn gather(&self, part: usize) -> [Lanes<S>; GROUP] {
         self.setups.gather(self.simd, self.runs, part)
     }
 
     /// See [`place`].
     #[inline(always)]
-    pub fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
+    pub(crate) fn place(&self, rows: &[Lanes<S>; GROUP], px: Lanes<S>, py: Lanes<S>) -> Place<S> {
         let [u, v, distance] = place(self.frame, self.object, rows, px, py);
         Place { u, v, distance }
     }
@@ -158,13 +158,13 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
 
     /// The three values of an attribute group.
     #[inline(always)]
-    pub fn attribute(&self, shade_block: usize, place: &Place<S>) -> [Lanes<S>; 3] {
+    pub(crate) fn attribute(&self, shade_block: usize, place: &Place<S>) -> [Lanes<S>; 3] {
         interpolate(&self.gather(1 + shade_block), place)
     }
 
     /// Position, normal and viewer of the pixels, from the interpolated normal.
     #[inline(always)]
-    pub fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> ShadingPoint<Lanes<S>> {
+    pub(crate) fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> ShadingPoint<Lanes<S>> {
         let (position, wo) = self.frame.camera.unproject(self.px, self.py, place.distance);
         ShadingPoint::plain(position, unit(Vec3::new(x, y, z)), wo)
     }
@@ -172,7 +172,13 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     /// Texture coordinates at another pixel position, for the footprint of textures; also beyond the
     /// triangle, so that the footprint does not shrink at its border.
     #[inline(always)]
-    pub fn uv_at(&self, rows: &[Lanes<S>; GROUP], shade_block: usize, dx: f32, dy: f32) -> [Lanes<S>; 2] {
+    pub(crate) fn uv_at(
+        &self,
+        rows: &[Lanes<S>; GROUP],
+        shade_block: usize,
+        dx: f32,
+        dy: f32,
+    ) -> [Lanes<S>; 2] {
         let splat = inlined(
             #[inline(always)]
             |x| Lanes::splat(self.simd, x),

@@ -36,7 +36,7 @@ pub(crate) struct SurfaceAttributes<S: Simd> {
 
 impl<S: Simd> SurfaceAttributes<S> {
     #[inline(always)]
-    pub fn new(like: Lanes<S>) -> Self {
+    pub(crate) fn new(like: Lanes<S>) -> Self {
         let (zero, one) = (like.zero(), like.one());
         Self {
             base: [one; 3],
@@ -53,7 +53,7 @@ impl<S: Simd> SurfaceAttributes<S> {
 
     /// Reads what the layout has.
     #[inline(always)]
-    pub fn read(
+    pub(crate) fn read(
         &mut self,
         shade_block: &ShadeBlock<S>,
         layout: &Layout,
@@ -123,7 +123,7 @@ impl<S: Simd> SurfaceAttributes<S> {
 
     /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
     #[inline(always)]
-    pub fn apply(&self, material: &ShadeMaterial, point: &mut ShadingPoint<Lanes<S>>) {
+    pub(crate) fn apply(&self, material: &ShadeMaterial, point: &mut ShadingPoint<Lanes<S>>) {
         point.normal = self.bend(material, point.normal);
         if material.anisotropic {
             point.tangent = self.tangent.map(|(tangent, _)| tangent);

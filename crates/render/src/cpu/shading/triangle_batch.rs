@@ -58,7 +58,7 @@ impl TriangleBatch {
     /// their corners: false where parts of clipped triangles or of other objects are among them, or where
     /// a value belongs to facets or to one side.
     #[inline(always)]
-    pub fn fetch(
+    pub(crate) fn fetch(
         &mut self,
         frame: &FrameView,
         projected: &Projected,
@@ -99,7 +99,7 @@ impl TriangleBatch {
 
     /// The rows of the triangles that were fetched.
     #[inline(always)]
-    pub fn rows<S: Simd>(&self, simd: S, frame: &FrameView, view: &ObjectView) -> Rows<S> {
+    pub(crate) fn rows<S: Simd>(&self, simd: S, frame: &FrameView, view: &ObjectView) -> Rows<S> {
         let in_lanes = inlined(
             #[inline(always)]
             |rows: &[[f32; 4]; BLOCK]| columns(simd, rows),

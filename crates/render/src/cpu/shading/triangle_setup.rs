@@ -60,13 +60,13 @@ struct Corners {
 }
 
 impl TriangleSetups {
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.floats.clear();
         self.list.clear();
     }
 
     /// Sets a triangle up; returns its number in the list.
-    pub fn add(
+    pub(crate) fn add(
         &mut self,
         frame: &FrameView,
         projected: &Projected,

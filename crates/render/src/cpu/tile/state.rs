@@ -36,7 +36,7 @@ pub(crate) struct TilePlace {
 }
 
 impl TilePlace {
-    pub fn grid(self, frame: &FrameView) -> Grid {
+    pub(crate) fn grid(self, frame: &FrameView) -> Grid {
         let origin = [self.column * TILE_WIDTH, self.row * TILE_HEIGHT];
         let size = [
             TILE_WIDTH.min(frame.camera.width - origin[0]),
@@ -59,13 +59,13 @@ pub(crate) struct Tile<'a> {
 
 impl Tile<'_> {
     /// Whether a block's pixels are finished as soon as they are shaded.
-    pub fn is_plain(&self) -> bool {
+    pub(crate) fn is_plain(&self) -> bool {
         self.frame.samples.len() == 1 && !self.blended && !self.keeps_planes()
     }
 
     /// Whether planes beside colour are asked for.
     #[inline(always)]
-    pub fn keeps_planes(&self) -> bool {
+    pub(crate) fn keeps_planes(&self) -> bool {
         self.frame.options.aovs != Aovs::default()
     }
 }

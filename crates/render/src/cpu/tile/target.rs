@@ -40,13 +40,13 @@ impl Default for TilePixels {
 
 impl TilePixels {
     /// Forgets everything.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.touched = [false; TILE_PIXELS / BLOCK];
     }
 
     /// Sees to it that the block of this place holds the background, or what was drawn since.
     #[inline(always)]
-    pub fn touch<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid, place: usize) {
+    pub(crate) fn touch<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid, place: usize) {
         let block = place / BLOCK;
         if self.touched[block] {
             return;
@@ -64,7 +64,7 @@ impl TilePixels {
 
     /// Writes colour and coverage of a whole block.
     #[inline(always)]
-    pub fn put<S: Simd>(&mut self, place: usize, rgb: [Lanes<S>; 3], alpha: Lanes<S>) {
+    pub(crate) fn put<S: Simd>(&mut self, place: usize, rgb: [Lanes<S>; 3], alpha: Lanes<S>) {
         self.touched[place / BLOCK] = true;
         let store = inlined(
             #[inline(always)]
@@ -131,7 +131,7 @@ pub(crate) struct Slot {
 impl Slot {
     /// Calls `work` with the places of the blocks that are in the picture, at least in part.
     #[inline(always)]
-    pub fn for_each_block(&self, mut work: impl FnMut(usize)) {
+    pub(crate) fn for_each_block(&self, mut work: impl FnMut(usize)) {
         for row in 0..self.size[1].div_ceil(SIDE) {
             for column in 0..self.size[0].div_ceil(SIDE) {
                 work(block::place(column, row));
@@ -143,7 +143,7 @@ impl Slot {
 impl Band<'_> {
     /// Writes a tile.
     #[inline(always)]
-    pub fn write<S: Simd>(
+    pub(crate) fn write<S: Simd>(
         &mut self,
         simd: S,
         pixels: &mut TilePixels,
@@ -166,13 +166,13 @@ impl Band<'_> {
 
     /// Whether what is empty is the same everywhere, so that any number of tiles is written at once: a row of the
     /// picture after the other rather than of a tile, which is several times as fast.
-    pub fn fills_empty(&self) -> bool {
+    pub(crate) fn fills_empty(&self) -> bool {
         matches!(self, Band::Codes(Codes { empty: Some(_), .. }))
     }
 
     /// Writes a tile in which nothing is; several side by side where [`Self::fills_empty`].
     #[inline(always)]
-    pub fn write_empty<S: Simd>(
+    pub(crate) fn write_empty<S: Simd>(
         &mut self,
         simd: S,
         pixels: &mut TilePixels,
@@ -226,7 +226,7 @@ impl Codes<'_> {
 
     /// Develops a block of opaque pixels into its place.
     #[inline(always)]
-    pub fn put<S: Simd>(&mut self, slot: &Slot, place: usize, rgb: [Lanes<S>; 3]) {
+    pub(crate) fn put<S: Simd>(&mut self, slot: &Slot, place: usize, rgb: [Lanes<S>; 3]) {
         let mut bytes = [0; 4 * BLOCK];
         let [column, row] = block::pixel(place);
         self.kernel.store_block(rgb, [slot.left + column, slot.top + row], &mut bytes);
@@ -235,7 +235,7 @@ impl Codes<'_> {
 
     /// Develops two blocks of opaque pixels, in step, into their places.
     #[inline(always)]
-    pub fn put_two<S: Simd>(&mut self, slot: &Slot, places: [usize; 2], rgb: [Twice<Lanes<S>>; 3]) {
+    pub(crate) fn put_two<S: Simd>(&mut self, slot: &Slot, places: [usize; 2], rgb: [Twice<Lanes<S>>; 3]) {
         let mut bytes = [[0; 4 * BLOCK]; 2];
         let at = inlined(
             #[inline(always)]
@@ -251,7 +251,7 @@ impl Codes<'_> {
 
     /// Writes a block of background, if it is the same everywhere.
     #[inline(always)]
-    pub fn put_empty(&mut self, slot: &Slot, place: usize) -> bool {
+    pub(crate) fn put_empty(&mut self, slot: &Slot, place: usize) -> bool {
         let Some(empty) = self.empty else { return false };
         self.copy(slot, place, &empty);
         true

@@ -64,7 +64,7 @@ fn most(channels: [f32; 3]) -> f32 {
 
 impl TransparencyBuffer {
     /// Forgets everything.
-    pub fn clear(&mut self, samples: usize) {
+    pub(crate) fn clear(&mut self, samples: usize) {
         self.pieces.clear();
         self.colors.clear();
         self.hits.clear();
@@ -81,7 +81,7 @@ impl TransparencyBuffer {
 
     /// Notes where a blended triangle is in front of what is opaque.
     #[inline(always)]
-    pub fn collect<S: Simd>(
+    pub(crate) fn collect<S: Simd>(
         &mut self,
         simd: S,
         frame: &FrameView,
@@ -147,7 +147,13 @@ impl TransparencyBuffer {
 
     /// Shades what was collected, and lays it over one another.
     #[inline(always)]
-    pub fn blend<S: Simd>(&mut self, simd: S, frame: &FrameView, setups: &TriangleSetups, grid: &Grid) {
+    pub(crate) fn blend<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        setups: &TriangleSetups,
+        grid: &Grid,
+    ) {
         self.shade(simd, frame, setups, grid);
         self.sort();
         let fraction = 1.0 / frame.samples.len() as f32;
@@ -231,13 +237,13 @@ impl TransparencyBuffer {
 
     /// How much of what is behind is seen in a channel, or of its coverage (3), at the samples of the block at a place of the planes.
     #[inline(always)]
-    pub fn transmittance(&self, channel: usize, at: usize) -> &[f32; BLOCK] {
+    pub(crate) fn transmittance(&self, channel: usize, at: usize) -> &[f32; BLOCK] {
         self.transmittance[channel][at..].first_chunk().expect("planes are whole blocks")
     }
 
     /// Premultiplied colour and coverage in the block at a place.
     #[inline(always)]
-    pub fn light<S: Simd>(&self, simd: S, place: usize) -> [Lanes<S>; 4] {
+    pub(crate) fn light<S: Simd>(&self, simd: S, place: usize) -> [Lanes<S>; 4] {
         let load = |plane: &Vec<f32>| {
             Lanes::load(simd, plane[place..].first_chunk().expect("planes are whole blocks"))
         };

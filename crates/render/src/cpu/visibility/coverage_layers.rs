@@ -57,7 +57,7 @@ struct CoveredTriangle<const C: usize> {
 const CENTER: [f32; 2] = [0.5, 0.5];
 
 impl<const C: usize> CoverageLayers<C> {
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.runs.clear();
         self.list.clear();
         self.seen.clear();
@@ -65,7 +65,7 @@ impl<const C: usize> CoverageLayers<C> {
     }
 
     /// One layer of these runs: what a sample that counts so much in each pixel sees.
-    pub fn add_sample(&mut self, runs: &[Run], weights: &Weights<C>, at: [f32; 2]) {
+    pub(crate) fn add_sample(&mut self, runs: &[Run], weights: &Weights<C>, at: [f32; 2]) {
         let start = self.runs.len();
         self.runs.extend_from_slice(runs);
         let bits = runs.iter().fold(0, |bits, run| bits | run.bits);
@@ -74,7 +74,7 @@ impl<const C: usize> CoverageLayers<C> {
     }
 
     /// Notes what a sample that counts so much in each pixel sees; [`CoverageLayers::pack`] makes layers of it.
-    pub fn note(&mut self, runs: &[Run], weights: &Weights<C>) {
+    pub(crate) fn note(&mut self, runs: &[Run], weights: &Weights<C>) {
         for run in runs {
             let at = self.seen.iter().position(|seen| seen.setup == run.setup).unwrap_or_else(|| {
                 self.seen.push(CoveredTriangle {
@@ -97,7 +97,7 @@ impl<const C: usize> CoverageLayers<C> {
     }
 
     /// Packs what was noted into as few layers as first-fit finds.
-    pub fn pack(&mut self) {
+    pub(crate) fn pack(&mut self) {
         while self.seen.iter().any(|seen| !seen.placed) {
             let start = self.runs.len();
             let mut layer =

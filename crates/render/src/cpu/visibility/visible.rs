@@ -65,7 +65,7 @@ impl Default for Owners {
 
 impl Visible {
     /// Forgets everything.
-    pub fn clear(&mut self, samples: usize) {
+    pub(crate) fn clear(&mut self, samples: usize) {
         self.depth.clear();
         self.depth.resize(samples * TILE_PIXELS, f32::NEG_INFINITY);
         self.owners.clear();
@@ -75,7 +75,7 @@ impl Visible {
 
     /// Depth-tests a sample that the first pass found covered.
     #[inline(always)]
-    pub fn point(&mut self, point: &MicroSample) {
+    pub(crate) fn point(&mut self, point: &MicroSample) {
         let at = point.place as usize;
         let before = self.depth[at];
         if before < point.depth
@@ -89,7 +89,7 @@ impl Visible {
 
     /// Depth-tests an opaque or masked triangle.
     #[inline(always)]
-    pub fn triangle<S: Simd>(
+    pub(crate) fn triangle<S: Simd>(
         &mut self,
         simd: S,
         frame: &FrameView,
@@ -163,19 +163,19 @@ impl Visible {
 
     /// The depths of the block at a place of the planes.
     #[inline(always)]
-    pub fn depths(&self, at: usize) -> &[f32; BLOCK] {
+    pub(crate) fn depths(&self, at: usize) -> &[f32; BLOCK] {
         self.depth[at..].first_chunk().expect("planes are whole blocks")
     }
 
     /// Who owns each sample of the block at a place of the planes.
     #[inline(always)]
-    pub fn each(&self, at: usize) -> &[u32; BLOCK] {
+    pub(crate) fn each(&self, at: usize) -> &[u32; BLOCK] {
         self.owners[at..].first_chunk().expect("planes are whole blocks")
     }
 
     /// Finds who owns the block at a place of the planes; the first so many where there are more.
     #[inline(always)]
-    pub fn owners<S: Simd>(&self, simd: S, at: usize, most: usize, found: &mut Owners) {
+    pub(crate) fn owners<S: Simd>(&self, simd: S, at: usize, most: usize, found: &mut Owners) {
         let each = self.each(at);
         let lanes = u32x16::from_slice(simd, each);
         let same = inlined(
@@ -205,7 +205,7 @@ impl Visible {
 
     /// The number of an owner's object.
     #[inline(always)]
-    pub fn object(&self, frame: &FrameView, owner: u32) -> usize {
+    pub(crate) fn object(&self, frame: &FrameView, owner: u32) -> usize {
         match owner & NAMED {
             0 => self.seen[owner as usize].object as usize,
             _ => object_of(frame, owner & !NAMED),
@@ -214,7 +214,7 @@ impl Visible {
 
     /// The name of an owner that is no part of a clipped triangle.
     #[inline(always)]
-    pub fn whole(&self, owner: u32) -> Option<u32> {
+    pub(crate) fn whole(&self, owner: u32) -> Option<u32> {
         match owner & NAMED {
             0 => self.seen.get(owner as usize).map(|seen| seen.key).filter(|key| key & EXTRA == 0),
             _ => Some(owner & !NAMED),
@@ -223,7 +223,7 @@ impl Visible {
 
     /// Makes runs of owners runs of records: sets up those that are new.
     #[inline(always)]
-    pub fn set_up(
+    pub(crate) fn set_up(
         &mut self,
         frame: &FrameView,
         projected: &Projected,
@@ -237,7 +237,7 @@ impl Visible {
 
     /// The number of an owner's record, which is set up if it is new.
     #[inline(always)]
-    pub fn record(
+    pub(crate) fn record(
         &mut self,
         frame: &FrameView,
         projected: &Projected,

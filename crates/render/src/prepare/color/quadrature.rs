@@ -42,7 +42,7 @@ pub(crate) struct Sampling {
 
 impl Sampling {
     /// Componentwise RGB: the channels are the primaries.
-    pub fn rgb() -> Self {
+    pub(crate) fn rgb() -> Self {
         let unit = |c: usize| (0..3).map(|i| if i == c { 1.0 } else { 0.0 }).collect::<Row>();
         let units = [unit(0), unit(1), unit(2)];
         Self { nodes: Nodes::Primaries, weights: units.clone(), basis: units }
@@ -50,7 +50,7 @@ impl Sampling {
 
     /// The sampling of an observation, for three of its channels from `first` on; channels that it
     /// does not have are 0.
-    pub fn new(observation: &Observation, first: usize) -> Self {
+    pub(crate) fn new(observation: &Observation, first: usize) -> Self {
         match observation.mode() {
             ColorMode::Rgb => Self::rgb(),
             ColorMode::Spectral | ColorMode::Reference => {
@@ -87,12 +87,12 @@ impl Sampling {
     }
 
     /// Whether textures multiply channel by channel, as in RGB, rather than mix spectra.
-    pub fn is_componentwise(&self) -> bool {
+    pub(crate) fn is_componentwise(&self) -> bool {
         self.nodes == Nodes::Primaries
     }
 
     /// The light at the nodes.
-    pub fn light(&self, color: &LightColor) -> Row {
+    pub(crate) fn light(&self, color: &LightColor) -> Row {
         match (&self.nodes, color) {
             (Nodes::Primaries, LightColor::Rgb(rgb)) => rgb.0.map(f64::from).to_vec(),
             (Nodes::Primaries, LightColor::Spectrum(spectrum)) => {
@@ -119,7 +119,7 @@ impl Sampling {
 
     /// What light of its own gives in the channels; `basis` is the number of a spectrum that it is
     /// multiplied with.
-    pub fn emitted(&self, tint: &Tint, basis: Option<usize>) -> Triple {
+    pub(crate) fn emitted(&self, tint: &Tint, basis: Option<usize>) -> Triple {
         let color = match tint {
             Tint::Rgb(rgb) => LightColor::Rgb(*rgb),
             Tint::Spectrum(spectrum) => LightColor::Spectrum(spectrum.clone()),
@@ -132,7 +132,7 @@ impl Sampling {
 
     /// How the channels answer to light at each node that this tint reflects; `basis` is the number of
     /// a spectrum that the tint is multiplied with on its way out.
-    pub fn response(&self, surface: &Surface, basis: Option<usize>) -> Response {
+    pub(crate) fn response(&self, surface: &Surface, basis: Option<usize>) -> Response {
         let count = self.len();
         let weight = |c: usize, i: usize| {
             let weight = self.weights[c][i];
@@ -154,7 +154,7 @@ impl Sampling {
     }
 
     /// A tint at the nodes; of Fresnel reflection for this cosine.
-    pub fn surface(&self, tint: &Tint, cosine: f64) -> Surface {
+    pub(crate) fn surface(&self, tint: &Tint, cosine: f64) -> Surface {
         let primaries = self.nodes == Nodes::Primaries;
         match tint {
             Tint::Rgb(rgb) if primaries => Surface::Reflectance(rgb.0.map(f64::from).to_vec()),
@@ -174,7 +174,7 @@ impl Sampling {
     }
 
     /// The transmittance of a surface at the nodes, along a line of sight of this cosine.
-    pub fn transmittance(&self, transmittance: &Transmittance, cosine: f64) -> Surface {
+    pub(crate) fn transmittance(&self, transmittance: &Transmittance, cosine: f64) -> Surface {
         let transmitted = |spectrum: Spectrum| Surface::Reflectance(self.reflectance(&spectrum));
         match transmittance {
             Transmittance::Constant(tint) => self.surface(tint, cosine),
@@ -185,17 +185,17 @@ impl Sampling {
     }
 
     /// What a coat leaves of light on a path of so many times its thickness, at the nodes.
-    pub fn left_by(&self, depth: &Spectrum, path: f64) -> Row {
+    pub(crate) fn left_by(&self, depth: &Spectrum, path: f64) -> Row {
         self.reflectance(&interfaces::left(depth, path))
     }
 
     /// Unit light at the nodes: D65.
-    pub fn white(&self) -> Row {
+    pub(crate) fn white(&self) -> Row {
         self.light(&LightColor::Rgb(glanz_color::Rgb::WHITE))
     }
 
     /// One of the three spectra that textures and environments mix, at the nodes.
-    pub fn basis(&self, number: usize) -> &Row {
+    pub(crate) fn basis(&self, number: usize) -> &Row {
         &self.basis[number]
     }
 
@@ -273,7 +273,7 @@ pub(crate) enum Surface {
 
 impl Surface {
     /// What is left of it where each node leaves a fraction: of light on its way in and on its way out half each.
-    pub fn dimmed(self, left: &[f64]) -> Self {
+    pub(crate) fn dimmed(self, left: &[f64]) -> Self {
         match self {
             Self::Reflectance(row) => Self::Reflectance(row.iter().zip(left).map(|(s, l)| s * l).collect()),
             Self::Matrix(rows) => {
@@ -293,7 +293,7 @@ impl Surface {
     }
 
     /// What it does not reflect; a matrix stays as it is.
-    pub fn complement(self) -> Self {
+    pub(crate) fn complement(self) -> Self {
         self.map(|fraction| 1.0 - fraction)
     }
 }
@@ -307,7 +307,7 @@ pub(crate) struct Response([Row; 3]);
 
 impl Response {
     /// The channels under a light.
-    pub fn under(&self, light: &[f64]) -> Triple {
+    pub(crate) fn under(&self, light: &[f64]) -> Triple {
         self.0.each_ref().map(|row| row.iter().zip(light).map(|(r, l)| l * r).sum())
     }
 }

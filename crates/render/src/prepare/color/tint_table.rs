@@ -32,19 +32,19 @@ pub(crate) struct Table<'a> {
 pub(crate) type Entry = [f32; 3];
 
 impl<'a> Table<'a> {
-    pub fn new(sampling: &'a Sampling, lights: &[Light]) -> Self {
+    pub(crate) fn new(sampling: &'a Sampling, lights: &[Light]) -> Self {
         let lights = lights.iter().flat_map(|light| light_rows(sampling, light)).collect();
         Self { sampling, lights }
     }
 
     /// Whether textures mix three spectra, rather than multiply channels.
-    pub fn mixes_spectra(&self) -> bool {
+    pub(crate) fn mixes_spectra(&self) -> bool {
         !self.sampling.is_componentwise()
     }
 
     /// The entries of direct lobes, light after light; `basis` is the number of a spectrum that the
     /// lobes are multiplied with.
-    pub fn direct(&self, lobes: &[&Lobe], basis: Option<usize>) -> Vec<Entry> {
+    pub(crate) fn direct(&self, lobes: &[&Lobe], basis: Option<usize>) -> Vec<Entry> {
         let response = |lobe: &&Lobe| {
             self.sampling
                 .response(&tint_coordinate::surface(self.sampling, lobe, coordinate_of(lobe), 1.0), basis)
@@ -59,7 +59,7 @@ impl<'a> Table<'a> {
 
     /// The same for lobes whose tint depends on a cosine; empty curves for the others. Nothing at all
     /// if no lobe is such.
-    pub fn series(&self, lobes: &[&Lobe]) -> Vec<TintSeries> {
+    pub(crate) fn series(&self, lobes: &[&Lobe]) -> Vec<TintSeries> {
         if lobes.iter().all(|lobe| coordinate_of(lobe) == TintCoordinate::None) {
             return Vec::new();
         }
@@ -76,7 +76,7 @@ impl<'a> Table<'a> {
     }
 
     /// What ambient light gives by these tints: that of all lights but spots.
-    pub fn ambient(&self, tints: &[&Tint], basis: Option<usize>) -> Entry {
+    pub(crate) fn ambient(&self, tints: &[&Tint], basis: Option<usize>) -> Entry {
         let responses: Vec<Response> = tints.iter().map(|tint| self.response(tint, basis)).collect();
         let mut sum = [0.0; 3];
         for light in self.lights.iter().filter(|light| !light.is_spot) {
@@ -86,7 +86,7 @@ impl<'a> Table<'a> {
     }
 
     /// The same for each light with a direction: what spots send into their cones, nothing for others.
-    pub fn spot_ambient(&self, tints: &[&Tint], basis: Option<usize>) -> Vec<Entry> {
+    pub(crate) fn spot_ambient(&self, tints: &[&Tint], basis: Option<usize>) -> Vec<Entry> {
         let responses: Vec<Response> = tints.iter().map(|tint| self.response(tint, basis)).collect();
         let entry = |light: &LightRows| match light.is_spot {
             true => short(under_all(&responses, &light.ambient)),
@@ -96,7 +96,7 @@ impl<'a> Table<'a> {
     }
 
     /// Light of the surface's own.
-    pub fn emission(&self, tints: &[&Tint], basis: Option<usize>) -> Entry {
+    pub(crate) fn emission(&self, tints: &[&Tint], basis: Option<usize>) -> Entry {
         let mut sum = [0.0; 3];
         for tint in tints {
             add(&mut sum, self.sampling.emitted(tint, basis));
@@ -117,7 +117,7 @@ impl<'a> Table<'a> {
     }
 
     /// What each spectrum of the first environment gives in the channels, seen directly.
-    pub fn environment_tint(&self) -> Option<[Entry; 3]> {
+    pub(crate) fn environment_tint(&self) -> Option<[Entry; 3]> {
         let first = self.lights.iter().position(|light| light.is_mixed)?;
         let everything = Surface::Reflectance(vec![1.0; self.sampling.white().len()]);
         let whole = self.sampling.response(&everything, None);
@@ -126,7 +126,7 @@ impl<'a> Table<'a> {
 
     /// The transmittance of a surface in each channel, over the cosine of the line of sight, for
     /// white light from behind.
-    pub fn transmittance(&self, transmittance: &Transmittance) -> TintSeries {
+    pub(crate) fn transmittance(&self, transmittance: &Transmittance) -> TintSeries {
         let white = self.sampling.white();
         let everything = Surface::Reflectance(vec![1.0; white.len()]);
         let whole = self.sampling.response(&everything, None).under(&white);

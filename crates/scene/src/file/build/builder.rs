@@ -97,7 +97,7 @@ pub(in crate::file) struct Units {
 
 impl Builder {
     /// References are relative to `base` and do not leave it unless `allow_outside`.
-    pub fn new(base: &Path, allow_outside: bool) -> Self {
+    pub(crate) fn new(base: &Path, allow_outside: bool) -> Self {
         // An empty path is the current folder.
         let base = if base.as_os_str().is_empty() { PathBuf::from(".") } else { base.to_owned() };
         let options = ReadOptions { root: Some(base.clone()), allow_outside, ..ReadOptions::default() };

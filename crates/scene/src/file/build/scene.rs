@@ -7,7 +7,7 @@ use crate::{Image, Light, LightColors, LightKind, RenderSettings};
 
 impl Builder {
     /// Fills the scene.
-    pub fn build(&mut self, table: &SceneTable) -> Result<(), Problem> {
+    pub(crate) fn build(&mut self, table: &SceneTable) -> Result<(), Problem> {
         self.settings(table);
         self.scene.observer = table.render.observer.as_ref().map(|name| self.observer(name)).transpose()?;
         if let Some(ambient) = &table.ambient {

@@ -128,7 +128,7 @@ pub(crate) struct IorTable {
 
 impl IorTable {
     /// The index.
-    pub fn ior(&self) -> Ior {
+    pub(crate) fn ior(&self) -> Ior {
         let k = self.k.as_ref().map_or(Spectrum::ZERO, |k| k.0);
         Ior { name: self.name.clone(), eta: self.eta.0, k, source: self.source.clone() }
     }

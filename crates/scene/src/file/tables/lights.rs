@@ -175,7 +175,7 @@ names! {
 
 impl KindName {
     /// Whether it is a surface that shines.
-    pub fn is_surface(self) -> bool {
+    pub(crate) fn is_surface(self) -> bool {
         matches!(self, Self::Rectangle | Self::Disk | Self::Sphere)
     }
 }

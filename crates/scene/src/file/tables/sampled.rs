@@ -91,7 +91,7 @@ pub(crate) struct ChannelTable {
 
 impl ObserverTable {
     /// The observer.
-    pub fn observer(&self) -> Observer {
+    pub(crate) fn observer(&self) -> Observer {
         let channel = |table: &ChannelTable| glanz_color::Channel {
             name: table.name.clone(),
             sensitivity: table.sensitivity.0,

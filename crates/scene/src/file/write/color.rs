@@ -7,7 +7,7 @@ use crate::file::build::air;
 use crate::{Film, LightColor, Pane, Polarization, Tint, Transmittance};
 
 /// The colour of a light.
-pub fn light(color: &LightColor) -> String {
+pub(super) fn light(color: &LightColor) -> String {
     match color {
         LightColor::Rgb(color) => rgb(*color),
         LightColor::Spectrum(spectrum) => inline([("samples", samples(spectrum))]),
@@ -15,7 +15,7 @@ pub fn light(color: &LightColor) -> String {
 }
 
 /// The tint of a surface.
-pub fn tint(tint: &Tint) -> String {
+pub(super) fn tint(tint: &Tint) -> String {
     match tint {
         Tint::Rgb(color) => rgb(*color),
         Tint::Spectrum(spectrum) => inline([("samples", samples(spectrum))]),
@@ -40,7 +40,7 @@ pub fn tint(tint: &Tint) -> String {
 }
 
 /// The transmittance of a surface; `None` for tints that mean something else there.
-pub fn transmittance(value: &Transmittance) -> Option<String> {
+pub(super) fn transmittance(value: &Transmittance) -> Option<String> {
     Some(match value {
         Transmittance::Constant(color @ (Tint::Rgb(_) | Tint::Spectrum(_) | Tint::Schlick(_))) => tint(color),
         Transmittance::Constant(_) => return None,
@@ -51,7 +51,7 @@ pub fn transmittance(value: &Transmittance) -> Option<String> {
 }
 
 /// Whether a tint is what lobes have that say none.
-pub fn is_white(tint: &Tint) -> bool {
+pub(super) fn is_white(tint: &Tint) -> bool {
     *tint == Tint::Rgb(Rgb::WHITE)
 }
 

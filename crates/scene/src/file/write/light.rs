@@ -9,7 +9,7 @@ use super::text::{Document, Table, degrees, inline, list, number, numbers, strin
 use crate::{AreaShape, Attenuation, Light, LightColor, LightColors, LightKind, Luminaire, Profile, Space};
 
 /// Adds one of `[[lights]]`.
-pub fn write(light: &Light, document: &mut Document, files: &mut SideFiles) -> Result<(), WriteError> {
+pub(super) fn write(light: &Light, document: &mut Document, files: &mut SideFiles) -> Result<(), WriteError> {
     let mut table = Table::default();
     table.put_unless(light.name.is_empty(), "name", string(&light.name));
     put_kind(&light.kind, &mut table, files)?;

@@ -7,7 +7,7 @@ use super::text::{Table, inline, list, number, numbers, samples, string};
 use crate::{Lobe, Metalness, Tint};
 
 /// A lobe on one line.
-pub fn lobe(lobe: &Lobe) -> String {
+pub(super) fn lobe(lobe: &Lobe) -> String {
     let mut table = Table::default();
     let info = lobe.shape.info();
     table.put("shape", string(info.name));

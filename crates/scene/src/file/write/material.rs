@@ -10,7 +10,7 @@ use super::text::{Document, Table, degrees, key, list, number, single, singles, 
 use crate::{AlphaMode, ClassicMaterial, Material, TextureUse, Tint};
 
 /// Adds `[materials.NAME]`.
-pub fn write(
+pub(super) fn write(
     material: &Material,
     name: &str,
     names: &Names,

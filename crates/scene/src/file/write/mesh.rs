@@ -10,7 +10,7 @@ use crate::{Mesh, Texture, TextureFilter, Wrap};
 const MAX_INLINE: usize = 64;
 
 /// Adds `[meshes.NAME]`, unless objects name the mesh themselves.
-pub fn write(mesh: &Mesh, name: &MeshKey, document: &mut Document, files: &mut SideFiles) {
+pub(super) fn write(mesh: &Mesh, name: &MeshKey, document: &mut Document, files: &mut SideFiles) {
     let MeshKey::Table(name) = name else { return };
     let mut table = Table::default();
     table.put_unless(mesh.name == *name, "name", string(&mesh.name));
@@ -56,7 +56,7 @@ fn data(mesh: &Mesh, files: &mut SideFiles) -> String {
 }
 
 /// Adds `[textures.NAME]`.
-pub fn write_texture(
+pub(super) fn write_texture(
     texture: &Texture,
     name: &str,
     document: &mut Document,
@@ -77,7 +77,7 @@ pub fn write_texture(
 }
 
 /// A mesh of an object, and whether it needs its colours asked for.
-pub fn of_object(name: &MeshKey) -> (String, bool) {
+pub(super) fn of_object(name: &MeshKey) -> (String, bool) {
     match name {
         MeshKey::Table(name) => (string(name), false),
         MeshKey::Builtin(builtin) => {

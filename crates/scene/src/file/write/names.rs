@@ -7,7 +7,7 @@ use crate::{Mesh, Object, Scene};
 
 /// How a mesh is written.
 #[derive(Clone, Debug, PartialEq)]
-pub enum MeshKey {
+pub(super) enum MeshKey {
     /// As a built-in mesh, by each object that has it; with its own colours if it has any.
     Builtin(Builtin),
     /// In a table of this name.
@@ -16,7 +16,7 @@ pub enum MeshKey {
 
 /// The names of all parts.
 #[derive(Debug)]
-pub struct Names {
+pub(super) struct Names {
     pub textures: Vec<String>,
     pub meshes: Vec<MeshKey>,
     pub materials: Vec<String>,
@@ -24,7 +24,7 @@ pub struct Names {
 
 impl Names {
     /// Those of a scene.
-    pub fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene) -> Self {
         let textures = scene.textures.iter().map(|texture| texture.name.as_str());
         let materials = scene.materials.iter().map(|material| material.name.as_str());
         Self {
@@ -80,6 +80,6 @@ fn has_own_name(object: &Object) -> bool {
 }
 
 /// The built-in mesh that this one is, with its default parameters.
-pub fn builtin(mesh: &Mesh) -> Option<Builtin> {
+pub(super) fn builtin(mesh: &Mesh) -> Option<Builtin> {
     Builtin::named(&mesh.name).filter(|builtin| builtin.mesh().is_ok_and(|made| made == *mesh))
 }

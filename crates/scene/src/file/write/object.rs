@@ -8,7 +8,7 @@ use super::text::{Document, Table, list, number, numbers, string, vector};
 use crate::Object;
 
 /// Adds one of `[[objects]]`.
-pub fn write(object: &Object, names: &Names, document: &mut Document) {
+pub(super) fn write(object: &Object, names: &Names, document: &mut Document) {
     let mut table = Table::default();
     table.put_unless(object.name.is_empty(), "name", string(&object.name));
     let (mesh, has_colors) = of_object(&names.meshes[object.mesh]);

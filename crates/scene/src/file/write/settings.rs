@@ -7,7 +7,7 @@ use super::text::{Document, Table, degrees, inline, number, rgb, samples, string
 use crate::{Background, Camera, Image, Projection, RenderSettings, Scene};
 
 /// Adds `[image]`, `[camera]` and `[render]`, what is not the default of them.
-pub fn write(scene: &Scene, document: &mut Document) {
+pub(super) fn write(scene: &Scene, document: &mut Document) {
     document.section("[image]", &image(&scene.image), true);
     if let Some(camera) = &scene.camera {
         document.section("[camera]", &camera_table(camera), false);

@@ -9,19 +9,19 @@ use crate::scene::hash::Hash;
 use crate::{EnvironmentMap, Mesh, Texture};
 
 /// The files so far, each content once.
-pub struct SideFiles {
+pub(super) struct SideFiles {
     folder: String,
     files: Vec<(String, Vec<u8>)>,
 }
 
 impl SideFiles {
     /// Files in this folder.
-    pub fn new(folder: &str) -> Self {
+    pub(super) fn new(folder: &str) -> Self {
         Self { folder: folder.to_owned(), files: Vec::new() }
     }
 
     /// Adds a file and tells its name: a number for its content after what it is.
-    pub fn add(&mut self, what: &str, ending: &str, bytes: Vec<u8>) -> String {
+    pub(super) fn add(&mut self, what: &str, ending: &str, bytes: Vec<u8>) -> String {
         let mut hash = Hash::new();
         hash.bytes(&bytes);
         let folder = if self.folder.is_empty() { String::new() } else { format!("{}/", self.folder) };
@@ -33,13 +33,13 @@ impl SideFiles {
     }
 
     /// All files.
-    pub fn finish(self) -> Vec<(String, Vec<u8>)> {
+    pub(super) fn finish(self) -> Vec<(String, Vec<u8>)> {
         self.files
     }
 }
 
 /// A texture as PNG.
-pub fn png(texture: &Texture) -> Result<Vec<u8>, WriteError> {
+pub(super) fn png(texture: &Texture) -> Result<Vec<u8>, WriteError> {
     let wrong =
         |message: String| WriteError::Picture { place: format!("texture '{}'", texture.name), message };
     let expected = texture.width as usize * texture.height as usize * 4;
@@ -53,7 +53,7 @@ pub fn png(texture: &Texture) -> Result<Vec<u8>, WriteError> {
 }
 
 /// An environment map as OpenEXR, in single precision.
-pub fn exr(map: &EnvironmentMap) -> Result<Vec<u8>, WriteError> {
+pub(super) fn exr(map: &EnvironmentMap) -> Result<Vec<u8>, WriteError> {
     let channel = |c: usize| map.pixels.iter().map(|pixel| pixel[c]).collect::<Vec<f32>>();
     let image = SpectralImage {
         width: map.width,
@@ -70,7 +70,7 @@ pub fn exr(map: &EnvironmentMap) -> Result<Vec<u8>, WriteError> {
 }
 
 /// The arrays of a mesh, one after the other, little-endian.
-pub fn mesh_data(mesh: &Mesh) -> Vec<u8> {
+pub(super) fn mesh_data(mesh: &Mesh) -> Vec<u8> {
     let floats = mesh
         .positions
         .iter()

@@ -4,19 +4,19 @@ use glam::DVec3;
 use glanz_color::{Rgb, Spectrum};
 
 /// A number; the shortest text that reads back to the same bits.
-pub fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
 /// A number of single precision, which is read by way of a double.
-pub fn single(value: f32) -> String {
+pub(super) fn single(value: f32) -> String {
     let short = format!("{value:?}");
     let read = short.parse::<f64>().map(|wide| wide as f32);
     if read.is_ok_and(|read| read.to_bits() == value.to_bits()) { short } else { number(f64::from(value)) }
 }
 
 /// A string in quotes.
-pub fn string(text: &str) -> String {
+pub(super) fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
@@ -33,45 +33,45 @@ pub fn string(text: &str) -> String {
 }
 
 /// A key, in quotes where it needs them.
-pub fn key(name: &str) -> String {
+pub(super) fn key(name: &str) -> String {
     let bare = !name.is_empty() && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
     if bare { name.to_owned() } else { string(name) }
 }
 
 /// A list of values.
-pub fn list(values: impl IntoIterator<Item = String>) -> String {
+pub(super) fn list(values: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", values.into_iter().collect::<Vec<_>>().join(", "))
 }
 
 /// A list of values, each on a line of its own.
-pub fn tall_list(values: impl IntoIterator<Item = String>) -> String {
+pub(super) fn tall_list(values: impl IntoIterator<Item = String>) -> String {
     let lines: String = values.into_iter().map(|value| format!("    {value},\n")).collect();
     format!("[\n{lines}]")
 }
 
 /// Numbers.
-pub fn numbers(values: &[f64]) -> String {
+pub(super) fn numbers(values: &[f64]) -> String {
     list(values.iter().map(|value| number(*value)))
 }
 
 /// Numbers of single precision.
-pub fn singles(values: &[f32]) -> String {
+pub(super) fn singles(values: &[f32]) -> String {
     list(values.iter().map(|value| single(*value)))
 }
 
 /// A vector.
-pub fn vector(vector: DVec3) -> String {
+pub(super) fn vector(vector: DVec3) -> String {
     numbers(&vector.to_array())
 }
 
 /// A colour; one number for a grey.
-pub fn rgb(color: Rgb) -> String {
+pub(super) fn rgb(color: Rgb) -> String {
     let [r, g, b] = color.0;
     if r.to_bits() == g.to_bits() && g.to_bits() == b.to_bits() { single(r) } else { singles(&color.0) }
 }
 
 /// The samples of a function of wavelength; one number for a constant.
-pub fn samples(spectrum: &Spectrum) -> String {
+pub(super) fn samples(spectrum: &Spectrum) -> String {
     let first = spectrum.0[0];
     match spectrum.0.iter().all(|value| value.to_bits() == first.to_bits()) {
         true => number(first),
@@ -80,7 +80,7 @@ pub fn samples(spectrum: &Spectrum) -> String {
 }
 
 /// The degrees that become exactly these radians, if there are any; of several those with the shortest text.
-pub fn degrees(radians: f64) -> Option<String> {
+pub(super) fn degrees(radians: f64) -> Option<String> {
     let about = radians.to_degrees();
     let rounded = [0, 1, 3, 6, 9, 12].map(|digits: i32| {
         let scale = 10f64.powi(digits);
@@ -93,30 +93,30 @@ pub fn degrees(radians: f64) -> Option<String> {
 
 /// The keys of a table and their values.
 #[derive(Clone, Debug, Default)]
-pub struct Table(Vec<(String, String)>);
+pub(super) struct Table(Vec<(String, String)>);
 
 impl Table {
     /// Adds a key.
-    pub fn put(&mut self, name: &str, value: impl Into<String>) {
+    pub(super) fn put(&mut self, name: &str, value: impl Into<String>) {
         self.0.push((key(name), value.into()));
     }
 
     /// Adds a key unless the value is the default.
-    pub fn put_unless(&mut self, is_default: bool, name: &str, value: impl Into<String>) {
+    pub(super) fn put_unless(&mut self, is_default: bool, name: &str, value: impl Into<String>) {
         if !is_default {
             self.put(name, value);
         }
     }
 
     /// The table on one line.
-    pub fn inline(&self) -> String {
+    pub(super) fn inline(&self) -> String {
         let pairs: Vec<String> = self.0.iter().map(|(key, value)| format!("{key} = {value}")).collect();
         format!("{{ {} }}", pairs.join(", "))
     }
 }
 
 /// A table with these keys on one line.
-pub fn inline<const N: usize>(pairs: [(&str, String); N]) -> String {
+pub(super) fn inline<const N: usize>(pairs: [(&str, String); N]) -> String {
     let mut table = Table::default();
     pairs.into_iter().for_each(|(name, value)| table.put(name, value));
     table.inline()
@@ -124,11 +124,11 @@ pub fn inline<const N: usize>(pairs: [(&str, String); N]) -> String {
 
 /// A scene file as it grows.
 #[derive(Debug, Default)]
-pub struct Document(String);
+pub(super) struct Document(String);
 
 impl Document {
     /// Adds a table under a header such as `[image]`; an empty one is left out if it may be.
-    pub fn section(&mut self, header: &str, table: &Table, optional: bool) {
+    pub(super) fn section(&mut self, header: &str, table: &Table, optional: bool) {
         if optional && table.0.is_empty() {
             return;
         }
@@ -141,7 +141,7 @@ impl Document {
     }
 
     /// The text.
-    pub fn finish(self) -> String {
+    pub(super) fn finish(self) -> String {
         self.0
     }
 }

@@ -7,7 +7,7 @@ use super::source::Source;
 use crate::EnvironmentMap;
 
 /// Reads a file.
-pub fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
+pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
     let opened = ExrFile::open(source.bytes).map_err(|error| failed(source, error))?;
     let (index, channels) = choose(&opened, source)?;
     let part = opened.parts()[index].clone();

@@ -19,7 +19,7 @@ const NEW_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
 type Rgbe = [u8; 4];
 
 /// Reads a file.
-pub fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
+pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
     let mut bytes = Bytes { bytes: source.bytes, at: 0 };
     let header = Header::read(&mut bytes, source)?;
     let size = Size::read(&mut bytes, source)?;

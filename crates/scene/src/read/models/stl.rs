@@ -229,7 +229,7 @@ pub(in crate::read) mod tests {
     use crate::read::Format;
     use crate::read::tests::{check, error_of, read_bytes};
 
-    pub const TEXT: &str = "solid two words
+    pub(crate) const TEXT: &str = "solid two words
 facet normal 0 0 1
   outer loop
     vertex 0 0 0
@@ -248,7 +248,7 @@ endsolid two words
 ";
 
     /// The same two facets in binary, after a header that begins as text does.
-    pub fn binary() -> Vec<u8> {
+    pub(crate) fn binary() -> Vec<u8> {
         let mut bytes = b"solid but binary".to_vec();
         bytes.resize(80, 0);
         bytes.extend(2u32.to_le_bytes());

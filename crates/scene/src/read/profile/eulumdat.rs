@@ -14,7 +14,7 @@ const LAMP_SET: usize = 6;
 const RATIOS: usize = 10;
 
 /// Reads a file.
-pub fn read(text: &str, source: &mut Source) -> Result<Profile, ReadError> {
+pub(super) fn read(text: &str, source: &mut Source) -> Result<Profile, ReadError> {
     let mut lines = Lines { lines: text.lines(), number: 0 };
     lines.skip(2, "the maker and the type of the source", source)?;
     let isym = lines.number("the symmetry, 0 to 4", source)?;

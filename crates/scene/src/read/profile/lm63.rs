@@ -11,7 +11,7 @@ use super::source::Source;
 use crate::Profile;
 
 /// Reads a file.
-pub fn read(text: &str, source: &mut Source) -> Result<Profile, ReadError> {
+pub(super) fn read(text: &str, source: &mut Source) -> Result<Profile, ReadError> {
     let (tilt, mut numbers) = header(text, source)?;
     skip_tilt(&tilt, &mut numbers, source)?;
     let lamps = numbers.take(3, "the number of lamps, their lumens and the multiplier", source)?;

@@ -10,7 +10,7 @@ const SAME_DEG: f64 = 1e-4;
 
 /// What the half planes of a luminaire have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Symmetry {
+pub(super) enum Symmetry {
     /// Nothing.
     None,
     /// They are all the same.
@@ -35,7 +35,7 @@ impl Symmetry {
 }
 
 /// The half planes of a file, as it gives them.
-pub struct Planes {
+pub(super) struct Planes {
     /// Their angles in degrees.
     pub c_deg: Vec<f64>,
     /// The angles in them in degrees.
@@ -48,7 +48,7 @@ pub struct Planes {
 
 impl Planes {
     /// The whole profile.
-    pub fn expand(mut self, source: &mut Source) -> Result<Profile, ReadError> {
+    pub(super) fn expand(mut self, source: &mut Source) -> Result<Profile, ReadError> {
         check_gamma(&self.gamma_deg, source)?;
         source.not_negative(&mut self.candela);
         let Self { c_deg, gamma_deg, candela, symmetry } = self;
@@ -88,7 +88,7 @@ fn check_gamma(gamma_deg: &[f64], source: &Source) -> Result<(), ReadError> {
 }
 
 /// That angles increase.
-pub fn increasing(angles: &[f64], which: &str, source: &Source) -> Result<(), ReadError> {
+pub(super) fn increasing(angles: &[f64], which: &str, source: &Source) -> Result<(), ReadError> {
     match angles.windows(2).find(|pair| pair[0] >= pair[1]) {
         None => Ok(()),
         Some(pair) => {

@@ -18,11 +18,11 @@ const TRIED_NM: f64 = 550.0;
 
 /// A lobe on a mesh.
 #[derive(Clone, Debug)]
-pub struct Ball(LobeStage);
+pub(super) struct Ball(LobeStage);
 
 impl Ball {
     /// A ball from the keys of a command line; the last of a key counts.
-    pub fn new(
+    pub(super) fn new(
         model: &str,
         values: &[(String, String)],
         mesh: &str,
@@ -54,7 +54,7 @@ impl Ball {
     }
 
     /// The scene, for pictures of this size.
-    pub fn input(&self, size: (u32, u32)) -> Result<Input, Failure> {
+    pub(super) fn input(&self, size: (u32, u32)) -> Result<Input, Failure> {
         self.0.scene(size).map(input_of_stage).map_err(Failure::new)
     }
 }

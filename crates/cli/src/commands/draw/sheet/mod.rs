@@ -16,7 +16,7 @@ use crate::input::lobes::model_names;
 use crate::print::failure::Failure;
 
 /// Shown after the help.
-pub const EXAMPLES: &str = "\
+pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz sheet phong --vary shininess=2,8,32,128 -o row.png
   glanz sheet blinn-phong-normalized --vary shininess=8:512:5 --vary ior=Au,Cu,Al,1.5 -o sheet.png
@@ -31,7 +31,7 @@ const DEFAULT_COLUMNS: u32 = 8;
 
 /// Options of `glanz sheet`.
 #[derive(Args, Debug)]
-pub struct SheetArgs {
+pub(crate) struct SheetArgs {
     /// The model's name, from `glanz bsdf list`
     #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true)]
     model: String,
@@ -73,7 +73,7 @@ pub struct SheetArgs {
 
 impl SheetArgs {
     /// Draws the sheet.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
         let target = self.sheet.begin(&self.model)?;
         self.check_keys()?;
         let grid = Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size };

@@ -40,14 +40,14 @@ fn apply(matrix: &[[f32; 3]; 3], [a, b, c]: [f32; 3]) -> [f32; 3] {
 }
 
 /// Linear RGB in the opponent space Y Cx Cz, which is linear in light.
-pub fn to_ycxcz(rgb: [f32; 3]) -> [f32; 3] {
+pub(super) fn to_ycxcz(rgb: [f32; 3]) -> [f32; 3] {
     let [x, y, z] = apply(&TO_XYZ, rgb);
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
 /// A blurred colour of Y Cx Cz, cut to the gamut of sRGB, as L*, a*, b* in which a dark colour has less
 /// chroma, as Hunt found.
-pub fn perceived([y, cx, cz]: [f32; 3]) -> [f32; 3] {
+pub(super) fn perceived([y, cx, cz]: [f32; 3]) -> [f32; 3] {
     let y = (y + 16.0) / 116.0;
     let rgb = apply(&FROM_XYZ, [y + cx / 500.0, y, y - cz / 200.0]);
     adjusted_lab(rgb.map(|channel| channel.clamp(0.0, 1.0)))
@@ -72,7 +72,7 @@ fn hyab(first: [f32; 3], second: [f32; 3]) -> f32 {
 
 /// The error 0 … 1 between two colours as [`perceived`]: 1 for green and blue, the greatest distance in
 /// the gamut. Small distances are stretched over most of the range.
-pub fn color_error(first: [f32; 3], second: [f32; 3]) -> f32 {
+pub(super) fn color_error(first: [f32; 3], second: [f32; 3]) -> f32 {
     let distance = hyab(first, second);
     if distance == 0.0 {
         return 0.0;

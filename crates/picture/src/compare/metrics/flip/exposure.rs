@@ -70,7 +70,7 @@ fn light_for_level() -> f64 {
 }
 
 /// The light in this exposure after the tone curve, 0 … 1.
-pub fn expose(light: &Planes, width: usize, height: usize, stops: f64) -> Planes {
+pub(super) fn expose(light: &Planes, width: usize, height: usize, stops: f64) -> Planes {
     let scale = libm::exp2(stops);
     three_planes(width, height, |i| light.each_ref().map(|plane| tone(f64::from(plane[i]) * scale) as f32))
 }

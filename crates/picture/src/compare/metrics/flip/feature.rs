@@ -8,14 +8,14 @@ use crate::compare::rows::one_plane;
 const Q_F: f32 = 0.5;
 
 /// How much of an edge and of a point there is in every pixel.
-pub struct Features {
+pub(super) struct Features {
     edge: Vec<f32>,
     point: Vec<f32>,
 }
 
 impl Features {
     /// The features in the plane Y of the opponent space.
-    pub fn of(y: &[f32], width: usize, height: usize, kernels: &FeatureKernels) -> Self {
+    pub(super) fn of(y: &[f32], width: usize, height: usize, kernels: &FeatureKernels) -> Self {
         let grey = one_plane(width, height, |i| (y[i] + 16.0) / 116.0);
         let magnitude = |detector: &Kernel<f32>| {
             let across = filter(&grey, width, detector, &kernels.smooth);
@@ -27,7 +27,7 @@ impl Features {
 }
 
 /// The error 0 … 1 of the features of pixel `i`: edges or points, whichever differ more.
-pub fn feature_error(first: &Features, second: &Features, i: usize) -> f32 {
+pub(super) fn feature_error(first: &Features, second: &Features, i: usize) -> f32 {
     let edge = (first.edge[i] - second.edge[i]).abs();
     let point = (first.point[i] - second.point[i]).abs();
     let difference = edge.max(point) * core::f32::consts::FRAC_1_SQRT_2;

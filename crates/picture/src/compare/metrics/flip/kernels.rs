@@ -14,7 +14,7 @@ const BLUE_YELLOW: [[f64; 2]; 2] = [[34.1, 0.04], [13.5, 0.025]];
 const FEATURE_WIDTH: f64 = 0.082;
 
 /// How each channel is blurred, along rows and columns alike.
-pub struct ColorKernels {
+pub(super) struct ColorKernels {
     /// For Y.
     pub achromatic: Kernel<f32>,
     /// For Cx.
@@ -25,7 +25,7 @@ pub struct ColorKernels {
 
 impl ColorKernels {
     /// The kernels for so many pixels per degree. Each channel's weights sum to 1 over the square.
-    pub fn new(ppd: f64) -> Self {
+    pub(super) fn new(ppd: f64) -> Self {
         let widest = BLUE_YELLOW[0][1];
         let radius = (3.0 * (widest / (2.0 * PI * PI)).sqrt() * ppd).ceil() as i32;
         let gaussian = |b: f64| {
@@ -51,7 +51,7 @@ fn scaled(weights: &[f64], by: f64) -> Kernel<f32> {
 }
 
 /// Detectors of edges and points in one direction, and the smoothing in the other.
-pub struct FeatureKernels {
+pub(super) struct FeatureKernels {
     /// A Gaussian of sum 1.
     pub smooth: Kernel<f32>,
     /// Its first derivative.
@@ -63,7 +63,7 @@ pub struct FeatureKernels {
 impl FeatureKernels {
     /// The kernels for so many pixels per degree. The positive weights of a derivative sum to 1, the
     /// negative ones to −1.
-    pub fn new(ppd: f64) -> Self {
+    pub(super) fn new(ppd: f64) -> Self {
         let sigma = 0.5 * FEATURE_WIDTH * ppd;
         let radius = (3.0 * sigma).ceil() as i32;
         let kernel = |weight: &dyn Fn(f64) -> f64| -> Vec<f64> {

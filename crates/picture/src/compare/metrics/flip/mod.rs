@@ -35,7 +35,7 @@ pub const DEFAULT_PPD: f64 = 67.020_64;
 pub const PPD_RANGE: (f64, f64) = (1.0, 1000.0);
 
 /// The error of every pixel; for light, the exposures too.
-pub fn map(pair: &Pair, ppd: f64) -> Result<(Vec<f32>, Option<Exposures>), CompareError> {
+pub(crate) fn map(pair: &Pair, ppd: f64) -> Result<(Vec<f32>, Option<Exposures>), CompareError> {
     if !(PPD_RANGE.0..=PPD_RANGE.1).contains(&ppd) {
         return Err(CompareError::PixelsPerDegree { range: PPD_RANGE, found: ppd });
     }

@@ -5,7 +5,7 @@ use glanz_scene::{Bounds, Mesh};
 
 /// A mesh put into the world: relative to an anchor, so that `f32` keeps its precision far from the
 /// origin.
-pub struct Placed {
+pub(crate) struct Placed {
     /// The point that positions are relative to.
     pub anchor: DVec3,
     /// Box of the vertices relative to the anchor.
@@ -20,7 +20,7 @@ pub struct Placed {
 
 impl Placed {
     /// Puts `mesh` into the world by an affine transform.
-    pub fn new(mesh: &Mesh, transform: DMat4) -> Self {
+    pub(crate) fn new(mesh: &Mesh, transform: DMat4) -> Self {
         let linear = DMat3::from_mat4(transform);
         let translation = transform.w_axis.truncate();
         let determinant = linear.determinant();
@@ -45,20 +45,20 @@ impl Placed {
     }
 
     /// Of the linear part of the transform; negative where it mirrors.
-    pub fn determinant(&self) -> f64 {
+    pub(crate) fn determinant(&self) -> f64 {
         self.determinant
     }
 
     /// A mesh position in the world, relative to the anchor.
-    pub fn position(&self, p: Vec3) -> DVec3 {
+    pub(crate) fn position(&self, p: Vec3) -> DVec3 {
         self.linear * p.as_dvec3() + self.offset
     }
     /// A mesh normal in the world, not normalised.
-    pub fn normal(&self, n: Vec3) -> DVec3 {
+    pub(crate) fn normal(&self, n: Vec3) -> DVec3 {
         self.normal_matrix * n.as_dvec3()
     }
     /// A mesh direction in the world, not normalised.
-    pub fn direction(&self, t: Vec3) -> DVec3 {
+    pub(crate) fn direction(&self, t: Vec3) -> DVec3 {
         self.linear * t.as_dvec3()
     }
 }

@@ -108,7 +108,7 @@ struct Ring<'a> {
 pub(crate) struct Pyramid(Vec<PyramidLevel>);
 
 impl Pyramid {
-    pub fn of(map: &Arc<EnvironmentMap>) -> Self {
+    pub(crate) fn of(map: &Arc<EnvironmentMap>) -> Self {
         let mut levels = vec![PyramidLevel::of(Arc::clone(map))];
         while let Some(last) = levels.last().filter(|level| level.map.size()[1] > 16) {
             let next = PyramidLevel::of(Arc::new(last.map.halved()));

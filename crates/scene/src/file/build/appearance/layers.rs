@@ -22,7 +22,7 @@ const LEAST_LEFT: f64 = 1e-6;
 
 impl CoatTable {
     /// The material under the coat.
-    pub fn build(
+    pub(crate) fn build(
         &self,
         material: Material,
         builder: &mut Builder,
@@ -43,7 +43,7 @@ impl CoatTable {
 
 impl PaneTable {
     /// Makes the material a pane, beside the terms that it has.
-    pub fn build(
+    pub(crate) fn build(
         &self,
         material: &mut Material,
         builder: &mut Builder,

@@ -15,7 +15,7 @@ use crate::{Absorption, Lobe, Metalness, Tint};
 
 impl LobeTable {
     /// The lobe.
-    pub fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
+    pub(crate) fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
         let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
         let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
         // Textures and vertex colours are surface colours (E. Thiel, "Programmation graphique", lecture 5): they multiply

@@ -42,7 +42,7 @@ fn place<T>(value: &Option<At<T>>) -> Option<&Range<usize>> {
 
 impl MaterialTable {
     /// The material without its textures.
-    pub fn build(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
+    pub(crate) fn build(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
         let mut material = self.surface(name, builder)?;
         self.add_transmittance(&mut material, name, builder)?;
         if let Some(coat) = &self.coat {

@@ -38,7 +38,12 @@ fn vec4(list: &Option<Vec<[Number; 4]>>) -> Vec<Vec4> {
 
 impl MeshTable {
     /// The mesh; `key` is the name of its table, and `span` where that stands.
-    pub fn build(&self, key: &str, span: &Range<usize>, builder: &mut Builder) -> Result<Mesh, Problem> {
+    pub(crate) fn build(
+        &self,
+        key: &str,
+        span: &Range<usize>,
+        builder: &mut Builder,
+    ) -> Result<Mesh, Problem> {
         let inline = self.positions.is_some();
         let mut mesh = match (&self.mesh, inline, &self.data) {
             (Some(mesh), false, None) => match &mesh.value {

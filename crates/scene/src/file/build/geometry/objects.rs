@@ -342,7 +342,7 @@ fn moved(camera: &Camera, transform: &DMat4) -> Camera {
 
 impl ObjectTable {
     /// What was asked for the object's normals.
-    pub fn normals(&self) -> Result<Option<Normals>, Problem> {
+    pub(crate) fn normals(&self) -> Result<Option<Normals>, Problem> {
         let name = self.normals.as_ref().map(|n| n.value);
         match (name, &self.crease_deg) {
             (Some(NormalsName::Given | NormalsName::Facet), Some(crease)) => {
@@ -359,7 +359,7 @@ impl ObjectTable {
     }
 
     /// The keys that place the object.
-    pub fn place(&self) -> PlaceKeys<'_> {
+    pub(crate) fn place(&self) -> PlaceKeys<'_> {
         PlaceKeys {
             translate: self.translate.as_ref(),
             rotate_deg: self.rotate_deg.as_ref(),

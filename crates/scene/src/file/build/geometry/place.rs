@@ -16,7 +16,7 @@ pub(crate) struct PlaceKeys<'a> {
 
 impl PlaceKeys<'_> {
     /// From mesh to world coordinates: scaled, then rotated, then moved.
-    pub fn transform(&self) -> Result<DMat4, Problem> {
+    pub(crate) fn transform(&self) -> Result<DMat4, Problem> {
         if let Some(matrix) = self.matrix {
             if self.translate.is_some() || self.rotate_deg.is_some() || self.scale.is_some() {
                 let message = "'matrix' beside 'translate', 'rotate_deg' or 'scale'";

@@ -12,7 +12,7 @@ use crate::{Attenuation, Light, LightColor, LightColors, LightKind, Space};
 
 impl AttenuationValue {
     /// The law; `span` is where the value stands.
-    pub fn build(&self, span: &Range<usize>) -> Result<Attenuation, Problem> {
+    pub(crate) fn build(&self, span: &Range<usize>) -> Result<Attenuation, Problem> {
         match self {
             Self::Name(AttenuationName::None) => Ok(Attenuation::NONE),
             Self::Name(AttenuationName::Physical) => Ok(Attenuation::PHYSICAL),
@@ -38,7 +38,7 @@ impl AttenuationValue {
 
 impl LightTable {
     /// The light; `span` is where the table stands.
-    pub fn build(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Light, Problem> {
+    pub(crate) fn build(&self, span: &Range<usize>, builder: &mut Builder) -> Result<Light, Problem> {
         self.refuse_foreign_keys()?;
         let luminaire = self.luminaire(builder)?;
         let shape = self.area_shape(span)?;

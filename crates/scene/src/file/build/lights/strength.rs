@@ -24,13 +24,13 @@ pub(super) enum Unit {
 
 impl Unit {
     /// Whether the light's strength is an intensity, so that it fades with the square of the distance.
-    pub fn is_intensity(self) -> bool {
+    pub(super) fn is_intensity(self) -> bool {
         matches!(self, Self::Candela(_) | Self::WattPerSteradian(_))
     }
 
     /// What makes light of this colour that strong: the luminance that it gives a white Lambert surface that
     /// faces it, at a distance of 1 m if it is a lamp. That is 1/π of the illuminance.
-    pub fn factor(self, color: &LightColor, span: &Range<usize>) -> Result<f64, Problem> {
+    pub(super) fn factor(self, color: &LightColor, span: &Range<usize>) -> Result<f64, Problem> {
         match self {
             Self::Classic(factor) => Ok(factor),
             _ if color.is_black() => Ok(0.0),
@@ -42,7 +42,7 @@ impl Unit {
 
     /// The same, with the flux of a surface as its luminance: what shines evenly sends π times that into
     /// the half space above each part of it.
-    pub fn of_surface(self, kind: &LightKind) -> Self {
+    pub(super) fn of_surface(self, kind: &LightKind) -> Self {
         match (self, kind) {
             (Self::Lumen(flux), LightKind::Area { shape, two_sided, .. }) => {
                 let sides = if *two_sided { 2.0 } else { 1.0 };

@@ -23,7 +23,7 @@ names! {
 
 impl AngleName {
     /// The angle.
-    pub fn angle(self) -> Angle {
+    pub(crate) fn angle(self) -> Angle {
         match self {
             Self::Half => Angle::Half,
             Self::HalfThrough => Angle::HalfThrough,
@@ -92,7 +92,7 @@ pub(crate) struct SheenTable {
 
 impl LayerTable {
     /// The weight.
-    pub fn weight(&self) -> LayerWeight {
+    pub(crate) fn weight(&self) -> LayerWeight {
         let series = |terms: &[Number]| Chebyshev { terms: terms.iter().map(|term| [term.0]).collect() };
         match self {
             Self::Constant(weight) => LayerWeight::Constant(weight.0),
@@ -127,7 +127,7 @@ pub(crate) enum MetalnessTable {
 
 impl MetalnessTable {
     /// The part.
-    pub fn metalness(&self) -> Metalness {
+    pub(crate) fn metalness(&self) -> Metalness {
         match self {
             Self::Metal(factor) => Metalness::Metal { factor: factor.0 },
             Self::Dielectric(factor) => Metalness::Dielectric { factor: factor.0 },

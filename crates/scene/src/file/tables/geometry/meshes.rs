@@ -68,7 +68,7 @@ names! {
 
 impl AttributeName {
     /// Floats of a vertex.
-    pub fn floats(self) -> usize {
+    pub(crate) fn floats(self) -> usize {
         match self {
             Self::Normals => 3,
             Self::Uvs => 2,

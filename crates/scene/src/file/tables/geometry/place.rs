@@ -21,7 +21,7 @@ pub(crate) struct Rotation {
 }
 
 impl Rotation {
-    pub fn matrix(&self) -> DMat4 {
+    pub(crate) fn matrix(&self) -> DMat4 {
         // Whole turns are taken off in degrees, where that is exact.
         let angle = (self.angle.0 % 360.0).to_radians();
         DMat4::from_axis_angle(self.axis.0.normalize(), angle)
@@ -43,7 +43,7 @@ pub(crate) struct Rotations(#[schemars(with = "RotationsForm")] pub Vec<Rotation
 
 impl Rotations {
     /// All of them, one after the other.
-    pub fn matrix(&self) -> DMat3 {
+    pub(crate) fn matrix(&self) -> DMat3 {
         DMat3::from_mat4(self.0.iter().fold(DMat4::IDENTITY, |all, next| next.matrix() * all))
     }
 }

@@ -154,7 +154,7 @@ impl Default for Iridescence {
 
 impl MaterialExtensions {
     /// The textures of extensions, none of which is applied, with the names of what they would change.
-    pub fn textures(&self) -> impl Iterator<Item = &'static str> {
+    pub(super) fn textures(&self) -> impl Iterator<Item = &'static str> {
         let (coat, sheen, film) = (&self.clearcoat, &self.sheen, &self.iridescence);
         let all = [
             ("specular", &self.specular.specular_texture),

@@ -39,22 +39,22 @@ pub(super) struct PbrMaterial {
 
 impl PbrMaterial {
     /// The greatest reflectance of the dielectric at normal incidence.
-    pub fn greatest_f0(&self) -> f64 {
+    pub(super) fn greatest_f0(&self) -> f64 {
         greatest(self.f0)
     }
 
     /// The greatest channel of the sheen.
-    pub fn greatest_sheen(&self) -> f64 {
+    pub(super) fn greatest_sheen(&self) -> f64 {
         greatest(self.sheen)
     }
 
     /// How metallic the surface is on the whole.
-    pub fn metal_on_the_whole(&self) -> f64 {
+    pub(super) fn metal_on_the_whole(&self) -> f64 {
         self.metallic * self.mean_metal
     }
 
     /// The fraction transmitted of the light that enters its boundary.
-    pub fn open(&self) -> f64 {
+    pub(super) fn open(&self) -> f64 {
         self.transmission * (1.0 - self.metal_on_the_whole())
     }
 }

@@ -76,7 +76,7 @@ fn change(document: &mut Value, changes: &[(&str, Value)]) {
     }
 }
 
-pub fn read(changes: &[(&str, Value)]) -> Model {
+pub(crate) fn read(changes: &[(&str, Value)]) -> Model {
     let model = read_bytes(&with(changes), Format::Gltf).unwrap();
     check(&model);
     model
@@ -147,7 +147,7 @@ fn rich() -> (Value, Vec<u8>) {
 }
 
 /// A file of so many positions, and triangles of 32-bit indices after them.
-pub fn grid(vertices: u32, triangles: u32, binary: &[u8]) -> Vec<u8> {
+pub(crate) fn grid(vertices: u32, triangles: u32, binary: &[u8]) -> Vec<u8> {
     let mut document = quad().0;
     change(
         &mut document,
@@ -168,12 +168,12 @@ pub fn grid(vertices: u32, triangles: u32, binary: &[u8]) -> Vec<u8> {
     glb(&document, binary)
 }
 
-pub fn sample_glb() -> Vec<u8> {
+pub(crate) fn sample_glb() -> Vec<u8> {
     let (document, binary) = rich();
     glb(&document, &binary)
 }
 
-pub fn sample_json() -> String {
+pub(crate) fn sample_json() -> String {
     let (mut document, binary) = rich();
     let uri = format!("data:application/octet-stream;base64,{}", base64(&binary));
     change(&mut document, &[("/buffers/0/uri", json!(uri))]);
@@ -366,7 +366,7 @@ fn lobes(model: &Model) -> Vec<(&'static str, [f32; 3], Option<f64>)> {
     model.materials[0].lobes.iter().map(lobe).collect()
 }
 
-pub fn material(material: Value) -> [(&'static str, Value); 2] {
+pub(crate) fn material(material: Value) -> [(&'static str, Value); 2] {
     [("/materials", json!([material])), ("/meshes/0/primitives/0/material", json!(0))]
 }
 

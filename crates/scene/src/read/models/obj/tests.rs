@@ -8,7 +8,7 @@ use crate::read::tests::{check, error_of, read_bytes};
 use crate::read::{Format, Model, ReadOptions, Resolver, read_model_bytes, texture};
 use crate::{AlphaMode, Mesh};
 
-pub const SAMPLE: &str = "# sample
+pub(crate) const SAMPLE: &str = "# sample
 mtllib m.mtl
 o box
 v 0 0 0
@@ -27,7 +27,7 @@ f -4 -3 \\
 -2
 ";
 
-pub const MTL: &str = "# materials
+pub(crate) const MTL: &str = "# materials
 newmtl shiny
 Ka 0.1 0.2 0.3
 Kd 0.5

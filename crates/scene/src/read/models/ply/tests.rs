@@ -68,7 +68,7 @@ fn binary_body(big: bool) -> Vec<u8> {
 }
 
 /// The same mesh in all three encodings.
-pub fn samples() -> [Vec<u8>; 3] {
+pub(crate) fn samples() -> [Vec<u8>; 3] {
     let header = |format: &str| format!("ply\nformat {format} 1.0\n{HEADER}").into_bytes();
     [
         [header("ascii"), BODY.as_bytes().to_vec()].concat(),
