@@ -3,7 +3,7 @@
 use core::cell::Cell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use glanz_math::{Real, Vec3};
+use glanz_math::{Real, RealFunction, Vec3};
 
 use crate::{DirectionPair, MODELS, Shape};
 
@@ -65,6 +65,10 @@ impl Neg for Counted {
 impl Real for Counted {
     type Mask = bool;
     const LANES: usize = 1;
+
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self {
+        Self(function.in_f64(arguments.map(|argument| argument.0)))
+    }
 
     fn lit(self, value: f64) -> Self {
         Self(value)

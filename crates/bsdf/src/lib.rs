@@ -27,6 +27,7 @@
 mod albedo;
 #[cfg(test)]
 mod cost;
+mod custom;
 mod direction_pair;
 mod info;
 pub mod laws;
@@ -37,6 +38,7 @@ mod serial;
 pub mod terms;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
+pub use custom::CustomModel;
 pub use direction_pair::DirectionPair;
 pub use glanz_math::Chebyshev;
 pub use info::{LightTerm, ModelInfo, ParamError, ParamInfo, Side};

@@ -19,7 +19,10 @@
 use glanz_math::names::nearest;
 use glanz_math::{Real, Vec3};
 
-use crate::{DirectionPair, Model, ModelInfo, ParamError};
+use crate::{CustomModel, DirectionPair, Model, ModelInfo, ParamError};
+
+/// [`Shape::id`] of a program's own models.
+const CUSTOM: u32 = u32::MAX;
 
 macro_rules! models {
     ($($id:literal => $module:ident::$model:ident),+ $(,)?) => {
@@ -34,6 +37,8 @@ macro_rules! models {
                 #[doc = concat!("See [`", stringify!($module), "`].")]
                 $model($module::$model) = $id,
             )+
+            /// A model of the program's own: see [`Shape::custom`].
+            Custom(CustomModel) = CUSTOM,
         }
 
         /// What each model tells about itself, in the order of the list.
@@ -44,13 +49,15 @@ macro_rules! models {
             pub fn info(&self) -> &'static ModelInfo {
                 match self {
                     $(Self::$model(_) => &const { $module::$model::INFO },)+
+                    Self::Custom(model) => model.info(),
                 }
             }
 
-            /// The model's stable number.
+            /// The model's stable number; 2³² − 1 for all models of a program's own.
             pub fn id(&self) -> u32 {
                 match self {
                     $(Self::$model(_) => $id,)+
+                    Self::Custom(_) => CUSTOM,
                 }
             }
 
@@ -58,6 +65,7 @@ macro_rules! models {
             pub fn params(&self) -> Vec<f64> {
                 match self {
                     $(Self::$model(model) => model.params(),)+
+                    Self::Custom(model) => model.params(),
                 }
             }
 
@@ -65,6 +73,7 @@ macro_rules! models {
             pub fn get(&self, name: &str) -> Option<f64> {
                 match self {
                     $(Self::$model(model) => model.get(name),)+
+                    Self::Custom(model) => model.get(name),
                 }
             }
 
@@ -94,6 +103,7 @@ macro_rules! models {
             pub fn with(&self, name: &str, value: f64) -> Result<Self, ParamError> {
                 Ok(match self {
                     $(Self::$model(model) => Self::$model(model.with(name, value)?),)+
+                    Self::Custom(model) => Self::Custom(model.with(name, value)?),
                 })
             }
 
@@ -101,6 +111,7 @@ macro_rules! models {
             pub fn eta(&self) -> f64 {
                 match self {
                     $(Self::$model(model) => model.eta(),)+
+                    Self::Custom(model) => model.eta(),
                 }
             }
 
@@ -108,6 +119,7 @@ macro_rules! models {
             pub fn is_anisotropic(&self) -> bool {
                 match self {
                     $(Self::$model(model) => model.is_anisotropic(),)+
+                    Self::Custom(model) => model.is_anisotropic(),
                 }
             }
 
@@ -116,6 +128,7 @@ macro_rules! models {
             pub fn visit<V: ShapeVisitor>(&self, visitor: V) -> V::Output {
                 match self {
                     $(Self::$model(model) => visitor.visit(model),)+
+                    Self::Custom(model) => visitor.visit(model),
                 }
             }
 
@@ -124,6 +137,7 @@ macro_rules! models {
             pub fn tint_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
                 match self {
                     $(Self::$model(model) => model.tint_cosine(pair),)+
+                    Self::Custom(model) => model.tint_cosine(pair),
                 }
             }
 
@@ -131,6 +145,7 @@ macro_rules! models {
             pub fn distribution(&self, half: Vec3<f64>) -> Option<f64> {
                 match self {
                     $(Self::$model(model) => model.distribution(half),)+
+                    Self::Custom(model) => model.distribution(half),
                 }
             }
 
@@ -138,6 +153,15 @@ macro_rules! models {
             pub fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64> {
                 match self {
                     $(Self::$model(model) => model.shadowing(pair),)+
+                    Self::Custom(model) => model.shadowing(pair),
+                }
+            }
+
+            /// The same model with other values of its parameters, each within its range.
+            pub(crate) fn with_values(&self, values: &[f64]) -> Self {
+                match self {
+                    $(Self::$model(_) => Self::$model($module::$model::from_params(values)),)+
+                    Self::Custom(model) => Self::Custom(model.with_values(values)),
                 }
             }
 

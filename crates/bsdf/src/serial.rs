@@ -1,4 +1,5 @@
-//! Shapes and series as serde sees them: a shape is the name of its model and its parameters.
+//! Shapes and series as serde sees them: a shape is the name of its model and its parameters. A model of a program's own
+//! is written so, too, but nothing that reads it knows the name.
 
 use std::collections::BTreeMap;
 

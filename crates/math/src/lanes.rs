@@ -4,7 +4,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use fearless_simd::{Bytes, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x16, i32x16, mask32x16};
 
-use crate::{Real, poly};
+use crate::{Real, RealFunction, SimdLevel, poly};
 
 /// 16 lanes of `f32` under [`Real`]. Every lane gives the bits that `f32` gives.
 ///
@@ -104,6 +104,15 @@ impl<S: Simd> Real for Lanes<S> {
 
     const LANES: usize = 16;
 
+    #[inline(always)]
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self {
+        let simd = self.0.simd;
+        let rows = arguments.map(
+            #[inline(always)]
+            |argument| argument.to_array(),
+        );
+        Self::load(simd, &function.in_lanes(SimdLevel::of(simd.level()), &rows))
+    }
     #[inline(always)]
     fn to_array(self) -> [f32; 16] {
         let mut values = [0.0; 16];

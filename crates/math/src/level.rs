@@ -97,6 +97,12 @@ impl SimdLevel {
         }
     }
 
+    /// The level of this token.
+    #[inline(always)]
+    pub(crate) fn of(level: Level) -> Self {
+        Self(level)
+    }
+
     /// What [`at_level!`](crate::at_level) dispatches on.
     #[doc(hidden)]
     #[inline(always)]

@@ -11,6 +11,7 @@
 
 mod chebyshev;
 mod exponent;
+mod function;
 pub mod inline;
 mod lanes;
 mod level;
@@ -23,6 +24,7 @@ mod vec3;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
 pub use exponent::Exponent;
+pub use function::RealFunction;
 pub use lanes::{Lanes, LanesMask};
 pub use level::{LevelError, SimdLevel, narrowest};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};

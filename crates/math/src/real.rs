@@ -2,7 +2,7 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::{Exponent, poly};
+use crate::{Exponent, RealFunction, poly};
 
 /// Powers below 2^-100 are returned as exactly zero.
 ///
@@ -46,6 +46,9 @@ pub trait Real:
     fn with_array(self, values: &[f32; 16]) -> Self;
     /// How many lanes there are.
     const LANES: usize;
+
+    /// The value of a function that is known for each kind of number apart. `self` only says how many lanes there are.
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self;
 
     /// What `f` gives, compiled for the SIMD level of the lanes: for code in a function of its own.
     #[inline(always)]
@@ -147,6 +150,11 @@ impl Real for f64 {
     const LANES: usize = 1;
 
     #[inline(always)]
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self {
+        function.in_f64(arguments)
+    }
+
+    #[inline(always)]
     fn to_array(self) -> [f32; 16] {
         [self as f32; 16]
     }
@@ -209,6 +217,11 @@ impl Real for f64 {
 impl Real for f32 {
     type Mask = bool;
     const LANES: usize = 1;
+
+    #[inline(always)]
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self {
+        function.in_f32(arguments)
+    }
 
     #[inline(always)]
     fn to_array(self) -> [f32; 16] {

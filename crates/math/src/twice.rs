@@ -2,7 +2,7 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::Real;
+use crate::{Real, RealFunction};
 
 /// Two [`Real`]s under [`Real`], or the truth values of their comparison.
 ///
@@ -49,6 +49,27 @@ impl<T: Not<Output = T>> Not for Twice<T> {
 impl<R: Real> Real for Twice<R> {
     type Mask = Twice<R::Mask>;
     const LANES: usize = 2 * R::LANES;
+
+    #[inline(always)]
+    fn apply<const N: usize>(self, function: &(impl RealFunction<N> + ?Sized), arguments: [Self; N]) -> Self {
+        let one = self.0.apply(
+            function,
+            arguments.map(
+                #[inline(always)]
+                |argument| argument.0,
+            ),
+        );
+        Self(
+            one,
+            self.1.apply(
+                function,
+                arguments.map(
+                    #[inline(always)]
+                    |argument| argument.1,
+                ),
+            ),
+        )
+    }
 
     /// # Panics
     /// Always: a pair has more lanes than the array.

@@ -86,9 +86,7 @@ impl Subject for Shape {
     }
 
     fn with_params(&self, params: &[f64]) -> Option<Box<dyn Subject + '_>> {
-        let info = Self::info(self);
-        let set: Vec<_> = info.params.iter().map(|param| param.name).zip(params.iter().copied()).collect();
-        Some(Box::new(Self::named(info.name, &set).expect("parameters within their ranges make a shape")))
+        Some(Box::new(self.with_values(params)))
     }
 
     fn value(&self, pair: &DirectionPair<f64>) -> f64 {

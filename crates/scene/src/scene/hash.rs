@@ -14,7 +14,7 @@ const PRIME: u64 = 0x0000_0100_0000_01b3;
 
 impl Scene {
     /// A number for all that the scene holds: equal scenes have the same one, on every machine, whether they come
-    /// from a file or were made in code.
+    /// from a file or were made in code. A model of the program's own counts by its name and its parameters.
     ///
     /// ```
     /// use glanz_scene::{Light, Scene};

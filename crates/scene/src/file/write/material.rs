@@ -1,6 +1,6 @@
 //! Materials.
 
-use glanz_bsdf::LightTerm;
+use glanz_bsdf::{LightTerm, Shape};
 
 use super::WriteError;
 use super::color::{tint, transmittance};
@@ -19,6 +19,9 @@ pub(super) fn write(
     let wrong = |what| WriteError::NoKey { place: format!("material '{name}'"), what };
     let mut table = Table::default();
     table.put_unless(material.name == name, "name", string(&material.name));
+    if material.lobes.iter().any(|lobe| matches!(lobe.shape, Shape::Custom(_))) {
+        return Err(wrong("a lobe of a model that only the program knows"));
+    }
     let glows = material.lobes.iter().filter(|lobe| lobe.shape.info().term == LightTerm::Emission);
     if glows.into_iter().any(|lobe| !matches!(lobe.tint, Tint::Rgb(_) | Tint::Spectrum(_))) {
         return Err(wrong("an emission lobe whose tint is not a colour or a spectrum"));
