@@ -2,7 +2,7 @@
 //!
 //! A header of text lines, an empty one, the size, then lines of pixels: three mantissas and a common
 //! exponent, m · 2^(e − 136), plain or run-length encoded in the old or the new way. An own reader, since
-//! those of the crates know one orientation, leave the exposure out, or overflow in damaged runs.
+//! that of `image` knows one orientation, takes memory by the size in the header, and overflows in damaged runs.
 
 use glanz_color::models::{RgbSpace, Transfer};
 use glanz_color::read::{Place, ReadError, excerpt};
