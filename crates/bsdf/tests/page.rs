@@ -114,20 +114,59 @@ fn ward(page: &mut String) {
     }
 }
 
+/// The table of shapes in the page of scene files: models with the same parameters share a row.
+fn shapes() -> String {
+    let mut rows: Vec<(String, Vec<&str>)> = Vec::new();
+    for info in MODELS {
+        let params: Vec<_> = info.params.iter().map(|p| format!("`{}` = {}", p.name, p.default)).collect();
+        let params = if params.is_empty() { "none".to_owned() } else { params.join(", ") };
+        match rows.iter_mut().find(|(known, _)| *known == params) {
+            Some((_, names)) => names.push(info.name),
+            None => rows.push((params, vec![info.name])),
+        }
+    }
+    let mut table = "| `shape` | parameters with their defaults |\n|---|---|\n".to_owned();
+    for (params, names) in rows {
+        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+        table += &format!("| {} | {params} |\n", names.join(", "));
+    }
+    table
+}
+
+/// What stands in the page of scene files around that table.
+const BEGIN: &str = "<!-- What follows is written by `cargo xtask renew`. -->\n";
+const END: &str = "<!-- Up to here. -->";
+
+fn docs() -> Option<std::path::PathBuf> {
+    // None is the package by itself, without the workspace around it.
+    Some(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs")).filter(|docs| docs.is_dir())
+}
+
+/// Whether a page says what it should; with GLANZ_RENEW_DOCS set it is made to.
+fn is_current(path: &std::path::Path, page: &str) -> bool {
+    if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
+        std::fs::write(path, page).unwrap();
+    }
+    std::fs::read_to_string(path).unwrap_or_default() == page
+}
+
 #[test]
 fn the_page_of_models_in_the_docs_is_current() {
     let mut page = HEAD.to_owned();
     overview(&mut page);
     MODELS.iter().for_each(|info| section(&mut page, info));
     ward(&mut page);
-    let docs = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
-    if !docs.is_dir() {
-        // The package by itself, without the workspace around it.
-        return;
-    }
-    let path = docs.join("MODELS.md");
-    if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
-        std::fs::write(&path, &page).unwrap();
-    }
-    assert!(std::fs::read_to_string(path).unwrap_or_default() == page, "docs/MODELS.md is out of date");
+    let Some(docs) = docs() else { return };
+    assert!(is_current(&docs.join("MODELS.md"), &page), "docs/MODELS.md is out of date");
+}
+
+#[test]
+fn the_shapes_on_the_page_of_scene_files_are_current() {
+    let Some(docs) = docs() else { return };
+    let path = docs.join("SCENE.md");
+    let page = std::fs::read_to_string(&path).unwrap();
+    let (before, rest) = page.split_once(BEGIN).expect("the table has a beginning");
+    let (_, after) = rest.split_once(END).expect("the table has an end");
+    let page = format!("{before}{BEGIN}{}{END}{after}", shapes());
+    assert!(is_current(&path, &page), "the table of shapes in docs/SCENE.md is out of date");
 }

@@ -64,8 +64,12 @@ fn failure_of_scene(error: FileError) -> Failure {
         (false, 0) => report.file(&error.path),
         (false, line) => report.file(&error.path).place(line.into(), error.column.into()),
     };
-    match error.help {
-        Some(help) => report.help(help).into(),
-        None => report.into(),
+    let report = match error.help {
+        Some(help) => report.help(help),
+        None => report,
+    };
+    match from_set {
+        true => report.wrong_value(),
+        false => report.into(),
     }
 }

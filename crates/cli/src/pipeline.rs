@@ -52,9 +52,9 @@ impl Plan {
         // What cannot be seen is told before anything is prepared.
         if options.draw.show.is_light() {
             let observation = &options.prepare.observation;
-            observation.to_screen(&input.scene, options.white).map_err(Failure::new)?;
+            observation.to_screen(&input.scene, options.white).map_err(ShotError::from)?;
         }
-        View::new(&options.camera, image.width, image.height).map_err(Failure::new)?;
+        View::new(&options.camera, image.width, image.height).map_err(ShotError::from)?;
         Ok(Self { options, level: simd_level()? })
     }
 

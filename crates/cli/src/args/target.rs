@@ -32,12 +32,17 @@ pub(crate) enum Target {
 }
 
 impl Target {
-    /// The file's name, for programs.
-    pub(crate) fn file(&self) -> Option<String> {
+    /// The file's path.
+    pub(crate) fn path(&self) -> Option<&Path> {
         match self {
             Self::Stdout => None,
-            Self::File(path) => Some(path.display().to_string()),
+            Self::File(path) => Some(path),
         }
+    }
+
+    /// The file's name, for programs.
+    pub(crate) fn file(&self) -> Option<String> {
+        self.path().map(|path| path.display().to_string())
     }
 }
 

@@ -11,6 +11,8 @@ mod material;
 mod plot;
 mod schema;
 
+use std::path::Path;
+
 use clap::{Command as ClapCommand, Subcommand};
 
 use self::draw::{modes, relight, render, shade_compare, sheet, sweep};
@@ -101,6 +103,26 @@ impl Command {
 
     /// Does it. `root` defines the whole command line.
     pub(crate) fn run(&self, root: fn() -> ClapCommand) -> Result<(), Failure> {
+        self.do_it(root).map_err(|failure| match self.scene() {
+            Some(path) => failure.of_scene(path),
+            None => failure,
+        })
+    }
+
+    /// The file of the scene that it draws.
+    fn scene(&self) -> Option<&Path> {
+        let input = match self {
+            Self::Render(args) => &args.input,
+            Self::Sweep(args) => &args.input,
+            Self::ShadeCompare(args) => &args.input,
+            Self::Modes(args) => &args.input,
+            Self::Relight(args) => &args.input,
+            _ => return None,
+        };
+        Some(&input.input)
+    }
+
+    fn do_it(&self, root: fn() -> ClapCommand) -> Result<(), Failure> {
         match self {
             Self::Render(args) => args.run(),
             Self::Sweep(args) => args.run(),

@@ -34,6 +34,8 @@ pub(crate) enum Failure {
     Judged(Box<Report>),
     /// The command line makes no sense.
     Usage(String),
+    /// The command line sets a value that the scene cannot have.
+    WrongValue(Box<Report>),
     /// The work could not be done.
     CouldNot(Box<Report>),
     /// Whoever read our output has had enough. Not an error.
@@ -46,7 +48,7 @@ impl Failure {
         match self {
             Self::Closed => 0,
             Self::Judged(_) => 1,
-            Self::Usage(_) => 2,
+            Self::Usage(_) | Self::WrongValue(_) => 2,
             Self::CouldNot(_) => 3,
         }
     }
@@ -54,6 +56,14 @@ impl Failure {
     /// Work that could not be done, told by its message alone.
     pub(crate) fn new(message: impl fmt::Display) -> Self {
         Report::new(message).into()
+    }
+
+    /// The same, with the file of the scene that is drawn where it is about that.
+    pub(crate) fn of_scene(self, path: &Path) -> Self {
+        match self {
+            Self::CouldNot(report) if report.is_of_scene => report.file(path).into(),
+            other => other,
+        }
     }
 
     /// Tells the failure, on stderr for people and on stdout for programs, and the exit code.
@@ -67,8 +77,10 @@ impl Failure {
                 let error = subcommand(&mut root, command).error(ErrorKind::ValueValidation, message);
                 return wrong_use(&error, format);
             }
-            (Self::Judged(report) | Self::CouldNot(report), Format::Text) => report.print(),
-            (Self::CouldNot(report), Format::Json) => tell(report.facts()),
+            (Self::Judged(report) | Self::WrongValue(report) | Self::CouldNot(report), Format::Text) => {
+                report.print()
+            }
+            (Self::WrongValue(report) | Self::CouldNot(report), Format::Json) => tell(report.facts()),
             // What was judged is on stdout, and the error in it.
             (Self::Judged(_), Format::Json) | (Self::Closed, _) => Ok(()),
         };
@@ -181,7 +193,7 @@ impl From<glanz_plot::Error> for Failure {
 
 impl From<ShotError> for Failure {
     fn from(error: ShotError) -> Self {
-        Self::new(error)
+        Report { is_of_scene: true, ..Report::new(error) }.into()
     }
 }
 
@@ -210,6 +222,8 @@ pub(crate) struct Report {
     column: Option<u64>,
     source: Option<NamedSource<String>>,
     label: Option<LabeledSpan>,
+    /// Whether it is about the scene that is drawn, whose file only the command knows.
+    is_of_scene: bool,
 }
 
 impl Report {
@@ -221,6 +235,11 @@ impl Report {
     /// The failure of something that was judged.
     pub(crate) fn judged(self) -> Failure {
         Failure::Judged(Box::new(self))
+    }
+
+    /// The failure of a command line that sets a value wrongly.
+    pub(crate) fn wrong_value(self) -> Failure {
+        Failure::WrongValue(Box::new(self))
     }
 
     /// Adds what could be done about it.
@@ -310,5 +329,22 @@ impl Diagnostic for Report {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         self.label.clone().map(|label| Box::new(std::iter::once(label)) as Box<dyn Iterator<Item = _>>)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glanz_scene::ColorMode;
+
+    use super::*;
+
+    #[test]
+    fn what_fails_while_it_is_drawn_is_the_scenes() {
+        let file = |failure: Failure| match failure.of_scene(Path::new("ball.toml")) {
+            Failure::CouldNot(report) => report.facts().file,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(file(ShotError::NoSpectra { mode: ColorMode::Rgb }.into()).as_deref(), Some("ball.toml"));
+        assert_eq!(file(Failure::new("the disk is full")), None);
     }
 }

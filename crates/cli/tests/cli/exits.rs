@@ -13,11 +13,10 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 32] = [
+const COULD_NOT: [&[&str]; 31] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
-    &["render", "scene.toml", "--set", "image.width=wide", "-o", "a.png"],
     &["render", "scene.toml", "--frames", "0..2", "--turntable", "-o", "none/{frame}.png"],
     &["render", "wrong.toml", "--frames", "0..2", "--turntable", "-o", "{frame}.png"],
     &["sweep", "none.toml", "--vary", "render.ev=0,1", "-o", "a.png"],
@@ -108,6 +107,22 @@ fn wrong_use_of_any_command_is_2() {
     for words in COMMANDS {
         assert_eq!(folder.glanz(&[words, &["--wrong"]].concat()).code, 2, "{words:?}");
     }
+}
+
+#[test]
+fn a_value_that_the_command_line_sets_wrongly_is_2() {
+    let folder = Folder::with_scene();
+    let render = ["render", "scene.toml", "-o", "a.png"];
+    for set in ["image.width=wide", "materials.ball.shininess=-1", "materials.nobody.shininess=1", "image="] {
+        let run = folder.glanz(&[&render[..], &["--set", set]].concat());
+        assert_eq!(run.code, 2, "{set}: {}", run.stderr);
+    }
+    let vary = ["sweep", "scene.toml", "--vary", "materials.ball.shininess=4,-4", "-o", "a.png"];
+    assert_eq!(folder.glanz(&vary).code, 2);
+    let error =
+        error(&folder.glanz(&[&render[..], &["--set", "image.width=wide", "--format", "json"]].concat()));
+    assert!(error["message"].as_str().unwrap().contains("string"), "{error}");
+    assert!(error["file"].is_null(), "{error}");
 }
 
 #[test]

@@ -228,6 +228,26 @@ fn a_program_is_told_what_was_written() {
 }
 
 #[test]
+fn a_program_is_told_of_each_frame_of_a_film() {
+    let folder = Folder::with_scene();
+    let film = |words: &[&str]| {
+        let words =
+            [&["render", "scene.toml", "--frames", "0..2", "--format", "json", "--force"], words].concat();
+        folder.glanz(&words).json()
+    };
+    let turned = film(&["--turntable", "-o", "t{frame}.png"]);
+    assert_eq!(turned["files"], serde_json::json!(["t0.png", "t1.png"]));
+    assert_ne!(turned["sha256"][0], turned["sha256"][1], "{turned}");
+    assert_eq!(turned["scene_hashes"][0], turned["scene_hashes"][1], "the scene is the same");
+    let moved = film(&["--animate", "materials.ball.shininess=4:40", "-o", "m.apng"]);
+    assert_eq!(moved["sha256"].as_array().unwrap().len(), 1, "{moved}");
+    assert_eq!(moved["scene_hashes"].as_array().unwrap().len(), 2, "{moved}");
+    assert_ne!(moved["scene_hashes"][0], moved["scene_hashes"][1], "{moved}");
+    let hash = moved["scene_hashes"][1].as_str().unwrap();
+    assert_eq!(hash.len(), 16);
+}
+
+#[test]
 fn a_sheet_holds_the_pictures_of_all_values() {
     let folder = Folder::with_scene();
     let words = ["--vary", "materials.ball.shininess=4,64", "--vary", "render.shading=flat,gouraud,phong"];

@@ -8,7 +8,7 @@ use glanz_render::Shot;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::render::RenderArgs;
+use super::render::{RenderArgs, sha256};
 use crate::args::{Target, check_folder};
 use crate::encode;
 use crate::frames::Template;
@@ -23,6 +23,11 @@ use crate::progress::Progress;
 pub(crate) struct Document {
     /// A file for each frame, or one that moves
     files: Vec<String>,
+    /// SHA-256 of the bytes of each file
+    sha256: Vec<String>,
+    /// Of each frame a number for the content of its scene, as PNG and OpenEXR files carry it; with --turntable only the
+    /// camera turns, which does not change it
+    scene_hashes: Vec<String>,
 }
 
 /// Where the frames go.
@@ -39,6 +44,8 @@ struct Frames<'a> {
     count: usize,
     /// The scene of the last frame, and of the next ones while nothing in it moves.
     scene: Option<(Plan, Shot)>,
+    /// Of each frame that was drawn, the hash of its scene.
+    hashes: Vec<String>,
 }
 
 impl RenderArgs {
@@ -49,9 +56,10 @@ impl RenderArgs {
             return Err(Failure::Usage(message.to_owned()));
         }
         let (output, format) = self.output()?;
+        let mut frames = Frames::new(self, range.len());
         let files = match &output {
-            Output::Files(template) => self.files(range, template, format)?,
-            Output::Film(path) => vec![self.moving(range.len(), path, format)?],
+            Output::Files(template) => self.files(range, template, format, &mut frames)?,
+            Output::Film(path) => vec![self.moving(path, format, &mut frames)?],
         };
         match files.as_slice() {
             [file] => print::note(format_args!("wrote {}", file.display())),
@@ -62,8 +70,9 @@ impl RenderArgs {
             [] => {}
         }
         if self.format.is_json() {
-            let files: Vec<_> = files.iter().map(|file| file.display().to_string()).collect();
-            return print::json(&Document { files });
+            let sha256 = files.iter().map(|file| sha256(file)).collect::<Result<_, _>>()?;
+            let files = files.iter().map(|file| file.display().to_string()).collect();
+            return print::json(&Document { files, sha256, scene_hashes: frames.hashes });
         }
         Ok(())
     }
@@ -89,14 +98,19 @@ impl RenderArgs {
         }
     }
 
-    fn files(&self, range: Range<u32>, template: &Template, format: Format) -> Result<Vec<PathBuf>, Failure> {
+    fn files(
+        &self,
+        range: Range<u32>,
+        template: &Template,
+        format: Format,
+        frames: &mut Frames<'_>,
+    ) -> Result<Vec<PathBuf>, Failure> {
         let kind = self.kind(format)?;
         let names: Vec<PathBuf> = range.map(|frame| template.name(frame).into()).collect();
         for name in &names {
             check_folder(name)?;
             self.target.check_free(name)?;
         }
-        let mut frames = Frames::new(self, names.len());
         let mut progress = Progress::new(names.len(), "frames");
         for (index, name) in names.iter().enumerate() {
             let (_, shot) = frames.frame(index)?;
@@ -107,7 +121,7 @@ impl RenderArgs {
         Ok(names)
     }
 
-    fn moving(&self, count: usize, path: &Path, format: Format) -> Result<PathBuf, Failure> {
+    fn moving(&self, path: &Path, format: Format, frames: &mut Frames<'_>) -> Result<PathBuf, Failure> {
         self.kind(format)?;
         if !(self.fps > 0.0 && self.fps <= 1000.0) {
             return Err(Failure::Usage(format!(
@@ -115,7 +129,7 @@ impl RenderArgs {
                 self.fps
             )));
         }
-        let mut frames = Frames::new(self, count);
+        let count = frames.count;
         let mut progress = Progress::new(count, "frames");
         let (plan, shot) = frames.frame(0)?;
         let metadata = Metadata { entries: Vec::new(), ..shot.metadata() };
@@ -141,7 +155,7 @@ impl RenderArgs {
 
 impl<'a> Frames<'a> {
     fn new(args: &'a RenderArgs, count: usize) -> Self {
-        Self { args, count, scene: None }
+        Self { args, count, scene: None, hashes: Vec::new() }
     }
 
     /// How frame `index` is drawn. The file is read again only where
@@ -161,6 +175,9 @@ impl<'a> Frames<'a> {
         let (plan, shot) = self.scene.as_mut().expect("was read for the first frame");
         let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
         turn(shot, &plan.options.camera, part)?;
+        if self.hashes.len() == index {
+            self.hashes.extend(shot.metadata().scene_hash);
+        }
         Ok((plan, shot))
     }
 }

@@ -37,7 +37,7 @@ const DEFAULT_MODES: &str = "rgb,meyer,meyer-adapted,sampled:8,spectral";
 #[derive(Args, Debug)]
 pub(crate) struct ModesArgs {
     #[command(flatten)]
-    input: InputArgs,
+    pub(crate) input: InputArgs,
 
     /// The colour modes, in the order of the columns
     #[arg(long, value_name = "MODE,…", value_delimiter = ',', default_value = DEFAULT_MODES,

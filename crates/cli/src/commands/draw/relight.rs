@@ -31,7 +31,7 @@ the scene without its fluorescence.";
 #[derive(Args, Debug)]
 pub(crate) struct RelightArgs {
     #[command(flatten)]
-    input: InputArgs,
+    pub(crate) input: InputArgs,
 
     /// A light source, from `glanz color list lights`, such as A, D50, FL11, D(9300), blackbody(3000),
     /// gaussian(450,20), or a file with its spectrum; repeated, one for each column

@@ -1,6 +1,7 @@
 //! `glanz render`: a scene or a model becomes a picture.
 
 use std::ops::Range;
+use std::path::Path;
 
 use clap::Args;
 use glanz_picture::output::{Format, PictureData, PictureKind};
@@ -216,7 +217,7 @@ impl RenderArgs {
             let (width, height) = plan.options.size;
             return print::json(&Document {
                 file: target.and_then(Target::file),
-                sha256: target.map(sha256).transpose()?,
+                sha256: target.and_then(Target::path).map(sha256).transpose()?,
                 scene_hash: encode::scene_hash(told.hash),
                 width,
                 height,
@@ -253,8 +254,7 @@ pub(crate) struct Document {
 }
 
 /// SHA-256 of a file that was written.
-fn sha256(target: &Target) -> Result<String, Failure> {
-    let Target::File(path) = target else { return Ok(String::new()) };
+pub(super) fn sha256(path: &Path) -> Result<String, Failure> {
     let bytes = std::fs::read(path).map_err(|error| {
         let error = without_number(&error.to_string());
         Failure::from(Report::new(format_args!("cannot read '{}': {error}", path.display())).file(path))

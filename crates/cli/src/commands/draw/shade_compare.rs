@@ -37,7 +37,7 @@ const SHADINGS: [(Shading, &str, &str); 3] = [
 #[derive(Args, Debug)]
 pub(crate) struct ShadeCompareArgs {
     #[command(flatten)]
-    input: InputArgs,
+    pub(crate) input: InputArgs,
     #[command(flatten)]
     pictures: SideBySideArgs,
 }

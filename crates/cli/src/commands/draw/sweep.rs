@@ -29,7 +29,7 @@ const DEFAULT_COLUMNS: usize = 8;
 #[derive(Args, Debug)]
 pub(crate) struct SweepArgs {
     #[command(flatten)]
-    input: InputArgs,
+    pub(crate) input: InputArgs,
 
     /// A value of the scene and what it takes in turn: PATH=1,4,16 or PATH=start:stop:count; may be
     /// repeated
