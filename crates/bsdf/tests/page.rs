@@ -145,7 +145,7 @@ fn docs() -> Option<std::path::PathBuf> {
 /// Whether a page says what it should; with GLANZ_RENEW_DOCS set it is made to.
 fn is_current(path: &std::path::Path, page: &str) -> bool {
     if std::env::var_os("GLANZ_RENEW_DOCS").is_some() {
-        std::fs::write(path, page).unwrap();
+        std::fs::write(path, page).expect("the page can be written");
     }
     std::fs::read_to_string(path).unwrap_or_default() == page
 }
