@@ -167,7 +167,8 @@ impl FactorArgs {
                 }
                 Ok(value) => Err(Failure::Usage(format!("--tint is {value}, but must not be negative"))),
                 Err(_) => {
-                    let source = spectra::source(word, Some(SpectrumKind::Surface))?;
+                    let source =
+                        spectra::source(word, Some(SpectrumKind::Surface), &spectra::TableArgs::default())?;
                     Ok(Factor::Reflectance(source.name, source.spectrum.at(self.nm())))
                 }
             },

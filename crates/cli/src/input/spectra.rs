@@ -7,8 +7,11 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use clap::ValueEnum;
-use glanz_color::read::{NamedSpectrum, PowerUnit, Quantity, is_bfc, read_reradiation, read_spectra};
+use clap::{Args, ValueEnum};
+use glanz_color::read::{
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, read_reradiation,
+    read_spectra_with,
+};
 use glanz_color::{
     CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
     catalog_spectrum, fluorescent, fluorescents, light, observer,
@@ -25,9 +28,6 @@ const MAX_BYTES: u64 = (16 << 20) + 1;
 /// Endings by which a word is known to be a file's name, whether or not the file exists.
 const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
 
-/// Values of a surface exceed 1 only where it glows, and then hardly by more.
-const GREATEST_RATIO: f64 = 1.5;
-
 /// A surface may exceed 1 by the rounding of numbers in a file without a remark.
 const RATIO_TOLERANCE: f64 = 1e-6;
 
@@ -38,14 +38,125 @@ pub(crate) enum Kind {
     Light,
     /// Reflectance or transmittance by wavelength
     Surface,
+    /// What comes back of the light
+    Reflectance,
+    /// What passes of the light
+    Transmittance,
+    /// -log10 of what passes
+    Absorbance,
 }
 
-impl From<Kind> for SpectrumKind {
-    fn from(kind: Kind) -> Self {
-        match kind {
-            Kind::Light => Self::Light,
-            Kind::Surface => Self::Surface,
+impl Kind {
+    /// Whether it is of a light or of a surface.
+    pub(crate) fn spectrum_kind(self) -> SpectrumKind {
+        match self {
+            Self::Light => SpectrumKind::Light,
+            Self::Surface | Self::Reflectance | Self::Transmittance | Self::Absorbance => {
+                SpectrumKind::Surface
+            }
         }
+    }
+
+    fn quantity(self) -> Quantity {
+        match self {
+            Self::Light => Quantity::Light,
+            Self::Surface | Self::Reflectance => Quantity::Reflectance,
+            Self::Transmittance => Quantity::Transmittance,
+            Self::Absorbance => Quantity::Absorbance,
+        }
+    }
+}
+
+/// What the option --unit takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AxisUnit {
+    /// Wavelengths in nm
+    Nm,
+    /// Wavelengths in µm
+    Um,
+    /// Wavelengths in m
+    M,
+    /// Wavelengths in Å
+    Angstrom,
+    /// Wavenumbers in 1/cm
+    #[value(name = "cm-1")]
+    InverseCm,
+    /// Frequencies in THz
+    Thz,
+    /// Frequencies in Hz
+    Hz,
+    /// Energies of photons in eV
+    Ev,
+}
+
+impl AxisUnit {
+    fn scale(self) -> Scale {
+        match self {
+            Self::Nm => Scale::Nanometres,
+            Self::Um => Scale::Micrometres,
+            Self::M => Scale::Metres,
+            Self::Angstrom => Scale::Angstroms,
+            Self::InverseCm => Scale::InverseCentimetres,
+            Self::Thz => Scale::Terahertz,
+            Self::Hz => Scale::Hertz,
+            Self::Ev => Scale::Electronvolts,
+        }
+    }
+}
+
+/// How files of spectra are read, where they do not say it or are wrong.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Files of spectra")]
+pub(crate) struct TableArgs {
+    /// What a file's spectrum is of, where the file does not say it or is wrong
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub kind: Option<Kind>,
+
+    /// The unit of a file's wavelengths
+    #[arg(long, value_enum, value_name = "UNIT")]
+    pub unit: Option<AxisUnit>,
+
+    /// The scale of a file's values: fraction, percent, or the value that stands for 1
+    #[arg(long, value_name = "SCALE", value_parser = value_scale)]
+    pub scale: Option<ValueScale>,
+
+    /// Which of a file's spectra: its name, or its number from 1
+    #[arg(long, value_name = "NAME|NUMBER")]
+    pub column: Option<String>,
+}
+
+/// Parses what --scale takes.
+fn value_scale(text: &str) -> Result<ValueScale, String> {
+    match text {
+        "fraction" => Ok(ValueScale::Fraction),
+        "percent" | "%" => Ok(ValueScale::Percent),
+        other => {
+            match other.parse::<f64>() {
+                Ok(value) if value > 0.0 && value.is_finite() => Ok(ValueScale::Whole(value)),
+                _ => Err("expected fraction, percent, or a number above 0 that stands for 1, such as 255"
+                    .to_owned()),
+            }
+        }
+    }
+}
+
+impl TableArgs {
+    /// What is known of a file where the command wants this kind.
+    fn options(&self, wanted: Option<SpectrumKind>) -> ReadOptions {
+        ReadOptions {
+            quantity: self.kind.map(Kind::quantity),
+            default_quantity: wanted.map(|kind| match kind {
+                SpectrumKind::Light => Quantity::Light,
+                SpectrumKind::Surface => Quantity::Reflectance,
+            }),
+            unit: self.unit.map(AxisUnit::scale),
+            scale: self.scale,
+        }
+    }
+
+    /// The same for the lights beside the spectra that it is about: what those are of does not hold for them.
+    fn of_lights(&self) -> Self {
+        Self { kind: None, column: None, ..self.clone() }
     }
 }
 
@@ -83,10 +194,10 @@ impl Source {
     }
 }
 
-/// The spectrum of that name, or of that file. `kind` is what the user says it is of.
+/// The spectrum of that name, or of that file; of `wanted` where the file does not say what it is of.
 ///
 /// What is assumed of a file is told on stderr.
-pub(crate) fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+pub(crate) fn source(word: &str, wanted: Option<SpectrumKind>, table: &TableArgs) -> Result<Source, Failure> {
     let unknown_name = match catalog_spectrum(word) {
         Ok(found) => return Ok(Source::of_catalog(word, found)),
         // Numbers that are not possible have their own message.
@@ -94,7 +205,7 @@ pub(crate) fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, F
         Err(error) => error,
     };
     match open(word)? {
-        Some(opened) => from_file(&opened, kind),
+        Some(opened) => from_file(&opened, wanted, table),
         None if fluorescent(word).is_ok() => Err(Failure::Usage(format!(
             "'{word}' is fluorescent: no reflectance tells its colour; see 'glanz color fluorescence'"
         ))),
@@ -104,12 +215,18 @@ pub(crate) fn source(word: &str, kind: Option<SpectrumKind>) -> Result<Source, F
 
 /// The light of that name, or of that file.
 pub(crate) fn light_source(word: &str) -> Result<Source, Failure> {
+    light_source_with(word, &TableArgs::default())
+}
+
+/// The light of that name, or of that file, which is read as these options say, but for what it is of.
+pub(crate) fn light_source_with(word: &str, table: &TableArgs) -> Result<Source, Failure> {
+    let table = &table.of_lights();
     match light(word) {
-        Ok(_) => source(word, Some(SpectrumKind::Light)),
+        Ok(_) => source(word, Some(SpectrumKind::Light), table),
         // Numbers that are not possible have their own message.
         Err(error @ UnknownName::Parameter { .. }) => Err(Failure::Usage(error.to_string())),
         Err(error) => match open(word)? {
-            Some(opened) => light_from_file(&opened),
+            Some(opened) => light_from_file(&opened, table),
             None => Err(unknown("light", word, &error)),
         },
     }
@@ -150,7 +267,8 @@ pub(crate) fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failur
 
 /// All surfaces of a file.
 pub(crate) fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
-    let spectra = read_spectra(&read(Path::new(file))?, file)?;
+    let options = TableArgs::default().options(Some(SpectrumKind::Surface));
+    let spectra = read_spectra_with(&read(Path::new(file))?, file, &options)?;
     let surface = |named: &NamedSpectrum| {
         if matches!(named.quantity, Quantity::Light | Quantity::Relative | Quantity::Absorptance) {
             return Err(not_a(named, file, "a surface"));
@@ -163,12 +281,14 @@ pub(crate) fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
 }
 
 /// A light from a file that does not say that it is something else.
-fn light_from_file(opened: &Opened) -> Result<Source, Failure> {
-    let spectra = read_spectra(&opened.bytes, &opened.file)?;
-    let named = pick(&spectra, &opened.file, opened.column.as_deref())?;
-    match named.quantity.is_ratio() {
-        true => Err(not_a(named, &opened.file, "a light")),
-        false => from_file(opened, Some(SpectrumKind::Light)),
+fn light_from_file(opened: &Opened, table: &TableArgs) -> Result<Source, Failure> {
+    let source = from_file(opened, Some(SpectrumKind::Light), table)?;
+    match source.kind {
+        SpectrumKind::Light => Ok(source),
+        SpectrumKind::Surface => {
+            let (file, name) = (&opened.file, &source.name);
+            Err(Failure::new(format_args!("{file}: expected a light, found that '{name}' is of a surface")))
+        }
     }
 }
 
@@ -178,6 +298,7 @@ fn not_a(named: &NamedSpectrum, file: &str, wanted: &str) -> Failure {
         Quantity::Reflectance => "a reflectance",
         Quantity::Transmittance => "a transmittance",
         Quantity::Absorptance => "an absorptance",
+        Quantity::Absorbance => "an absorbance",
         Quantity::Light | Quantity::Relative => "light",
         Quantity::Unknown => "unknown",
     };
@@ -274,15 +395,15 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Failure> {
+fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -> Result<Source, Failure> {
     let file = opened.file.as_str();
     if is_bfc(&opened.bytes) {
         let report = Report::new(format_args!("{file} is a re-radiation matrix: it has no single spectrum"));
         return Err(report.help(format_args!("'glanz color fluorescence {file}' tells its colours")).into());
     }
-    let spectra = read_spectra(&opened.bytes, file)?;
-    let named = pick(&spectra, file, opened.column.as_deref())?;
-    let kind = kind.map_or_else(|| kind_of(named, file), Ok)?;
+    let spectra = read_spectra_with(&opened.bytes, file, &table.options(wanted))?;
+    let named = pick(&spectra, file, opened.column.as_deref().or(table.column.as_deref()))?;
+    let kind = kind_of(named, file)?;
     let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
     if kind == SpectrumKind::Surface {
@@ -298,26 +419,19 @@ fn from_file(opened: &Opened, kind: Option<SpectrumKind>) -> Result<Source, Fail
     })
 }
 
-/// What a spectrum of a file is of, by what the file says of it; if it says nothing, by its values.
+/// What a spectrum of a file is of, by what the file says, or what was said of it.
 fn kind_of(named: &NamedSpectrum, file: &str) -> Result<SpectrumKind, Failure> {
     match named.quantity {
         Quantity::Reflectance | Quantity::Transmittance => Ok(SpectrumKind::Surface),
         Quantity::Light | Quantity::Relative => Ok(SpectrumKind::Light),
-        Quantity::Absorptance => {
+        Quantity::Absorptance | Quantity::Absorbance => {
             let message = format!("{file}: '{}' is an absorptance, which has no colour", named.name);
             Err(Report::new(message).help("say what it stands for with --as").into())
         }
+        // The level of values does not tell: a lamp may be scaled to any.
         Quantity::Unknown => {
-            let ratios = named.values.iter().all(|value| (-0.1..=GREATEST_RATIO).contains(value));
-            let (kind, taken) = match ratios {
-                true => (SpectrumKind::Surface, "the reflectance of a surface"),
-                false => (SpectrumKind::Light, "light"),
-            };
-            print::note(format_args!(
-                "note: {file} does not say what '{}' is; it is taken as {taken}, which --as changes",
-                named.name
-            ));
-            Ok(kind)
+            let message = format!("{file} does not say what '{}' is of", named.name);
+            Err(Report::new(message).help("say --as light or --as surface").file(Path::new(file)).into())
         }
     }
 }

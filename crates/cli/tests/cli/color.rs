@@ -122,14 +122,38 @@ fn a_written_spectrum_is_read_back_without_loss() {
 }
 
 #[test]
-fn what_a_file_does_not_say_is_assumed_aloud() {
+fn what_a_file_does_not_say_is_asked_for() {
     let folder = Folder::new();
-    folder.write("a.csv", "nm,sample\n300,0.2\n780,0.8\n");
-    let run = folder.glanz(&["color", "spectrum", "a.csv"]);
-    assert!(run.text().contains("under"), "values up to 1 are a surface");
-    assert!(run.stderr.contains("does not say what 'sample' is"), "{}", run.stderr);
+    // The same lamp on two scales: the level does not tell what it is of.
+    for factor in [1.0, 10.0] {
+        folder.write("a.csv", format!("nm,sample\n300,{}\n780,{}\n", 0.2 * factor, 0.8 * factor));
+        let failure = folder.glanz(&["color", "spectrum", "a.csv"]).failure();
+        assert!(failure.contains("a.csv does not say what 'sample' is of"), "{failure}");
+        assert!(failure.contains("say --as light or --as surface"), "{failure}");
+    }
     let run = folder.glanz(&["color", "spectrum", "a.csv", "--as", "light"]);
     assert!(run.text().contains("CCT") && !run.stderr.contains("does not say"), "{}", run.stderr);
+    // Where a light is wanted, it is one.
+    assert!(folder.glanz(&["color", "spectrum", "red", "--under", "a.csv"]).text().contains("sample"));
+}
+
+#[test]
+fn what_a_file_says_wrongly_can_be_said_otherwise() {
+    let folder = Folder::new();
+    folder.write("a.csv", "x,dark,light\n4000,1.5,51\n7000,1.5,51\n");
+    let xyz = |more: &[&str]| {
+        let words =
+            [&["color", "spectrum", "a.csv", "--unit", "angstrom", "--format", "json"], more].concat();
+        number(&folder.glanz(&words).json()["xyz"][1])
+    };
+    let dark = xyz(&["--as", "surface", "--column", "dark", "--scale", "percent"]);
+    assert!((dark - 1.5).abs() < 1e-9, "{dark}");
+    let light = xyz(&["--as", "reflectance", "--column", "2", "--scale", "255"]);
+    assert!((light - 20.0).abs() < 1e-9, "{light}");
+    let filter = xyz(&["--as", "absorbance", "--column", "1", "--scale", "1.5"]);
+    assert!((filter - 10.0).abs() < 1e-9, "{filter}");
+    let failure = folder.glanz(&["color", "spectrum", "a.csv", "--scale", "many"]).failure();
+    assert!(failure.contains("expected fraction, percent, or a number above 0"), "{failure}");
 }
 
 #[test]

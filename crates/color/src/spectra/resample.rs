@@ -82,6 +82,16 @@ pub enum TableError {
         /// The least value that is taken for noise.
         least: f64,
     },
+    /// A table none of whose wavelengths lies on the grid.
+    #[error(
+        "expected wavelengths within 300 to 780 nm, found {first} to {last} nm: nothing of it is visible"
+    )]
+    OutOfBand {
+        /// Its first wavelength.
+        first: f64,
+        /// Its last wavelength.
+        last: f64,
+    },
     /// A channel of a sensor without any value above 0.
     #[error("expected a sensitivity above 0 at some wavelength, found none: {value} at {nm} nm and so on")]
     NoSensitivity {

@@ -11,6 +11,12 @@
 /// The speed of light in vacuum, in m/s: exact, it defines the metre (SI, 1983).
 pub const SPEED_OF_LIGHT: f64 = 299_792_458.0;
 
+/// Planck's constant in J s: exact, it defines the kilogram (SI, 2019).
+pub const PLANCK: f64 = 6.626_070_15e-34;
+
+/// The charge of a proton in C, and so 1 eV in J: exact, it defines the ampere (SI, 2019).
+pub const ELEMENTARY_CHARGE: f64 = 1.602_176_634e-19;
+
 /// Nanometres in a metre.
 const NM_PER_M: f64 = 1e9;
 
@@ -27,6 +33,16 @@ pub fn period_s(lambda_nm: f64) -> f64 {
 /// The wavelength in nm of light of a frequency in Hz.
 pub fn lambda_nm_of_frequency(frequency_hz: f64) -> f64 {
     SPEED_OF_LIGHT * NM_PER_M / frequency_hz
+}
+
+/// The energy of a photon in J of light of a wavelength in nm: E = h c / λ.
+pub fn photon_energy_j(lambda_nm: f64) -> f64 {
+    PLANCK * SPEED_OF_LIGHT * NM_PER_M / lambda_nm
+}
+
+/// The wavelength in nm of light whose photons have this energy in eV.
+pub fn lambda_nm_of_energy(energy_ev: f64) -> f64 {
+    PLANCK * SPEED_OF_LIGHT * NM_PER_M / (energy_ev * ELEMENTARY_CHARGE)
 }
 
 /// The wavelength in nm of light of a period in s.
@@ -47,6 +63,13 @@ mod tests {
         assert!((frequency_hz(555.171) / 540.000_000e12 - 1.0).abs() < 1e-6);
         assert!((period_s(555.171) * 540e12 - 1.0).abs() < 1e-6);
         assert!((lambda_nm_of_frequency(299_792_458e6) - 1000.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_photon_of_1_ev_is_infrared() {
+        // h c / e = 1239.84198 eV nm (CODATA 2018).
+        assert!((lambda_nm_of_energy(1.0) - 1_239.841_98).abs() < 1e-5);
+        assert!((photon_energy_j(1_239.841_984) / ELEMENTARY_CHARGE - 1.0).abs() < 1e-9);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::spectra::{Source, light_source, observer_source, source, words};
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source, words};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
@@ -44,6 +44,9 @@ pub(crate) struct MetamersArgs {
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
+    #[command(flatten)]
+    table: TableArgs,
+
     /// Draw both spectra; .svg or .png
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     plot: Option<PlotFile>,
@@ -66,7 +69,7 @@ impl MetamersArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
-        let mut pair = [surface(&self.first)?, surface(&self.second)?];
+        let mut pair = [surface(&self.first, &self.table)?, surface(&self.second, &self.table)?];
         if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
             pair[0].name = self.first.clone();
             pair[1].name = self.second.clone();
@@ -78,7 +81,7 @@ impl MetamersArgs {
         }
         let mut rows: Vec<Row> = Vec::new();
         for word in &lights {
-            let light = light_source(word)?;
+            let light = light_source_with(word, &self.table)?;
             let reference = rows.first().map(|row| row.xyz);
             rows.push(row(&pair, &light, &observer, reference)?);
         }
@@ -155,8 +158,8 @@ fn is_generic(name: &str) -> bool {
 }
 
 /// A surface by name or file.
-fn surface(word: &str) -> Result<Source, Failure> {
-    let source = source(word, None)?;
+fn surface(word: &str, table: &TableArgs) -> Result<Source, Failure> {
+    let source = source(word, Some(SpectrumKind::Surface), table)?;
     match source.kind {
         SpectrumKind::Surface => Ok(source),
         SpectrumKind::Light => {

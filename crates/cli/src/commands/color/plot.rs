@@ -11,7 +11,7 @@ use glanz_plot::{
 
 use super::efficiency::WhatArgs;
 use crate::input::spectra::{
-    FluorescentSource, Kind, Source, fluorescent_source, light_source, source, words,
+    FluorescentSource, Source, TableArgs, fluorescent_source, light_source, source, words,
 };
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
@@ -62,9 +62,8 @@ pub(crate) struct SpectraArgs {
     #[arg(value_name = "NAME|FILE", required = true)]
     spectra: Vec<String>,
 
-    /// What the files' spectra are of, where they do not say it
-    #[arg(long = "as", value_enum, value_name = "KIND")]
-    kind: Option<Kind>,
+    #[command(flatten)]
+    table: TableArgs,
 
     /// Divide each spectrum by its greatest value
     #[arg(long)]
@@ -150,8 +149,8 @@ impl PlotCommand {
 
 impl SpectraArgs {
     fn chart(&self) -> Result<WavelengthChart, Failure> {
-        let kind = self.kind.map(SpectrumKind::from);
-        let sources = self.spectra.iter().map(|word| source(word, kind)).collect::<Result<Vec<_>, _>>()?;
+        let read = |word: &String| source(word, None, &self.table);
+        let sources = self.spectra.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let curves: Vec<_> = sources.iter().map(|source| self.curve(source)).collect();
         let surfaces = sources.iter().all(|source| source.kind == SpectrumKind::Surface);
         let lights = sources.iter().all(|source| source.kind == SpectrumKind::Light);

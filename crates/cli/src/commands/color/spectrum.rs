@@ -17,7 +17,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
-use crate::input::spectra::{Kind, Source, light_source, observer_source, source};
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
@@ -54,9 +54,8 @@ pub(crate) struct SpectrumArgs {
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
-    /// What a file's spectrum is of, where the file does not say it or is wrong
-    #[arg(long = "as", value_enum, value_name = "KIND")]
-    kind: Option<Kind>,
+    #[command(flatten)]
+    table: TableArgs,
 
     /// Draw the spectrum; .svg or .png
     #[arg(long, value_name = "FILE", help_heading = "Output")]
@@ -135,9 +134,8 @@ impl SpectrumArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let kind = self.kind.map(SpectrumKind::from);
-        let source = source(&self.spectrum, kind)?;
-        if kind.is_some_and(|kind| kind != source.kind) {
+        let source = source(&self.spectrum, None, &self.table)?;
+        if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";
             return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
         }
@@ -150,7 +148,7 @@ impl SpectrumArgs {
         match source.kind {
             SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
             SpectrumKind::Surface => {
-                surface_facts(&mut facts, &source, &light_source(&self.under)?, &observer)
+                surface_facts(&mut facts, &source, &light_source_with(&self.under, &self.table)?, &observer)
             }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());

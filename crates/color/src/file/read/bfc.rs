@@ -6,8 +6,8 @@
 //! a line for each wavelength of emission, and `EOD`. Fields are separated by tabs. Values are per
 //! emission band of the stated step; noise below 0 is left in (`Reradiation::from_measured` cuts it).
 
-use super::csv::stem;
 use super::error::excerpt;
+use super::table::stem;
 use super::text::{Separator, decode, expect_number, fields, lines};
 use super::{NamedReradiation, Place, ReadError};
 use crate::surfaces::reradiation::MOST_BANDS;

@@ -4,15 +4,15 @@
 //! sample between `BEGIN_DATA` and `END_DATA`; a file may hold several such tables. Spectral values are
 //! in fields with a wavelength in their names (`SPECTRAL_NM380`, `SPECTRAL_NM_380`, `SPEC_380`, `nm380`)
 //! or in pairs of `SPECTRAL_NM` and `SPECTRAL_DEC` (fractions) or `SPECTRAL_PCT` (per cent). Other fields are
-//! skipped; samples are named by `SAMPLE_NAME`, else `SAMPLE_ID`. Values are taken for reflectance, unless
-//! a keyword speaks of emission.
+//! skipped; `SPECTRAL_NORM` is the value that stands for 1; samples are named by `SAMPLE_NAME`, else `SAMPLE_ID`. Values are those that `MEAS_TYPE` says,
+//! else light in files of kind SPECT and CCSS, of displays, and where a keyword speaks of emission, else reflectance.
 
-use super::csv::{MOST_SPECTRA, stem};
 use super::error::{clean, excerpt};
-use super::named::{note, settle_percent};
-use super::text::{Separator, decode, expect_number, fields, lines, number};
+use super::named::note;
+use super::table::{MOST_SPECTRA, stem};
+use super::text::{Separator, expect_number, fields, lines, number};
 use super::units::{LIKELY_NM, MAX_NAME};
-use super::{NamedSpectrum, Place, Quantity, ReadError};
+use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 
 /// The most fields of a table.
 const MOST_FIELDS: usize = 10_000;
@@ -28,10 +28,17 @@ pub(super) fn is_cgats(text: &str) -> bool {
 ///
 /// [`ReadError`] tells the line and field that is not as this module says, or that the file holds no spectra.
 pub fn read_cgats(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let text = decode(bytes, file)?;
+    read_as(bytes, file, parse)
+}
+
+/// The spectra of a text as the file has them, before their scale is settled.
+pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let first = lines(text).map(|(_, line)| line.trim()).find(|line| !line.is_empty()).unwrap_or("");
     let mut reader = Reader {
         file,
-        quantity: Quantity::Reflectance,
+        // Files of one spectrum (SPECT) and of displays (CCSS) are of light, if they do not say otherwise.
+        quantity: if ["SPECT", "CCSS"].contains(&first) { Quantity::Light } else { Quantity::Reflectance },
+        norm: 1.0,
         part: Part::Keywords,
         separator: Separator::Blanks,
         fields: Vec::new(),
@@ -40,7 +47,7 @@ pub fn read_cgats(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadEr
         notes: Vec::new(),
     };
     let mut last = 0;
-    for (line, text) in lines(&text) {
+    for (line, text) in lines(text) {
         let text = text.trim_matches([' ', '\r']);
         if !text.trim().is_empty() && !text.starts_with('#') {
             reader.line(line, text)?;
@@ -90,9 +97,11 @@ impl Field {
             "SPECTRAL_PCT" => return Self::Paired(0.01),
             _ => {}
         }
-        let nm = ["SPECTRAL_NM_", "SPECTRAL_NM", "SPECTRAL_", "SPEC_", "NM_", "NM"]
+        let bare = name.strip_suffix("_NM").or(name.strip_suffix("NM")).unwrap_or(&name);
+        let nm = ["SPECTRAL_NM_", "SPECTRAL_NM", "SPECTRAL_", "SPEC_", "NM_", "NM", "R_", "R", "XYZ_R_"]
             .iter()
-            .find_map(|prefix| number(name.strip_prefix(prefix)?, false));
+            .find_map(|prefix| number(bare.strip_prefix(prefix)?, false))
+            .or_else(|| number(bare, false).filter(|_| bare != name));
         nm.filter(|nm| LIKELY_NM.contains(nm)).map_or(Self::Other, Self::Value)
     }
 }
@@ -100,6 +109,8 @@ impl Field {
 struct Reader<'a> {
     file: &'a str,
     quantity: Quantity,
+    /// The value that stands for 1.
+    norm: f64,
     part: Part,
     separator: Separator,
     fields: Vec<Field>,
@@ -130,9 +141,24 @@ impl Reader<'_> {
     }
 
     fn keyword(&mut self, text: &str) {
-        let lower = text.to_lowercase();
-        if ["emission", "emissive", "radiance"].iter().any(|word| lower.contains(word)) {
-            self.quantity = Quantity::Light;
+        let value = |name: &str| Some(text.strip_prefix(name)?.trim().trim_matches('"').to_lowercase());
+        if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")) {
+            self.quantity = match told.as_str() {
+                "emission" | "emissive" | "ambient" | "ambient_flash" | "light" => Quantity::Light,
+                _ if told.starts_with("transmi") => Quantity::Transmittance,
+                _ => Quantity::Reflectance,
+            };
+        } else {
+            let of_display =
+                value("DEVICE_CLASS").is_some_and(|told| told == "display" || told == "emission");
+            let lower = text.to_lowercase();
+            if of_display || ["emission", "emissive", "radiance"].iter().any(|word| lower.contains(word)) {
+                self.quantity = Quantity::Light;
+            }
+        }
+        if let Some(norm) = text.strip_prefix("SPECTRAL_NORM") {
+            self.norm =
+                number(norm.trim().trim_matches('"'), false).filter(|norm| *norm > 0.0).unwrap_or(1.0);
         }
         if let Some(count) = text.strip_prefix("NUMBER_OF_SETS") {
             self.sets = number(count, false).map(|count| (count, 0));
@@ -216,7 +242,7 @@ impl Reader<'_> {
             "" => format!("{} {}", stem(self.file), self.spectra.len() + 1),
             name => clean(name, MAX_NAME),
         };
-        let (nm, values) = points.into_iter().unzip();
+        let (nm, values) = points.into_iter().map(|(nm, value)| (nm, value / self.norm)).unzip();
         let quantity = self.quantity;
         self.spectra.push(NamedSpectrum { name, nm, values, quantity, ..Default::default() });
         Ok(())
@@ -234,7 +260,6 @@ impl Reader<'_> {
         for spectrum in &mut self.spectra {
             self.notes.iter().for_each(|text| note(&mut spectrum.notes, text.clone()));
         }
-        settle_percent(&mut self.spectra);
         Ok(self.spectra)
     }
 }

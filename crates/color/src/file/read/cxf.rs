@@ -4,12 +4,11 @@
 //! its own `StartWL` or that of the colour specification it refers to, the step that specification's
 //! `Increment`. It is named by its object; if an object has several, by its specification too.
 
-use super::csv::{MOST_SPECTRA, stem};
 use super::error::{clean, excerpt};
-use super::named::settle_percent;
-use super::text::{decode, expect_number};
+use super::table::{MOST_SPECTRA, stem};
+use super::text::expect_number;
 use super::units::{MAX_NAME, Scale};
-use super::{NamedSpectrum, Quantity, ReadError, xml};
+use super::{NamedSpectrum, Quantity, ReadError, read_as, xml};
 use roxmltree::Node;
 use std::collections::HashMap;
 
@@ -22,8 +21,12 @@ pub(super) const ROOT: &str = "CxF";
 ///
 /// [`ReadError`] tells the line and column that is not as this module says, or that the file holds no spectra.
 pub fn read_cxf(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let text = decode(bytes, file)?;
-    let document = xml::parse(&text, file)?;
+    read_as(bytes, file, parse)
+}
+
+/// The spectra of a text as the file has them, before their scale is settled.
+pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let document = xml::parse(text, file)?;
     let root = xml::root(&document, ROOT, file)?;
     let ranges = ranges(root, file)?;
     let mut spectra = Vec::new();
@@ -45,7 +48,6 @@ pub fn read_cxf(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
         let expected = "an object with spectral values, such as 'ReflectanceSpectrum'";
         return Err(ReadError::malformed(file, xml::place(root), expected, "none"));
     }
-    settle_percent(&mut spectra);
     Ok(spectra)
 }
 

@@ -5,10 +5,10 @@
 //! wavelength may stand in the first field (nm if none does), as may `%`. Values are fractions of the incident light per
 //! emission band, whose width is the step of the lines.
 
-use super::csv::stem;
 use super::error::excerpt;
 use super::named::note;
 use super::reradiation::step;
+use super::table::stem;
 use super::text::{Separator, decode, expect_number, fields, lines};
 use super::units::{Column, Scale};
 use super::{NamedReradiation, Place, ReadError};

@@ -31,14 +31,15 @@
 
 mod bfc;
 mod cgats;
-mod csv;
 mod cxf;
 pub(crate) mod error;
 mod matrix;
 pub(crate) mod named;
 mod power;
 pub(crate) mod reradiation;
+mod settle;
 mod spdx;
+mod table;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -47,14 +48,16 @@ mod xml;
 
 pub use bfc::read_bfc;
 pub use cgats::read_cgats;
-pub use csv::read_csv;
 pub use cxf::read_cxf;
 pub use error::{Place, ReadError, excerpt};
 pub use matrix::read_matrix_csv;
 pub use named::{NamedSpectrum, Quantity};
 pub use power::{PowerUnit, Radiometry};
 pub use reradiation::NamedReradiation;
+pub use settle::{ReadOptions, ValueScale};
 pub use spdx::read_spdx;
+pub use table::read_csv;
+pub use units::Scale;
 
 /// The beginning of a file in which its format shows.
 const SNIFFED: usize = 4096;
@@ -65,23 +68,67 @@ const SNIFFED: usize = 4096;
 ///
 /// [`ReadError`] of that format's reader.
 pub fn read_spectra(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    read_spectra_with(bytes, file, &ReadOptions::default())
+}
+
+/// [`read_spectra`] with what is known of the file beside its bytes.
+///
+/// # Errors
+///
+/// [`ReadError`] of that format's reader.
+pub fn read_spectra_with(
+    bytes: &[u8],
+    file: &str,
+    options: &ReadOptions,
+) -> Result<Vec<NamedSpectrum>, ReadError> {
     let text = text::decode(bytes, file)?;
-    if text.trim_start().starts_with('<') {
-        let mut end = text.len().min(SNIFFED);
-        while !text.is_char_boundary(end) {
-            end -= 1;
-        }
-        let head = &text[..end];
-        return match (head.contains(spdx::ROOT), head.contains(cxf::ROOT)) {
-            (true, _) => read_spdx(bytes, file),
-            (_, true) => read_cxf(bytes, file),
-            _ => {
-                let expected = "an element 'IESTM2714' or 'CxF' in XML, or a text table";
-                Err(ReadError::malformed(file, Place::File, expected, excerpt(head)))
-            }
-        };
+    let mut spectra = match format(&text, file)? {
+        Format::Spdx => spdx::parse(&text, file),
+        Format::Cxf => cxf::parse(&text, file),
+        Format::Cgats => cgats::parse(&text, file),
+        Format::Table => table::parse(&text, file, options.unit),
+    }?;
+    settle::settle(&mut spectra, file, options)?;
+    Ok(spectra)
+}
+
+/// The formats of spectra.
+enum Format {
+    Spdx,
+    Cxf,
+    Cgats,
+    Table,
+}
+
+/// The format that a text is in.
+fn format(text: &str, file: &str) -> Result<Format, ReadError> {
+    if !text.trim_start().starts_with('<') {
+        return Ok(if cgats::is_cgats(text) { Format::Cgats } else { Format::Table });
     }
-    if cgats::is_cgats(&text) { read_cgats(bytes, file) } else { read_csv(bytes, file) }
+    let mut end = text.len().min(SNIFFED);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let head = &text[..end];
+    match (head.contains(spdx::ROOT), head.contains(cxf::ROOT)) {
+        (true, _) => Ok(Format::Spdx),
+        (_, true) => Ok(Format::Cxf),
+        _ => {
+            let expected = "an element 'IESTM2714' or 'CxF' in XML, or a text table";
+            Err(ReadError::malformed(file, Place::File, expected, excerpt(head)))
+        }
+    }
+}
+
+/// Reads one format, with nothing known beside the bytes.
+fn read_as(
+    bytes: &[u8],
+    file: &str,
+    parse: impl FnOnce(&str, &str) -> Result<Vec<NamedSpectrum>, ReadError>,
+) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let mut spectra = parse(&text::decode(bytes, file)?, file)?;
+    settle::settle(&mut spectra, file, &ReadOptions::default())?;
+    Ok(spectra)
 }
 
 /// Reads a re-radiation matrix in whichever format the bytes are: `.BFC`, a text table, or a bispectral

@@ -14,6 +14,8 @@ pub enum Quantity {
     Transmittance,
     /// The fraction of light that stays.
     Absorptance,
+    /// The decadic logarithm of 1 over the transmittance. Readers give it as a transmittance.
+    Absorbance,
     /// Light of some unit; see the spectrum's `unit`.
     Light,
     /// Light without a unit.
@@ -25,13 +27,25 @@ impl Quantity {
     pub(super) fn of(text: &str) -> Self {
         let lower = text.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-        if has(&["reflect", "radiance factor"]) {
+        if has(&["reflect", "réflect", "remission", "radiance factor"]) {
             Self::Reflectance
         } else if has(&["transmi"]) {
             Self::Transmittance
         } else if has(&["absorptance"]) {
             Self::Absorptance
-        } else if has(&["radiance", "flux", "power", "intensity", "exitance", "w/", "w m", "w.m", "w·m"]) {
+        } else if has(&["absorbance", "optical density"]) {
+            Self::Absorbance
+        } else if has(&[
+            "radiance",
+            "flux",
+            "power",
+            "intensity",
+            "exitance",
+            "spd",
+            "emission",
+            "éclairement",
+        ]) || has(&["w/", "w m", "w.m", "w·m"])
+        {
             Self::Light
         } else if has(&["relative"]) {
             Self::Relative
@@ -79,20 +93,33 @@ impl NamedSpectrum {
     ///
     /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
     pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
+        self.check_band()?;
         let least = -NOISE * self.scale();
-        let below = || self.nm.iter().zip(&self.values).filter(|(_, value)| **value < 0.0);
+        let in_band = |nm: f64| (FIRST_NM..=LAST_NM).contains(&nm);
+        let below =
+            || self.nm.iter().zip(&self.values).filter(move |(nm, value)| **value < 0.0 && in_band(**nm));
         if let Some((&nm, &value)) = below().find(|(_, value)| **value < least) {
             return Err(TableError::Negative { nm, value, least });
         }
         let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
-        if count == 0 {
-            return self.resampled(&self.values, outside);
-        }
         let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
         let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
-        let name = &self.name;
-        notes.push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
+        if count > 0 {
+            let name = &self.name;
+            notes
+                .push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
+        }
         Ok((spectrum, notes))
+    }
+
+    /// Something must have been measured where the grid is.
+    fn check_band(&self) -> Result<(), TableError> {
+        match (self.nm.first(), self.nm.last()) {
+            (Some(&first), Some(&last)) if first > LAST_NM || last < FIRST_NM => {
+                Err(TableError::OutOfBand { first, last })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The curve on the grid as the weights of a sensor's channel, and what lay outside of it or was missing.
@@ -162,24 +189,5 @@ pub(super) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
     let text = text.into();
     if notes.len() < MOST_NOTES && !notes.contains(&text) {
         notes.push(text);
-    }
-}
-
-/// Fractions of light beyond this are in per cent: even fluorescent materials hardly give back twice the
-/// light of a wavelength, and a table in per cent stays below it only for black.
-const GREATEST_SHARE: f64 = 2.0;
-
-/// Turns per cent to fractions where a file has fractions of light that exceed 2, and says so. All spectra
-/// of a file are judged together, for a black sample in per cent looks like a grey one.
-pub(super) fn settle_percent(spectra: &mut [NamedSpectrum]) {
-    let judged = |spectrum: &NamedSpectrum| spectrum.quantity.is_ratio() && spectrum.unit.is_empty();
-    let values = spectra.iter().filter(|spectrum| judged(spectrum)).flat_map(|spectrum| &spectrum.values);
-    let greatest = values.copied().fold(0.0, f64::max);
-    if greatest <= GREATEST_SHARE {
-        return;
-    }
-    for spectrum in spectra.iter_mut().filter(|spectrum| judged(spectrum)) {
-        spectrum.values.iter_mut().for_each(|value| *value /= 100.0);
-        note(&mut spectrum.notes, format!("fractions of light up to {greatest} taken as per cent"));
     }
 }

@@ -37,9 +37,11 @@ pub struct PowerUnit {
 }
 
 /// Prefixes of the watt; large and small letters are different ones.
-const WATTS: [(&str, f64); 9] = [
+const WATTS: [(&str, f64); 11] = [
     ("W", 1.0),
+    ("w", 1.0),
     ("watt", 1.0),
+    ("watts", 1.0),
     ("kW", 1e3),
     ("mW", 1e-3),
     ("µW", 1e-6),
@@ -49,8 +51,9 @@ const WATTS: [(&str, f64); 9] = [
     ("MW", 1e6),
 ];
 /// What power is divided by: the unit, which of area, solid angle and wavelength it is, its size.
-const DIVISORS: [(&str, usize, f64); 8] = [
+const DIVISORS: [(&str, usize, f64); 9] = [
     ("m2", 0, 1.0),
+    ("sqm", 0, 1.0),
     ("cm2", 0, 1e-4),
     ("mm2", 0, 1e-6),
     ("sr", 1, 1.0),
@@ -66,11 +69,16 @@ impl PowerUnit {
     /// spectral power, or not understood.
     pub fn parse(text: &str) -> Option<Self> {
         // Two characters look like a micro, and exponents are written in many ways.
-        let text = text.replace('μ', "µ").replace('²', "2").replace("⁻", "-").replace('¹', "1");
+        let text = text
+            .replace('μ', "µ")
+            .replace(" per ", "/")
+            .replace('²', "2")
+            .replace("⁻", "-")
+            .replace('¹', "1");
         let text = text.replace(['^', '{', '}'], "").replace('−', "-");
         let (above, below) = text.split_once('/').unwrap_or((&text, ""));
         let words = |part: &str| -> Vec<String> {
-            let split = part.split(|c: char| c.is_whitespace() || "/()[]*·.".contains(c));
+            let split = part.split(|c: char| c.is_whitespace() || "/()[]*·⋅×.".contains(c));
             split.filter(|word| !word.is_empty()).map(str::to_owned).collect()
         };
         let (above, below) = (words(above), words(below));
@@ -129,6 +137,9 @@ mod tests {
             ("W.m-2.sr-1.µm-1", Radiometry::Radiance, 1e-3),
             ("mW/sr/nm", Radiometry::Intensity, 1e-3),
             ("MW/m2/nm", Radiometry::Irradiance, 1e6),
+            ("W.sr⁻¹.m⁻².nm⁻¹", Radiometry::Radiance, 1.0),
+            ("W/(sr m2 nm)", Radiometry::Radiance, 1.0),
+            ("watts/sqm/nm", Radiometry::Irradiance, 1.0),
         ] {
             let found = PowerUnit::parse(text).unwrap_or_else(|| panic!("{text}"));
             assert_eq!(found.radiometry, radiometry, "{text}");

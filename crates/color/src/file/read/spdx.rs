@@ -3,12 +3,12 @@
 //! Wavelengths are in nm, as the standard says. The spectrum is named by the header's description, else
 //! its catalogue number. What the values are comes from `SpectralQuantity`.
 
-use super::csv::stem;
 use super::error::clean;
-use super::named::{note, settle_percent};
-use super::text::{decode, expect_number};
+use super::named::note;
+use super::table::stem;
+use super::text::expect_number;
 use super::units::{MAX_NAME, Scale};
-use super::{NamedSpectrum, Quantity, ReadError, xml};
+use super::{NamedSpectrum, Quantity, ReadError, read_as, xml};
 
 /// The root element.
 pub(super) const ROOT: &str = "IESTM2714";
@@ -21,8 +21,12 @@ const NOTHING: [&str; 4] = ["unknown", "n/a", "none", "-"];
 ///
 /// [`ReadError`] tells the line and column that is not as the standard says.
 pub fn read_spdx(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let text = decode(bytes, file)?;
-    let document = xml::parse(&text, file)?;
+    read_as(bytes, file, parse)
+}
+
+/// The spectra of a text as the file has them, before their scale is settled.
+pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let document = xml::parse(text, file)?;
     let root = xml::root(&document, ROOT, file)?;
     let header = xml::children(root, "Header").next();
     let name = header.and_then(|header| {
@@ -42,14 +46,14 @@ pub fn read_spdx(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErr
         let place = xml::place(root);
         return Err(ReadError::malformed(file, place, "an element 'SpectralDistribution'", "none"));
     }
-    settle_percent(&mut spectra);
     Ok(spectra)
 }
 
 /// Reads one distribution.
 fn distribution(node: roxmltree::Node<'_, '_>, name: String, file: &str) -> Result<NamedSpectrum, ReadError> {
     let told = xml::child_text(node, "SpectralQuantity").unwrap_or("");
-    let mut spectrum = NamedSpectrum { name, quantity: quantity(told), ..Default::default() };
+    let mut spectrum =
+        NamedSpectrum { name, quantity: quantity(told), unit: unit(told).to_owned(), ..Default::default() };
     if told.is_empty() {
         note(&mut spectrum.notes, "the file does not say what its values are");
     }
@@ -85,5 +89,16 @@ fn quantity(told: &str) -> Quantity {
         "flux" | "intensity" | "irradiance" | "radiance" | "exitance" => Quantity::Light,
         "relative" => Quantity::Relative,
         _ => Quantity::Unknown,
+    }
+}
+
+/// The SI units that the standard has for its quantities.
+fn unit(told: &str) -> &'static str {
+    match told.to_lowercase().as_str() {
+        "flux" => "W/nm",
+        "intensity" => "W/sr/nm",
+        "irradiance" | "exitance" => "W/m²/nm",
+        "radiance" => "W/sr/m²/nm",
+        _ => "",
     }
 }

@@ -120,6 +120,122 @@ fn per_cent_is_told_from_shares_for_all_spectra_of_a_file() {
     assert_eq!(spectra("nm,lamp\n400,90\n410,95\n")[0].values, [90.0, 95.0]);
 }
 
+/// The first spectrum of a text, with its wavelengths and values.
+fn points(text: &str) -> (NamedSpectrum, Vec<(f64, f64)>) {
+    let first = spectra(text).remove(0);
+    let points = first.nm.iter().copied().zip(first.values.iter().copied()).collect();
+    (first, points)
+}
+
+#[test]
+fn what_stands_around_a_table_is_passed_over_and_told() {
+    let (paint, found) = points(
+        "Lab 7\n2 samples\nOperator;A. N. Other\n\nWavelength (nm);Paint reflectance (%)\n400;10,5\n;;\n410;20\n\n;\n\
+         Checked by;B\nEnd\n",
+    );
+    assert_eq!(found, [(400.0, 0.105), (410.0, 0.2)]);
+    assert_eq!(
+        paint.notes,
+        [
+            "3 lines above the table skipped, the first of them line 1: 'Lab 7'",
+            "2 lines below the table skipped, the first of them line 11: 'Checked by;B'",
+        ]
+    );
+    // Comments of MATLAB, NumPy and others; a per cent sign that begins a line says nothing of per cent.
+    let (paint, found) = points("% reflectance of a tile\n! made up\n// 2020\n400 0.5\n500 0.6\n");
+    assert_eq!((paint.quantity, &found[..]), (Quantity::Reflectance, &[(400.0, 0.5), (500.0, 0.6)][..]));
+    let (paint, _) = points("# wavelength_nm reflectance\n400 0.5\n500 0.6\n");
+    assert_eq!((paint.name.as_str(), paint.notes.len()), ("reflectance", 0));
+    // A row of units of its own.
+    let (lamp, found) = points("Wavelength\tIrradiance\nµm\tW/m²/nm\n0.4\t1\n0.5\t2\n");
+    assert_eq!((lamp.name.as_str(), lamp.unit.as_str()), ("Irradiance", "W/m²/nm"));
+    assert_eq!(found, [(400.0, 1.0), (500.0, 2.0)]);
+}
+
+#[test]
+fn meters_write_pairs_of_words_and_values() {
+    let (lamp, found) =
+        points("Model\tX\nLUX\t486\nCCT\t5461\nR1\t90\n380nm\t0.5\n385nm\t0.75\n390nm\t1\nPeak\t390\n");
+    assert_eq!(found, [(380.0, 0.5), (385.0, 0.75), (390.0, 1.0)]);
+    assert_eq!((lamp.name.as_str(), lamp.quantity), ("file", Quantity::Unknown));
+    assert!(!lamp.notes.iter().any(|note| note.contains("unit")), "{:?}", lamp.notes);
+    let (_, found) = points("Date,2020/01/01\nSpectral Data 380[nm],0.5\nSpectral Data 381[nm],0.75\n");
+    assert_eq!(found, [(380.0, 0.5), (381.0, 0.75)]);
+}
+
+#[test]
+fn a_field_without_a_value_may_be_a_word() {
+    let (_, found) = points("nm,reflectance\n390,NaN\n400,0.5\n410,NA\n420,0.25\n430,-\n440,---\n");
+    assert_eq!(found, [(400.0, 0.5), (420.0, 0.25)]);
+}
+
+#[test]
+fn the_column_of_wavelengths_is_found() {
+    let (patch, found) = points(",wavelength (nm),reflectance\n0,400,0.5\n1,410,0.25\n2,420,0.125\n");
+    assert_eq!(found, [(400.0, 0.5), (410.0, 0.25), (420.0, 0.125)]);
+    assert_eq!(patch.notes, ["1 column before the wavelengths left out"]);
+    let (_, found) = points("0 400 0.5\n1 410 0.25\n2 420 0.125\n");
+    assert_eq!(found, [(400.0, 0.5), (410.0, 0.25), (420.0, 0.125)]);
+    // Pairs of columns, each with wavelengths of its own.
+    let pairs = spectra("Wavelength (nm),red,Wavelength (nm),blue\n400,1,405,3\n410,2,415,4\n");
+    assert_eq!(pairs.len(), 2);
+    assert_eq!((&pairs[0].nm[..], &pairs[1].nm[..]), (&[400.0, 410.0][..], &[405.0, 415.0][..]));
+    assert_eq!((pairs[1].name.as_str(), &pairs[1].values[..]), ("blue", &[3.0, 4.0][..]));
+    // Several columns before spectra in rows, and a word behind them.
+    let rows = spectra("Name,Mode,L*,400nm,410nm,420nm,Remark\nT1,SCI,50.1,8,9,10,ok\nT1,SCE,49,7,8,9,\n");
+    assert_eq!((rows[0].name.as_str(), &rows[0].values[..]), ("T1 SCI", &[8.0, 9.0, 10.0][..]));
+    assert_eq!((rows[1].name.as_str(), &rows[1].nm[..]), ("T1 SCE", &[400.0, 410.0, 420.0][..]));
+    let prefixed = spectra("id,R_400,R_410,R_420\na,0.1,0.2,0.3\n");
+    assert_eq!(prefixed[0].nm, [400.0, 410.0, 420.0]);
+}
+
+#[test]
+fn units_of_the_axis_are_converted_or_refused() {
+    let (film, found) = points("Wavenumber (cm-1),transmittance\n25000,0.5\n20000,0.25\n");
+    assert_eq!((film.quantity, &found[..]), (Quantity::Transmittance, &[(400.0, 0.5), (500.0, 0.25)][..]));
+    let (_, found) = points("Energy (eV) reflectance\n3 0.5\n2 0.25\n");
+    assert!((found[0].0 - 413.28).abs() < 0.01 && (found[1].0 - 619.92).abs() < 0.01, "{found:?}");
+    let error = error_of("Position (px),reflectance\n400,1\n410,2\n");
+    assert!(error.contains("expected a unit of wavelength") && error.contains("'px'"), "{error}");
+    let (_, found) = {
+        let options = ReadOptions { unit: Some(Scale::Angstroms), ..Default::default() };
+        let table = read_spectra_with(b"x (px),reflectance\n4000,1\n5000,2\n", "f", &options).unwrap();
+        ((), table[0].nm.clone())
+    };
+    assert_eq!(found, [400.0, 500.0]);
+}
+
+#[test]
+fn beyond_the_visible_noise_and_order_do_not_matter() {
+    let lamp = spectra("nm,lamp (W/nm)\n200,-60\n250,-50\n300,0\n500,10\n780,1\n900,-5\n").remove(0);
+    let (held, notes) = lamp.to_spectrum(None).unwrap();
+    assert_eq!((held[0], held[40]), (0.0, 10.0));
+    assert_eq!(notes, ["3 of 6 values of 'lamp' lie outside of 300 to 780 nm"]);
+    let (lamp, found) = points("nm,lamp (W/nm)\n300,1\n500,10\n780,1\n900,5\n850,5\n");
+    assert_eq!(found, [(300.0, 1.0), (500.0, 10.0), (780.0, 1.0)]);
+    assert_eq!(lamp.notes, ["2 values beyond 300 to 780 nm are out of order and left out"]);
+    let (lamp, found) = points("nm,lamp (W/nm)\n400,1\n400,3\n500,10\n");
+    assert_eq!(found, [(400.0, 2.0), (500.0, 10.0)]);
+    assert!(lamp.notes[0].starts_with("1 wavelengths stand there more than once"));
+    let error = spectra("nm,reflectance\n800,0.5\n900,0.5\n").remove(0).to_spectrum(None).unwrap_err();
+    assert!(error.to_string().contains("nothing of it is visible"), "{error}");
+}
+
+#[test]
+fn cgats_says_what_1_is_and_what_is_measured() {
+    let table = |head: &str, fields: &str| {
+        format!("{head}\nBEGIN_DATA_FORMAT\n{fields}\nEND_DATA_FORMAT\nBEGIN_DATA\n50 25\nEND_DATA\n")
+    };
+    let (lamp, found) = points(&table("SPECT\nSPECTRAL_NORM \"100.0\"", "SPEC_400 SPEC_500"));
+    assert_eq!((lamp.quantity, &found[..]), (Quantity::Light, &[(400.0, 0.5), (500.0, 0.25)][..]));
+    let black = table("SPECT\nMEAS_TYPE \"REFLECTIVE\"\nSPECTRAL_NORM \"5000\"", "400_NM 500_NM");
+    let (black, found) = points(&black);
+    assert_eq!((black.quantity, &found[..]), (Quantity::Reflectance, &[(400.0, 0.01), (500.0, 0.005)][..]));
+    let (screen, _) = points(&table("CCSS\nDEVICE_CLASS \"DISPLAY\"", "R_400 R_500"));
+    assert_eq!(screen.quantity, Quantity::Light);
+    assert_eq!(points(&table("CGATS.17", "NM400 NM500")).0.quantity, Quantity::Reflectance);
+}
+
 #[test]
 fn densities_over_frequency_become_densities_over_wavelength() {
     let lamp = spectra("frequency (THz),flux (W/THz)\n500,1\n500.001,1\n").remove(0);
@@ -232,12 +348,11 @@ fn errors_tell_place_and_expectation() {
     let cases = [
         ("", "f: the file: expected lines of wavelengths and values, found an empty file"),
         ("nm,a\n400,x\n", "f: line 2, field 2: expected a number from -1e30 to 1e30, found 'x'"),
-        ("nm,a\n400,nan\n", "f: line 2, field 2: expected a number from -1e30 to 1e30, found 'nan'"),
-        ("nm,a\n400,1,2\n", "f: line 2: expected at most 2 fields, found more"),
+        ("nm,a\n400,nan\n", "f: the file: expected at least one value, found none"),
+        ("nm,a\n400,1\n410,x\n420,1", "f: line 3, field 2: expected a number from -1e30 to 1e30, found 'x'"),
         ("400,1\n410,1,2\n", "f: line 2: expected at most 2 fields, found more"),
         ("400\n", "f: line 1: expected a wavelength and at least one value, found one field"),
-        ("nm,a\n400,1\n400,2\n", "f: line 3: expected wavelengths in rising order, each once"),
-        ("nm,a\n420,1\n410,2\n430,3\n", "f: line 4: expected wavelengths in falling order, each once"),
+        ("nm,a\n420,1\n410,2\n430,3\n", "f: line 3: expected wavelengths in rising order, each once"),
         ("nm,a\n0.4,1\n", "f: line 2, field 1: expected a wavelength from 10 nm to 100 µm, found 0.4"),
         ("0.4,1\n", "f: line 1, field 1: expected wavelengths from 100 to 10000 nm, or another unit"),
         ("nm,a\n400,\n", "f: the file: expected at least one value, found none"),

@@ -11,7 +11,8 @@ pub(super) const MAX_BYTES: usize = 16 << 20;
 /// No quantity of light is greater; sums of such values stay finite.
 const GREATEST: f64 = 1e30;
 
-/// The text of a file: UTF-8 with or without a mark, else Latin-1, as older instruments write `µm`.
+/// The text of a file: UTF-8 with or without a mark, UTF-16 with one or as its zero bytes show, else Latin-1, as older
+/// instruments write `µm`. Other bytes of 0, with which some instruments fill their heads, are blanks.
 pub(super) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, str>, ReadError> {
     if bytes.len() > MAX_BYTES {
         let (limit, found) = (MAX_BYTES as u64, bytes.len() as u64);
@@ -19,14 +20,38 @@ pub(super) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, str>, Re
         return Err(ReadError::TooLarge { file, place, limit, unit: "bytes", found });
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    if let Some(at) = bytes.iter().position(|byte| *byte == 0) {
-        let found = format!("a byte 0 at {at}: UTF-16, or no text");
-        return Err(ReadError::malformed(file, Place::File, "text in UTF-8 or Latin-1", found));
+    if let Some(text) = utf16(bytes) {
+        return Ok(Cow::Owned(text));
     }
-    Ok(match core::str::from_utf8(bytes) {
+    let text = match core::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
         Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
-    })
+    };
+    Ok(if text.contains('\0') { Cow::Owned(text.replace('\0', " ")) } else { text })
+}
+
+/// The text of a file in UTF-16: with a mark of byte order, or without one where every other byte of its beginning is 0, as it
+/// is in Western text. What is no character becomes U+FFFD.
+fn utf16(bytes: &[u8]) -> Option<String> {
+    let beginning = &bytes[..bytes.len().min(512)];
+    let zeros = |first: usize| {
+        let every_other = beginning.iter().skip(first).step_by(2);
+        every_other.len() > 2
+            && every_other.clone().filter(|byte| **byte == 0).count() * 10 > every_other.len() * 9
+    };
+    let little = match beginning {
+        [0xFF, 0xFE, ..] => true,
+        [0xFE, 0xFF, ..] => false,
+        _ if zeros(1) && !zeros(0) => true,
+        _ if zeros(0) && !zeros(1) => false,
+        _ => return None,
+    };
+    let units = bytes.chunks_exact(2).map(|pair| match little {
+        true => u16::from_le_bytes([pair[0], pair[1]]),
+        false => u16::from_be_bytes([pair[0], pair[1]]),
+    });
+    let text = char::decode_utf16(units).map(|unit| unit.unwrap_or(char::REPLACEMENT_CHARACTER));
+    Some(text.filter(|c| *c != '\u{FEFF}').map(|c| if c == '\0' { ' ' } else { c }).collect())
 }
 
 /// The lines of a text with their numbers, counted from 1. Lines end with LF, CR LF or CR.
@@ -52,7 +77,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> + Clone {
 pub(super) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     let value: f64 = match text.split_once(',') {
-        Some((whole, part)) if decimal_comma && !text.contains('.') => {
+        Some((whole, part)) if decimal_comma && !part.is_empty() && !text.contains('.') => {
             format!("{whole}.{part}").parse().ok()?
         }
         _ => text.parse().ok()?,
@@ -81,6 +106,9 @@ pub(super) enum Separator {
 }
 
 impl Separator {
+    /// All of them, in the order in which they are tried.
+    pub(super) const ALL: [Self; 4] = [Self::Char('\t'), Self::Char(';'), Self::Char(','), Self::Blanks];
+
     /// The separator that a line uses: tab, semicolon or comma, in this order, else blanks.
     pub(super) fn of(line: &str) -> Self {
         ['\t', ';', ',']
@@ -152,14 +180,15 @@ mod tests {
     }
 
     #[test]
-    fn text_is_utf_8_or_latin_1() {
+    fn text_is_utf_8_utf_16_or_latin_1() {
         assert_eq!(decode(b"\xEF\xBB\xBFnm", "f").unwrap(), "nm");
         assert_eq!(decode(b"\xB5m", "f").unwrap(), "µm");
-        let message = decode(b"n\0m\0", "f").unwrap_err().to_string();
-        assert_eq!(
-            message,
-            "f: the file: expected text in UTF-8 or Latin-1, found a byte 0 at 1: UTF-16, or no text"
-        );
+        let little: Vec<u8> = "µm\t1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let big: Vec<u8> = "\u{FEFF}µm\t1\n".encode_utf16().flat_map(u16::to_be_bytes).collect();
+        assert_eq!(decode(&little, "f").unwrap(), "µm\t1\n");
+        assert_eq!(decode(&big, "f").unwrap(), "µm\t1\n");
+        assert_eq!(decode(&[&[0xFF, 0xFE][..], &little].concat(), "f").unwrap(), "µm\t1\n");
+        assert_eq!(decode(b"head\0\0\0\n400 1", "f").unwrap(), "head   \n400 1");
         assert!(decode(&vec![b'1'; MAX_BYTES + 1], "f").is_err());
     }
 }

@@ -1,8 +1,8 @@
 //! Units and quantities as headers name them.
 
 use super::error::clean;
-use super::{Place, Quantity, ReadError};
-use crate::spectra::units::{frequency_hz, lambda_nm_of_frequency};
+use super::{Place, PowerUnit, Quantity, ReadError};
+use crate::spectra::units::{frequency_hz, lambda_nm_of_energy, lambda_nm_of_frequency};
 
 /// Wavelengths that a file may hold, in nm: from X-rays to the far infrared. All else is a wrong unit.
 const WAVELENGTHS_NM: core::ops::RangeInclusive<f64> = 10.0..=100_000.0;
@@ -10,8 +10,8 @@ const WAVELENGTHS_NM: core::ops::RangeInclusive<f64> = 10.0..=100_000.0;
 pub(super) const LIKELY_NM: core::ops::RangeInclusive<f64> = 100.0..=10_000.0;
 
 /// How a file gives the place in the spectrum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scale {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scale {
     /// Wavelength in nm.
     Nanometres,
     /// Wavelength in µm.
@@ -20,14 +20,23 @@ pub(super) enum Scale {
     Metres,
     /// Wavelength in Å.
     Angstroms,
+    /// Wavenumber in cm⁻¹.
+    InverseCentimetres,
     /// Frequency in THz.
     Terahertz,
+    /// Frequency in Hz.
+    Hertz,
+    /// Energy of a photon in eV.
+    Electronvolts,
     /// Nothing is said: nm, if they can be.
+    #[default]
     Unknown,
 }
 
 /// Words that name a scale. `m` comes last: it is in the words of few headers, but in some.
-const SCALES: [(&str, Scale); 17] = [
+const SCALES: [(&str, Scale); 24] = [
+    ("cm-1", Scale::InverseCentimetres),
+    ("1/cm", Scale::InverseCentimetres),
     ("nm", Scale::Nanometres),
     ("nanometer", Scale::Nanometres),
     ("nanometers", Scale::Nanometres),
@@ -38,34 +47,52 @@ const SCALES: [(&str, Scale); 17] = [
     ("micron", Scale::Micrometres),
     ("microns", Scale::Micrometres),
     ("micrometer", Scale::Micrometres),
+    ("micrometers", Scale::Micrometres),
     ("micrometre", Scale::Micrometres),
+    ("micrometres", Scale::Micrometres),
     ("thz", Scale::Terahertz),
     ("terahertz", Scale::Terahertz),
+    ("hz", Scale::Hertz),
+    ("ev", Scale::Electronvolts),
     ("å", Scale::Angstroms),
     ("angstrom", Scale::Angstroms),
     ("angstroms", Scale::Angstroms),
+    ("a", Scale::Angstroms),
     ("m", Scale::Metres),
 ];
+
+/// Words in the brackets of an axis that are no units.
+const NO_UNITS: [&str; 6] = ["vacuum", "vac", "air", "x", "axis", "λ"];
 
 impl Scale {
     /// The scale that a header's text names.
     pub(super) fn of(header: &str) -> Self {
-        // Two characters look like a micro; files use both.
-        let lower = header.to_lowercase().replace('μ', "µ");
-        let words = || lower.split(|c: char| !c.is_alphanumeric());
-        let named = SCALES.into_iter().find(|(name, _)| words().any(|word| word == *name));
+        let lower = plain(header);
+        let words = || lower.split(|c: char| !(c.is_alphanumeric() || "-/".contains(c)));
+        // What is joined to other words by a slash, as in λ/nm, counts, too.
+        let parts = || words().flat_map(|word| word.split('/')).chain(words());
+        let named = SCALES.into_iter().find(|(name, scale)| {
+            // A lone letter is a unit in brackets only: "a" is a word of many titles.
+            let in_brackets = || bracketed(&lower).is_some_and(|unit| unit.trim() == *name);
+            parts().any(|word| word == *name) && (*scale != Self::Angstroms || *name != "a" || in_brackets())
+        });
         named.map_or(Self::Unknown, |(_, scale)| scale)
+    }
+
+    /// The scale of a column of wavelengths by its header, or the unit in brackets that is not known.
+    pub(super) fn of_axis(header: &str) -> Result<Self, String> {
+        let found = Self::of(header);
+        let Some(unit) = bracketed(header).map(str::trim) else { return Ok(found) };
+        let is_no_unit = unit.is_empty() || NO_UNITS.contains(&unit.to_lowercase().as_str());
+        match found {
+            Self::Unknown if !is_no_unit => Err(unit.to_owned()),
+            _ => Ok(found),
+        }
     }
 
     /// The wavelength in nm of a number on this scale.
     pub(super) fn nm(self, value: f64, file: &str, place: impl FnOnce() -> Place) -> Result<f64, ReadError> {
-        let nm = match self {
-            Self::Nanometres | Self::Unknown => value,
-            Self::Micrometres => decimal(value * 1e3),
-            Self::Metres => decimal(value * 1e9),
-            Self::Angstroms => decimal(value * 0.1),
-            Self::Terahertz => lambda_nm_of_frequency(value * 1e12),
-        };
+        let nm = self.convert(value);
         let (range, expected) = match self {
             Self::Unknown => {
                 (LIKELY_NM, "wavelengths from 100 to 10000 nm, or another unit (µm, m, THz) in a header")
@@ -78,6 +105,66 @@ impl Scale {
         let found = if nm == value { format!("{value}") } else { format!("{value}, which is {nm} nm") };
         Err(ReadError::malformed(file, place(), expected, found))
     }
+
+    /// Whether a number on this scale may be a wavelength.
+    pub(super) fn is_likely(self, value: f64) -> bool {
+        let range = if self == Self::Unknown { LIKELY_NM } else { WAVELENGTHS_NM };
+        range.contains(&self.convert(value))
+    }
+
+    fn convert(self, value: f64) -> f64 {
+        match self {
+            Self::Nanometres | Self::Unknown => value,
+            Self::Micrometres => decimal(value * 1e3),
+            Self::Metres => decimal(value * 1e9),
+            Self::Angstroms => decimal(value * 0.1),
+            Self::InverseCentimetres => 1e7 / value,
+            Self::Terahertz => lambda_nm_of_frequency(value * 1e12),
+            Self::Hertz => lambda_nm_of_frequency(value),
+            Self::Electronvolts => lambda_nm_of_energy(value),
+        }
+    }
+
+    /// Whether equal steps of it are no equal steps of wavelength.
+    pub(super) fn is_inverse(self) -> bool {
+        matches!(self, Self::InverseCentimetres | Self::Terahertz | Self::Hertz | Self::Electronvolts)
+    }
+}
+
+/// A text in small letters, with one micro and one way of writing powers: files use several.
+fn plain(text: &str) -> String {
+    let lower = text.to_lowercase().replace('μ', "µ");
+    lower.replace(['−', '⁻'], "-").replace('¹', "1").replace("cm^-1", "cm-1").replace("cm^{-1}", "cm-1")
+}
+
+/// What stands in the last brackets of a text, which may have brackets in them: `sr m2` of `L (W/(sr m2))` is not it.
+pub(super) fn bracketed(text: &str) -> Option<&str> {
+    let (start, end) = brackets(text)?;
+    Some(&text[start + 1..end])
+}
+
+/// Where the last outermost brackets of a text open and close.
+fn brackets(text: &str) -> Option<(usize, usize)> {
+    let mut depth = 0_usize;
+    let (mut open, mut found) = (0, None);
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' => {
+                if depth == 0 {
+                    open = at;
+                }
+                depth += 1;
+            }
+            ')' | ']' if depth > 0 => {
+                depth -= 1;
+                if depth == 0 {
+                    found = Some((open, at));
+                }
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// Without the noise of binary fractions, so that 0.58 µm are 580 nm.
@@ -102,23 +189,28 @@ pub(super) struct Column {
 }
 
 impl Column {
-    /// Takes a header apart: `name (unit)`, `name [unit]` or `name`.
+    /// Takes a header apart: `name (unit)`, `name [unit]`, `name, unit` or `name`.
     pub(super) fn of(header: &str) -> Self {
         let header = header.trim();
-        let open = header.rfind(['(', '[']).filter(|_| header.ends_with([')', ']']));
-        let (name, unit) = match open {
-            Some(open) => (header[..open].trim(), header[open + 1..].trim_end_matches([')', ']']).trim()),
-            None => (header, ""),
+        let (name, unit) = match brackets(header) {
+            Some((open, close)) if header[close + 1..].trim().is_empty() => {
+                (header[..open].trim(), header[open + 1..close].trim())
+            }
+            _ => (header, unit_at_end(header)),
         };
-        let unit = if unit.is_empty() && header.contains('%') { "%" } else { unit };
-        let quantity = Quantity::of(header);
+        let unit = if is_percent(header) && PowerUnit::parse(unit).is_none() { "%" } else { unit };
+        let quantity = match Quantity::of(header) {
+            Quantity::Unknown if PowerUnit::parse(unit).is_some() || photons(unit).is_some() => {
+                Quantity::Light
+            }
+            quantity => quantity,
+        };
         Self { name: clean(name, MAX_NAME), quantity, unit: clean(unit, MAX_NAME) }
     }
 
     /// Whether the values are in per cent.
     pub(super) fn is_percent(&self) -> bool {
-        let unit = self.unit.to_lowercase();
-        unit == "%" || unit == "percent" || unit == "per cent" || unit == "pct"
+        is_percent(&self.unit)
     }
 
     /// Whether the values are densities per THz.
@@ -126,6 +218,39 @@ impl Column {
         self.unit.to_lowercase().contains("thz")
     }
 }
+
+/// Whether a text says per cent: `%`, `% R`, `percent`, `pct`.
+pub(super) fn is_percent(text: &str) -> bool {
+    let lower = text.to_lowercase();
+    let words = || lower.split(|c: char| !(c.is_alphanumeric() || c == '%'));
+    lower.contains('%')
+        || lower.contains("per cent")
+        || words().any(|word| word == "percent" || word == "pct")
+}
+
+/// A unit of power behind a name without brackets: `Irradiance W/m2/nm`.
+fn unit_at_end(header: &str) -> &str {
+    let starts = header.char_indices().filter(|(at, _)| *at > 0 && header[..*at].ends_with([' ', ',']));
+    let mut rests = starts.map(|(at, _)| header[at..].trim());
+    rests.find(|rest| PowerUnit::parse(rest).is_some() || photons(rest).is_some()).unwrap_or("")
+}
+
+/// Whether a unit counts photons, and how many of them are one: `photons/s/m2/nm`, `µmol/m²/s/nm`.
+pub(super) fn photons(unit: &str) -> Option<f64> {
+    let unit = plain(unit);
+    let first =
+        unit.split(|c: char| c.is_whitespace() || "/·*.".contains(c)).find(|word| !word.is_empty())?;
+    match first {
+        "photon" | "photons" | "quanta" => Some(1.0),
+        "µmol" | "umol" | "micromol" | "micromoles" => Some(1e-6 * AVOGADRO),
+        "mmol" => Some(1e-3 * AVOGADRO),
+        "mol" => Some(AVOGADRO),
+        _ => None,
+    }
+}
+
+/// Photons in a mole of them (SI, 2019: exact).
+const AVOGADRO: f64 = 6.022_140_76e23;
 
 /// The most characters of a name or a unit that are kept.
 pub(super) const MAX_NAME: usize = 200;
@@ -145,6 +270,12 @@ mod tests {
             ("frequency (THz)", Scale::Terahertz),
             ("Wavelength", Scale::Unknown),
             ("some", Scale::Unknown),
+            ("a lamp", Scale::Unknown),
+            ("Wavelength (A)", Scale::Angstroms),
+            ("Wavenumber (cm-1)", Scale::InverseCentimetres),
+            ("ν̃ / cm⁻¹", Scale::InverseCentimetres),
+            ("Energy [eV]", Scale::Electronvolts),
+            ("Frequency (Hz)", Scale::Hertz),
         ] {
             assert_eq!(Scale::of(header), scale, "{header}");
         }
@@ -157,10 +288,26 @@ mod tests {
         assert_eq!(nm(Scale::Metres, 5.55e-7), 555.0);
         assert_eq!(nm(Scale::Angstroms, 5461.0), 546.1);
         assert_eq!(nm(Scale::Terahertz, 599.584916), 500.0);
+        assert_eq!(nm(Scale::InverseCentimetres, 20_000.0), 500.0);
+        assert!((nm(Scale::Electronvolts, 2.0) - 619.92).abs() < 0.01);
         let message = Scale::Nanometres.nm(0.5, "f", || Place::Line(3)).unwrap_err().to_string();
         assert_eq!(message, "f: line 3: expected a wavelength from 10 nm to 100 µm, found 0.5");
         assert!(Scale::Unknown.nm(0.5, "f", || Place::File).is_err());
         assert!(Scale::Terahertz.nm(0.0, "f", || Place::File).is_err());
+    }
+
+    #[test]
+    fn a_unit_that_is_not_known_is_told() {
+        assert_eq!(Scale::of_axis("Position (px)"), Err("px".to_owned()));
+        assert_eq!(Scale::of_axis("Wavelength (vacuum)"), Ok(Scale::Unknown));
+        assert_eq!(Scale::of_axis("Wavelength [nm]"), Ok(Scale::Nanometres));
+    }
+
+    #[test]
+    fn photons_are_counted_in_several_ways() {
+        assert_eq!(photons("photons/s/m2/nm"), Some(1.0));
+        assert_eq!(photons("µmol m-2 s-1 nm-1"), Some(6.022_140_76e17));
+        assert_eq!(photons("W/m2/nm"), None);
     }
 
     #[test]
@@ -170,7 +317,12 @@ mod tests {
         assert!(column.is_percent());
         let column = Column::of("lamp [W/m2/nm]");
         assert_eq!((column.name.as_str(), column.unit.as_str()), ("lamp", "W/m2/nm"));
-        assert!(Column::of("%T").is_percent());
+        assert!(Column::of("%T").is_percent() && Column::of("% R").is_percent());
+        assert!(!Column::of("Reflectance (8/d)").is_percent());
+        let column = Column::of("L (W/(sr m2 nm))");
+        assert_eq!((column.name.as_str(), column.unit.as_str()), ("L", "W/(sr m2 nm)"));
+        assert_eq!(column.quantity, Quantity::Light);
+        assert_eq!(Column::of("Irradiance W/m2/nm").unit, "W/m2/nm");
         assert!(Column::of("L (W/sr/m2/THz)").is_per_terahertz());
     }
 }

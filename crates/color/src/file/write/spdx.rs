@@ -25,7 +25,7 @@ pub fn write_spdx(
         Quantity::Absorptance => "absorptance",
         Quantity::Light => "radiance",
         Quantity::Relative => "relative",
-        Quantity::Unknown => "other",
+        Quantity::Absorbance | Quantity::Unknown => "other",
     };
     writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
     writeln!(out, "<IESTM2714 xmlns=\"iestm2714\" version=\"1.0\">\n  <Header>")?;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glanz_color::read::{NamedSpectrum, Quantity};
+use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale};
 use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName};
 
 use super::builder::Builder;
@@ -11,6 +11,7 @@ use super::units::for_luminance;
 use crate::file::error::Problem;
 use crate::file::tables::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
 use crate::file::tables::sampled::{ObserverValue, Sampled};
+use crate::file::tables::spectra_files::{AxisUnit, Column, FileQuantity, FileScale, ScaleValue};
 use crate::file::tables::values::{At, Number};
 use crate::{Film, LightColor, Pane, Tint};
 
@@ -73,7 +74,7 @@ impl Builder {
                 return Err(Problem::at(span, "a lamp needs light, found what surfaces do with light"));
             }
         };
-        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
+        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.factor());
         if table.samples.is_some() {
             return Ok(LightColor::Spectrum(Arc::new(spectrum * scale)));
         }
@@ -104,7 +105,7 @@ impl Builder {
         if let Some(film) = film(table)? {
             return Ok(Tint::Film(Arc::new(film)));
         }
-        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.0);
+        let scale = table.scale.as_ref().map_or(1.0, |scale| scale.factor());
         Ok(match self.function(table, &value.span, false)? {
             Function::Fraction(spectrum) | Function::Either(spectrum) => {
                 let spectrum = spectrum * scale;
@@ -167,9 +168,7 @@ impl Builder {
             }
             ["line"] => formula(table.line.as_ref().expect("it is given"), |nm| format!("line({nm})")),
             ["gaussian"] => gaussian(table.gaussian.as_ref().expect("it is given")),
-            ["file"] => {
-                self.read_function(table.file.as_ref().expect("it is given"), table.column.as_ref(), light)
-            }
+            ["file"] => self.read_function(table.file.as_ref().expect("it is given"), table, light),
             ["nm"] => self.read_numbers(table, span, light),
             ["samples"] => Ok(Function::Either(table.samples.as_ref().expect("it is given").0)),
             ["matrix"] => matrix(table.matrix.as_ref().expect("it is given")),
@@ -190,28 +189,27 @@ impl Builder {
     fn read_function(
         &mut self,
         file: &At<String>,
-        column: Option<&At<String>>,
+        table: &SpectralTable,
         light: bool,
     ) -> Result<Function, Problem> {
         let bytes = self.read_beside(file)?;
-        let spectra = glanz_color::read::read_spectra(&bytes, file)
+        let spectra = glanz_color::read::read_spectra_with(&bytes, file, &read_options(table, light))
             .map_err(|error| Problem::at(&file.span, error.to_string()))?;
-        let chosen = choose(&spectra, file, column)?;
+        let chosen = choose(&spectra, file, table.column.as_ref())?;
+        let help = "if the file is wrong about it, say what it is with as = \"light\" or as = \"surface\"";
         match chosen.quantity {
             quantity if light && quantity.is_ratio() => {
-                return Err(Problem::at(
-                    &file.span,
-                    "a lamp needs light, found a reflectance or transmittance in the file",
-                ));
+                let message = "a lamp needs light, found a reflectance or transmittance in the file";
+                return Err(Problem::at(&file.span, message).help(help));
             }
             Quantity::Light if !light => {
-                return Err(Problem::at(
-                    &file.span,
-                    "a surface needs a reflectance, found light in the file",
-                ));
+                let message = "a surface needs a reflectance, found light in the file";
+                return Err(Problem::at(&file.span, message).help(help));
             }
             _ => {}
         }
+        let told = chosen.notes.iter().map(|note| format!("'{}': {note}", file.value));
+        self.input.notes.extend(told);
         let (spectrum, notes) = chosen
             .to_spectrum(Some(beyond(light)))
             .map_err(|error| Problem::at(&file.span, error.to_string()))?;
@@ -318,10 +316,19 @@ fn refuse_keys_out_of_place(table: &SpectralTable) -> Result<(), Problem> {
     if let (Some(polarization), None) = (&table.polarization, &table.ior) {
         return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
     }
-    if let (Some(column), None) = (&table.column, &table.file) {
-        return Err(Problem::at(&column.span, "'column' needs 'file'"));
+    let of_files = [
+        (table.column.as_ref().map(|v| &v.span), "'column'"),
+        (table.quantity.as_ref().map(|v| &v.span), "'as'"),
+        (table.unit.as_ref().map(|v| &v.span), "'unit'"),
+        (
+            table.scale.as_ref().filter(|v| matches!(v.value, ScaleValue::File(_))).map(|v| &v.span),
+            "a word as 'scale'",
+        ),
+    ];
+    match of_files.into_iter().find_map(|(span, key)| Some((span?, key))) {
+        Some((span, key)) if table.file.is_none() => Err(Problem::at(span, format!("{key} needs 'file'"))),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// Fresnel reflection at a surface of that index of refraction.
@@ -378,23 +385,60 @@ fn beyond(light: bool) -> Outside {
 }
 
 /// The spectrum of that name among those of a file; the only one where there is no name.
+/// What the table says of its file.
+fn read_options(table: &SpectralTable, light: bool) -> ReadOptions {
+    let quantity = |of: FileQuantity| match of {
+        FileQuantity::Light => Quantity::Light,
+        FileQuantity::Surface | FileQuantity::Reflectance => Quantity::Reflectance,
+        FileQuantity::Transmittance => Quantity::Transmittance,
+        FileQuantity::Absorbance => Quantity::Absorbance,
+    };
+    let unit = |unit: AxisUnit| match unit {
+        AxisUnit::Nanometres => Scale::Nanometres,
+        AxisUnit::Micrometres => Scale::Micrometres,
+        AxisUnit::Metres => Scale::Metres,
+        AxisUnit::Angstroms => Scale::Angstroms,
+        AxisUnit::InverseCentimetres => Scale::InverseCentimetres,
+        AxisUnit::Terahertz => Scale::Terahertz,
+        AxisUnit::Hertz => Scale::Hertz,
+        AxisUnit::Electronvolts => Scale::Electronvolts,
+    };
+    ReadOptions {
+        quantity: table.quantity.as_ref().map(|of| quantity(of.value)),
+        default_quantity: Some(if light { Quantity::Light } else { Quantity::Reflectance }),
+        unit: table.unit.as_ref().map(|of| unit(of.value)),
+        scale: match table.scale.as_ref().map(|scale| &scale.value) {
+            Some(ScaleValue::File(FileScale::Percent)) => Some(ValueScale::Percent),
+            Some(ScaleValue::File(FileScale::Fraction)) => Some(ValueScale::Fraction),
+            Some(ScaleValue::Factor(_)) | None => None,
+        },
+    }
+}
+
 fn choose<'a>(
     spectra: &'a [NamedSpectrum],
     file: &At<String>,
-    column: Option<&At<String>>,
+    column: Option<&At<Column>>,
 ) -> Result<&'a NamedSpectrum, Problem> {
     let names = || spectra.iter().map(|spectrum| spectrum.name.as_str()).collect::<Vec<_>>().join(", ");
-    match (column, spectra) {
-        (None, [only]) => Ok(only),
-        (None, _) => {
-            let message = format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());
-            Err(Problem::at(&file.span, message).help(format!("it has: {}", names())))
-        }
-        (Some(column), _) => spectra.iter().find(|spectrum| spectrum.name == column.value).ok_or_else(|| {
-            Problem::at(&column.span, format!("'{}' has no spectrum of that name", file.value))
-                .help(format!("it has: {}", names()))
-        }),
-    }
+    let Some(column) = column else {
+        return match spectra {
+            [only] => Ok(only),
+            _ => {
+                let message =
+                    format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());
+                Err(Problem::at(&file.span, message).help(format!("it has: {}", names())))
+            }
+        };
+    };
+    let (found, what) = match &column.value {
+        Column::Name(name) => (spectra.iter().find(|spectrum| spectrum.name == *name), "name"),
+        Column::Number(number) => (spectra.get((*number as usize).wrapping_sub(1)), "number"),
+    };
+    found.ok_or_else(|| {
+        Problem::at(&column.span, format!("'{}' has no spectrum of that {what}", file.value))
+            .help(format!("it has: {}", names()))
+    })
 }
 
 /// The film that a table describes, if it does.

@@ -10,6 +10,7 @@ use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::sampled::Sampled;
+use super::spectra_files::{AxisUnit, Column, FileQuantity, ScaleValue};
 use super::values::{Amount, At, Color, Number};
 use crate::Polarization;
 
@@ -28,8 +29,13 @@ pub(crate) struct SpectralTable {
     pub line: Option<At<Amount>>,
     /// A file with a spectrum (CSV, SPDX, CGATS, CxF), relative to the scene file.
     pub file: Option<At<String>>,
-    /// Which spectrum of a file with several, by its name; the first by default.
-    pub column: Option<At<String>>,
+    /// Which spectrum of a file with several, by its name, or its number from 1.
+    pub column: Option<At<Column>>,
+    /// What the file's values are, where it does not say it or is wrong.
+    #[serde(rename = "as")]
+    pub quantity: Option<At<FileQuantity>>,
+    /// The unit of the file's wavelengths, where it does not say it or is wrong.
+    pub unit: Option<At<AxisUnit>>,
     /// Wavelengths in nm, increasing; with `value`.
     pub nm: Option<At<Vec<Number>>>,
     /// The values at these wavelengths.
@@ -58,8 +64,8 @@ pub(crate) struct SpectralTable {
     pub pane: Option<At<PaneTintTable>>,
     /// What rises to 1 at grazing angles in Schlick's form; surfaces only.
     pub schlick: Option<Box<At<ColorValue>>>,
-    /// Multiplies the function; 1 by default.
-    pub scale: Option<At<Amount>>,
+    /// Multiplies the function; 1 by default. Of a file, "percent" or "fraction" says what its values are.
+    pub scale: Option<At<ScaleValue>>,
     /// For light that a surface sends itself: its luminance in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
 }

@@ -9,5 +9,6 @@ pub(crate) mod profile;
 pub(crate) mod sampled;
 pub(crate) mod scene;
 pub(crate) mod settings;
+pub(crate) mod spectra_files;
 pub(crate) mod table;
 pub(crate) mod values;

@@ -170,6 +170,13 @@ fn what_is_no_colour_says_what_would_be() {
             material("{ file = 'data/metamer-a.csv', column = 'x' }"),
             "'data/metamer-a.csv' has no spectrum of that name",
         ),
+        (
+            material("{ file = 'data/metamer-a.csv', column = 7 }"),
+            "'data/metamer-a.csv' has no spectrum of that number",
+        ),
+        (material("{ spectrum = 'orange', as = 'light' }"), "'as' needs 'file'"),
+        (material("{ spectrum = 'orange', unit = 'um' }"), "'unit' needs 'file'"),
+        (material("{ spectrum = 'orange', scale = 'percent' }"), "a word as 'scale' needs 'file'"),
         (light("spectrum = 'FL99'"), "there is no light 'FL99'"),
         (light("spectrum = 'orange'"), "a lamp needs light, found a reflectance"),
         (light("color = { ior = 'Au' }"), "a lamp needs light, found what surfaces do with light"),

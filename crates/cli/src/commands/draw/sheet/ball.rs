@@ -75,7 +75,7 @@ fn reflectance_tint(text: &str) -> Result<Tint, Failure> {
         Ok(value) if (0.0..=1.0).contains(&value) => Ok(Tint::Rgb(Rgb::gray(value))),
         Ok(value) => Err(Failure::Usage(format!("tint is {value}, but must be between 0 and 1"))),
         Err(_) => {
-            let source = spectra::source(text, Some(SpectrumKind::Surface))?;
+            let source = spectra::source(text, Some(SpectrumKind::Surface), &spectra::TableArgs::default())?;
             Ok(Tint::Spectrum(Arc::new(source.spectrum)))
         }
     }

@@ -1,0 +1,119 @@
+//! Spectra in text tables: `.csv`, `.tsv`, `.txt`, and what instruments call otherwise.
+//!
+//! The table is the longest run of lines that hold numbers only, as many in each; all else is head or foot. A spectrum is a
+//! column beside one of wavelengths, or a row under a row of wavelengths. Separators are tab, semicolon, comma or blanks; with
+//! all but the comma, numbers may have a decimal comma. Comments begin with `#`, `%`, `!`, `//` or `;`.
+//!
+//! Names, quantities and units come from the lines right above the numbers (`Wavelength (µm)`, `sample 1 reflectance
+//! (%)`), a row of units of its own among them, and, where those say nothing, from what is said further up. A field without a
+//! value is a wavelength at which that spectrum was not measured. A line that continues the table, but has a word or more fields
+//! in it, is an error; what else is left out is told in a remark.
+
+mod columns;
+mod lines;
+mod rows;
+
+use super::error::clean;
+use super::named::note;
+use super::units::{MAX_NAME, Scale};
+use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
+use crate::file::read::error::excerpt;
+use lines::Line;
+
+/// The most spectra of a file.
+pub(super) const MOST_SPECTRA: usize = 10_000;
+
+/// Reads the spectra of a text table. `file` is its name for messages, and, without its ending, that of a
+/// spectrum that has no other.
+///
+/// # Errors
+///
+/// [`ReadError`] tells the line and field that is not as this module says.
+pub fn read_csv(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    read_as(bytes, file, |text, file| parse(text, file, None))
+}
+
+/// The spectra of a text as the file has them, before their scale is settled.
+pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let content = lines::content(text);
+    let source = Source { file, content: &content, unit };
+    let found = lines::find(&content);
+    let count = found.map_or(0, |(_, run)| run.count);
+    if let Some(rows) = rows::find(&content).filter(|rows| rows.wavelengths() > 2 || count < 3) {
+        return rows.read(&source);
+    }
+    match found {
+        Some((separator, run)) => columns::read(&source, separator, run),
+        None => Err(columns::no_numbers(&source)),
+    }
+}
+
+/// A file, as lines.
+struct Source<'a> {
+    file: &'a str,
+    content: &'a [Line<'a>],
+    /// The unit of wavelengths, if it is known from elsewhere.
+    unit: Option<Scale>,
+}
+
+impl Source<'_> {
+    /// The name of a spectrum that has none.
+    fn unnamed(&self, index: usize, of: usize) -> String {
+        let stem = stem(self.file);
+        if of == 1 { stem } else { format!("{stem} {}", index + 1) }
+    }
+
+    fn check_count(&self, count: usize, line: u64) -> Result<(), ReadError> {
+        if (1..=MOST_SPECTRA).contains(&count) {
+            return Ok(());
+        }
+        if count == 0 {
+            let (expected, found) = ("a wavelength and at least one value", "one field");
+            return Err(ReadError::malformed(self.file, Place::Line(line), expected, found));
+        }
+        let (file, place) = (self.file.to_owned(), Place::Line(line));
+        let (limit, found) = (MOST_SPECTRA as u64, count as u64);
+        Err(ReadError::TooLarge { file, place, limit, unit: "spectra", found })
+    }
+
+    /// Tells what is not read, in one remark for the head and one for the foot.
+    fn tell_skipped(&self, head: &[Line<'_>], foot: &[Line<'_>], notes: &mut Vec<String>) {
+        for (lines, place) in [(head, "above"), (foot, "below")] {
+            let skipped = || lines.iter().filter(|line| !line.is_comment);
+            let Some(first) = skipped().next() else { continue };
+            let text = excerpt(first.text);
+            note(
+                notes,
+                match skipped().count() {
+                    1 => format!("line {} skipped: {text}", first.number),
+                    count => format!(
+                        "{count} lines {place} the table skipped, the first of them line {}: {text}",
+                        first.number
+                    ),
+                },
+            );
+        }
+    }
+
+    /// What the lines of a head say of all spectra, where their columns say nothing: the one quantity that is named.
+    fn quantity_of(&self, head: &[Line<'_>]) -> Quantity {
+        let mut found = Quantity::Unknown;
+        for quantity in head.iter().map(|line| Quantity::of(line.text)) {
+            match (quantity, found) {
+                (Quantity::Unknown, _) => {}
+                (_, Quantity::Unknown) => found = quantity,
+                _ if quantity == found => {}
+                // A lamp's irradiance and the reflectance of a standard: it is not said which.
+                _ => return Quantity::Unknown,
+            }
+        }
+        found
+    }
+}
+
+/// The name of a file without folders and ending.
+pub(super) fn stem(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    clean(stem, MAX_NAME)
+}
