@@ -12,6 +12,7 @@ use crate::cpu::geometry::screen::Screen;
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::gouraud::{Lit, VertexLight};
 use crate::cpu::shading::triangle_setup::Projected;
+use crate::cpu::threads;
 use crate::cpu::tile::draw;
 use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
@@ -83,7 +84,7 @@ impl Backend for Renderer {
 impl Renderer {
     /// Both passes. The threads are entered once for both: to be woken up takes longer than a small task.
     fn draw_all(&mut self, frame: &FrameView, bands: Vec<Band>) {
-        in_pool(|| {
+        threads::enter(|| {
             self.project(frame);
             self.draw_bands(frame, bands);
         });
@@ -97,7 +98,7 @@ impl Renderer {
         self.lit.resize(if frame.any_gouraud { vertices } else { 0 }, Lit::default());
         self.lit_mix.resize(if frame.any_mix { vertices } else { 0 }, Lit::default());
         let clusters = geometry.clusters.len();
-        let wanted = threads() * CHUNKS_PER_THREAD;
+        let wanted = threads::count() * CHUNKS_PER_THREAD;
         let size = clusters.div_ceil(wanted).max(8);
         let count = clusters.div_ceil(size);
         self.chunks.resize_with(count, ChunkOutput::default);
@@ -119,7 +120,7 @@ impl Renderer {
             tasks.push((range, own, VertexLight { lit: own_lit, mix: own_mix }, output));
         }
         let level = self.level;
-        for_each(tasks, |(range, screen, lit, output)| {
+        threads::for_each(tasks, |(range, screen, lit, output)| {
             output.solid.reset(frame.camera.width, frame.camera.height);
             output.points.reset(frame.camera.width, frame.camera.height);
             output.blended.reset(frame.camera.width, frame.camera.height);
@@ -130,7 +131,7 @@ impl Renderer {
 
     /// The second pass.
     fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
-        self.tiles.resize_with(threads() + 1, Mutex::default);
+        self.tiles.resize_with(threads::count() + 1, Mutex::default);
         let projected =
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
         let columns = columns(frame.camera.width);
@@ -139,9 +140,9 @@ impl Renderer {
         // From the middle of the picture outwards: there is most to do there, and what comes last should be short.
         let middle = tasks.len() / 2;
         tasks.sort_by_key(|(row, _)| row.abs_diff(middle));
-        for_each(tasks, |(row, mut band)| {
+        threads::for_each(tasks, |(row, mut band)| {
             // No two threads have the same number, so none ever waits here.
-            let own = self.tiles[thread_number().min(self.tiles.len() - 1)].lock();
+            let own = self.tiles[threads::number().min(self.tiles.len() - 1)].lock();
             let mut scratch = own.unwrap_or_else(PoisonError::into_inner);
             let mut column = 0;
             while column < columns {
@@ -222,63 +223,4 @@ fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
             })
         })
         .collect()
-}
-
-#[cfg(feature = "rayon")]
-fn threads() -> usize {
-    rayon::current_num_threads()
-}
-
-#[cfg(not(feature = "rayon"))]
-fn threads() -> usize {
-    1
-}
-
-/// The number of this thread in its pool; one past the last for a thread outside.
-#[cfg(feature = "rayon")]
-fn thread_number() -> usize {
-    rayon::current_thread_index().unwrap_or(usize::MAX)
-}
-
-#[cfg(not(feature = "rayon"))]
-fn thread_number() -> usize {
-    0
-}
-
-/// Runs `work` on a thread of the pool.
-#[cfg(feature = "rayon")]
-fn in_pool(work: impl FnOnce() + Send) {
-    rayon::scope(|_| work());
-}
-
-#[cfg(not(feature = "rayon"))]
-fn in_pool(work: impl FnOnce()) {
-    work();
-}
-
-/// Runs `work` on every task, begun in their order. Each thread takes the next one whenever it is done, so that none
-/// waits for long at the end.
-#[cfg(feature = "rayon")]
-fn for_each<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync + Send) {
-    let workers = threads().min(tasks.len());
-    if workers < 2 {
-        return tasks.into_iter().for_each(work);
-    }
-    let queue = Mutex::new(tasks.into_iter());
-    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-    rayon::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|_| {
-                while let Some(task) = next() {
-                    work(task);
-                }
-            });
-        }
-    });
-}
-
-/// Runs `work` on every task, one after the other.
-#[cfg(not(feature = "rayon"))]
-fn for_each<T>(tasks: Vec<T>, work: impl Fn(T)) {
-    tasks.into_iter().for_each(work);
 }
