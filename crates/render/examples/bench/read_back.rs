@@ -4,8 +4,9 @@ use std::time::Instant;
 
 use glanz_math::SimdLevel;
 use glanz_picture::ToScreen;
-use glanz_render::cpu::Renderer;
-use glanz_render::{Aovs, Backend, Develop, Observation, PrepareOptions, View, develop, prepare};
+use glanz_render::{
+    Aovs, Backend, Develop, DrawOptions, Frame, Observation, PrepareOptions, Prepared, View, develop, prepare,
+};
 use glanz_scene::{ColorMode, Scene, Shading, White};
 
 use super::{FrameBench, HEIGHT, WARM_UP, WIDTH, sphere_scene};
@@ -55,10 +56,12 @@ struct Round {
     bench: FrameBench,
     xyz: FrameBench,
     view: View,
-    prepared: glanz_render::Prepared,
-    prepared_xyz: glanz_render::Prepared,
+    prepared: Prepared,
+    prepared_xyz: Prepared,
     to_screen: ToScreen,
     develop_xyz: Develop,
+    kept: Frame,
+    kept_all: Frame,
 }
 
 impl Round {
@@ -75,17 +78,20 @@ impl Round {
             prepared_xyz: prepare(scene, &options).expect("a sound scene"),
             develop_xyz: Develop { to_screen: to_screen.matrix(), ..Develop::default() },
             to_screen,
+            kept: Frame::default(),
+            kept_all: Frame::default(),
         }
     }
 
     fn time(&mut self) -> [f64; WAYS.len()] {
         let (bench, view, prepared) = (&mut self.bench, &self.view, &self.prepared);
         let options = bench.options;
-        let with_all = glanz_render::DrawOptions { aovs: ALL, ..options };
+        let with_all = DrawOptions { aovs: ALL, ..options };
         let codes = bench.time(prepared, &Develop::default(), view);
-        let kept = f64::NAN;
+        let kept = milliseconds(|| bench.renderer.draw_into(prepared, view, &options, &mut self.kept));
         let new = milliseconds(|| bench.renderer.draw(prepared, view, &options));
-        let kept_all = f64::NAN;
+        let kept_all =
+            milliseconds(|| bench.renderer.draw_into(prepared, view, &with_all, &mut self.kept_all));
         let new_all = milliseconds(|| bench.renderer.draw(prepared, view, &with_all));
         let frame = self.xyz.renderer.draw(&self.prepared_xyz, view, &options);
         let developed = milliseconds(|| develop(&frame, &self.develop_xyz).expect("XYZ"));

@@ -16,7 +16,7 @@ use crate::cpu::threads;
 use crate::cpu::tile::draw;
 use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
-use crate::{Backend, DrawOptions, Prepared, View};
+use crate::{Aovs, Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
@@ -49,12 +49,16 @@ impl Renderer {
 
 impl Backend for Renderer {
     fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
-        let view_frame = FrameView::new(prepared, view, options);
-        let (width, height) = (view.width as usize, view.height as usize);
-        let mut frame = empty_frame(width, height, prepared, options);
-        let bands = plane_bands(&mut frame);
-        self.draw_all(&view_frame, bands);
+        let mut frame = Frame::default();
+        self.draw_into(prepared, view, options, &mut frame);
         frame
+    }
+
+    fn draw_into(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions, out: &mut Frame) {
+        let frame = FrameView::new(prepared, view, options);
+        shape_frame(out, prepared, view, options);
+        let bands = plane_bands(out, ViewBackground::of(&frame).fixed());
+        self.draw_all(&frame, bands);
     }
 
     fn draw_rgba8(
@@ -182,25 +186,32 @@ fn shown(prepared: &Prepared, options: &DrawOptions) -> Channels {
     if options.show.is_light() { prepared.channels.clone() } else { Channels::display() }
 }
 
-fn empty_frame(width: usize, height: usize, prepared: &Prepared, options: &DrawOptions) -> Frame {
-    let count = width * height;
-    let plane = |wanted: bool| vec![0.0f32; if wanted { count } else { 0 }];
-    let layers = options.aovs;
-    Frame {
-        width,
-        height,
-        channels: shown(prepared, options),
-        rgb: core::array::from_fn(|_| plane(true)),
-        more: Vec::new(),
-        alpha: plane(true),
-        depth: plane(layers.depth),
-        normal: core::array::from_fn(|_| plane(layers.normal)),
-        object: vec![0; if layers.object { count } else { 0 }],
+/// Gives a frame its size, its channels and the planes that are asked for, whatever is in them.
+fn shape_frame(frame: &mut Frame, prepared: &Prepared, view: &View, options: &DrawOptions) {
+    let Aovs { depth, normal, object } = options.aovs;
+    (frame.width, frame.height) = (view.width as usize, view.height as usize);
+    frame.channels = shown(prepared, options);
+    frame.more.clear();
+    let count = frame.width * frame.height;
+    let of = |wanted: bool| if wanted { count } else { 0 };
+    frame.rgb.iter_mut().for_each(|plane| shape_plane(plane, count));
+    shape_plane(&mut frame.alpha, count);
+    shape_plane(&mut frame.depth, of(depth));
+    frame.normal.iter_mut().for_each(|plane| shape_plane(plane, of(normal)));
+    shape_plane(&mut frame.object, of(object));
+}
+
+/// Gives a plane its length. A new one comes from the system, whose zeros cost nothing before they are touched, which
+/// is by the threads that draw.
+fn shape_plane<T: Copy + Default>(plane: &mut Vec<T>, count: usize) {
+    match plane.capacity() < count {
+        true => *plane = vec![T::default(); count],
+        false => plane.resize(count, T::default()),
     }
 }
 
-/// The frame's planes, cut into bands.
-fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
+/// The frame's planes, cut into bands; `empty` is the background where it is the same everywhere.
+fn plane_bands(frame: &mut Frame, empty: Option<([f32; 3], f32)>) -> Vec<Band<'_>> {
     fn next<'a, T>(rest: &mut &'a mut [T], length: usize) -> &'a mut [T] {
         let length = length.min(rest.len());
         let (own, others) = core::mem::take(rest).split_at_mut(length);
@@ -220,6 +231,7 @@ fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
                 depth: next(&mut depth, length),
                 normal: normal.each_mut().map(|plane| next(plane, length)),
                 object: next(&mut object, length),
+                empty,
             })
         })
         .collect()
