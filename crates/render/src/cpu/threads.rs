@@ -117,3 +117,22 @@ mod deep {
         });
     }
 }
+
+#[cfg(all(test, feature = "rayon"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn as_many_threads_draw_as_the_callers_pool_has() {
+        let drawing = || {
+            let mut found = 0;
+            enter(|| found = count());
+            found
+        };
+        for threads in [1, 3] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            assert_eq!(pool.install(drawing), threads);
+        }
+        assert_eq!(drawing(), rayon::current_num_threads());
+    }
+}
