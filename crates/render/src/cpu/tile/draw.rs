@@ -40,10 +40,10 @@ pub(crate) fn draw<S: Simd>(
     scratch.see(simd, &tile, place);
     match band {
         Band::Codes(codes) if codes.opaque && tile.is_plain() => {
-            single_sample::shade(simd, &tile, scratch, Some(codes));
+            single_sample::shade::<S, false>(simd, &tile, scratch, Some(codes));
             return 1;
         }
-        _ if frame.samples.len() == 1 => single_sample::shade(simd, &tile, scratch, None),
+        _ if frame.samples.len() == 1 => single_sample::shade::<S, true>(simd, &tile, scratch, None),
         _ if blended => multi_sample::shade_blended(simd, &tile, scratch),
         _ => multi_sample::shade(simd, &tile, scratch),
     }

@@ -17,9 +17,15 @@ use crate::cpu::visibility::coverage_layers::Run;
 use crate::cpu::visibility::visible::Owners;
 use glanz_math::inline::three;
 
-/// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
+/// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels. `PLANES` says
+/// whether distance and normals may be asked for: to keep them takes registers.
 #[inline(always)]
-pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
+pub(crate) fn shade<S: Simd, const PLANES: bool>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    mut codes: Option<&mut Codes>,
+) {
     let background = ViewBackground::of(tile.frame);
     let mut owners = Owners::default();
     // Those of one triangle wait for their like, and so do those of more.
@@ -42,7 +48,7 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
             }
             let mut rgb = [Lanes::splat(simd, 0.0); 3];
             if owners.count > 0 {
-                rgb = colors(simd, tile, scratch, &mut owners, at);
+                rgb = colors::<S, PLANES>(simd, tile, scratch, &mut owners, at);
             }
             let Some(codes) = &mut codes else { return keep(simd, tile, scratch, rgb, owners.bits, at) };
             if owners.count == 0 && codes.put_empty(&tile.slot, at) {
@@ -145,7 +151,7 @@ fn keep<S: Simd>(
 
 /// The colours of a block; where no surface is, any.
 #[inline(always)]
-fn colors<S: Simd>(
+fn colors<S: Simd, const PLANES: bool>(
     simd: S,
     tile: &Tile,
     scratch: &mut TileScratch,
@@ -185,7 +191,7 @@ fn colors<S: Simd>(
     }
     let bare = ShadeBlock::bare(simd, frame, &scratch.setups, object, place);
     let (rgb, normal) = located_colors(&bare, located, value);
-    if tile.keeps_planes() {
+    if PLANES && tile.keeps_planes() {
         let surface = Surface { distance: located.distance, normal, object: number as u32 + 1 };
         scratch.pixels.put_planes(at, &surface, owners.bits);
     }
