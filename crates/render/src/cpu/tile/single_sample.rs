@@ -10,9 +10,8 @@ use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::shade;
 use crate::cpu::shading::shade_block::{Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_batch;
-use crate::cpu::shading::triangle_setup::TriangleSetups;
 use crate::cpu::tile::state::{Tile, TileScratch, keep_planes};
-use crate::cpu::tile::target::{Codes, PairTarget, Surface};
+use crate::cpu::tile::target::{Codes, Surface};
 use crate::cpu::visibility::coverage_layers::Run;
 use crate::cpu::visibility::visible::Owners;
 use glanz_math::inline::three;
@@ -39,12 +38,7 @@ pub(crate) fn shade<S: Simd, const PLANES: bool>(
                 && let Some(block) = ready(tile, scratch, &owners, at)
             {
                 let place = &mut waiting[usize::from(block.count > 1)];
-                let TileScratch { setups, pixels, .. } = &mut *scratch;
-                match &mut codes {
-                    Some(codes) => pair_up(simd, tile, setups, place, block, *codes),
-                    None => pair_up(simd, tile, setups, place, block, pixels),
-                }
-                return;
+                return pair_up(simd, tile, scratch, place, block, &mut codes);
             }
             let mut rgb = [Lanes::splat(simd, 0.0); 3];
             if owners.count > 0 {
@@ -60,12 +54,8 @@ pub(crate) fn shade<S: Simd, const PLANES: bool>(
             codes.put(&tile.slot, at, rgb);
         },
     );
-    let TileScratch { setups, pixels, .. } = scratch;
     for last in waiting.into_iter().flatten() {
-        match &mut codes {
-            Some(codes) => block_pair::shade(simd, tile, setups, &[last; 2], *codes),
-            None => block_pair::shade(simd, tile, setups, &[last; 2], pixels),
-        }
+        shade_pair(simd, tile, scratch, &[last; 2], &mut codes);
     }
 }
 
@@ -74,10 +64,10 @@ pub(crate) fn shade<S: Simd, const PLANES: bool>(
 fn pair_up<S: Simd>(
     simd: S,
     tile: &Tile,
-    setups: &TriangleSetups,
+    scratch: &mut TileScratch,
     place: &mut Option<Ready>,
     block: Ready,
-    target: &mut impl PairTarget,
+    codes: &mut Option<&mut Codes>,
 ) {
     let Some(first) = place.take() else {
         *place = Some(block);
@@ -85,9 +75,25 @@ fn pair_up<S: Simd>(
     };
     let fits = first.object == block.object;
     let second = if fits { block } else { first };
-    block_pair::shade(simd, tile, setups, &[first, second], target);
+    shade_pair(simd, tile, scratch, &[first, second], codes);
     if !fits {
         *place = Some(block);
+    }
+}
+
+/// Shades two blocks of an object: into codes where these are given, else into the tile's pixels.
+#[inline(always)]
+fn shade_pair<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    blocks: &[Ready; 2],
+    codes: &mut Option<&mut Codes>,
+) {
+    let TileScratch { setups, pixels, .. } = scratch;
+    match codes {
+        Some(codes) => block_pair::shade(simd, tile, setups, blocks, *codes),
+        None => block_pair::shade(simd, tile, setups, blocks, pixels),
     }
 }
 
