@@ -32,6 +32,10 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
         steps.run("gold pictures, narrowest path", || golden::compare(workspace, golden::Paths::Narrowest));
         return steps;
     }
+    steps.run("drawing without optimisation", || {
+        run(&mut workspace
+            .cargo("test --quiet --package glanz-render --test stack --config profile.dev.opt-level=0"))
+    });
     steps.run("gold pictures, every path", || golden::compare(workspace, golden::Paths::All));
     steps.run("colours against colour-science", || {
         oracle(workspace, |workspace| {

@@ -1,5 +1,8 @@
 //! The linear picture.
 
+use glanz_math::SimdLevel;
+
+use crate::develop::to_screen_with;
 use crate::{ChannelError, Channels, ToScreen};
 
 /// A drawn picture before development: linear channels of the observer, one plane after the other.
@@ -47,13 +50,8 @@ impl Frame {
     pub fn on_screen(self, to_screen: &ToScreen) -> Result<Self, ChannelError> {
         self.channels.expect(to_screen.from())?;
         let mut frame = self;
-        let [mut x, mut y, mut z] = core::mem::take(&mut frame.rgb);
-        let more = core::mem::take(&mut frame.more);
-        for i in 0..x.len() {
-            let channels = [x[i], y[i], z[i]].into_iter().chain(more.iter().map(|plane| plane[i]));
-            [x[i], y[i], z[i]] = to_screen.apply(channels);
-        }
-        frame.rgb = [x, y, z];
+        to_screen_with(&mut frame, to_screen, SimdLevel::best());
+        frame.more.clear();
         frame.channels = Channels { observer: frame.channels.observer, ..Channels::default() };
         Ok(frame)
     }

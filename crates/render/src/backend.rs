@@ -33,6 +33,12 @@ pub trait Backend: Send {
     /// Draws into a frame of linear channels, three of them.
     fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame;
 
+    /// The same into a frame that was drawn before, whose memory is used again; all that it held is replaced. To get
+    /// fresh memory for a large frame takes as long as to draw it.
+    fn draw_into(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions, frame: &mut Frame) {
+        *frame = self.draw(prepared, view, options);
+    }
+
     /// Draws and develops into 8-bit RGBA: `4·width·height` bytes, rows from the top. The result is that of
     /// [`Backend::draw`] followed by [`develop()`]; a back end may do both at once.
     ///

@@ -34,7 +34,7 @@ pub use glam;
 pub use glanz_picture::{
     Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
 };
-pub use observe::{draw_observed, takes_several_frames};
+pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
     Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
     prepare,

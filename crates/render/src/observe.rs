@@ -30,15 +30,31 @@ pub fn draw_observed(
     options: &DrawOptions,
     step: &mut dyn FnMut(f64),
 ) -> Result<Frame, PrepareError> {
-    let observation = prepared.observation();
-    let mut frame = match observation.mode() {
-        ColorMode::Reference => reference::draw(backend, prepared, view, options, step)?,
-        _ => draw_in_threes(backend, prepared, view, options, step)?,
-    };
+    let mut frame = Frame::default();
+    draw_observed_into(backend, prepared, view, options, &mut frame, step)?;
+    Ok(frame)
+}
+
+/// [`draw_observed`] into a frame that was drawn before, whose memory is used again; all that it held is replaced.
+///
+/// # Errors
+/// As [`draw_observed`]; what the frame then holds is of no use.
+pub fn draw_observed_into(
+    backend: &mut dyn Backend,
+    prepared: &Prepared,
+    view: &View,
+    options: &DrawOptions,
+    frame: &mut Frame,
+    step: &mut dyn FnMut(f64),
+) -> Result<(), PrepareError> {
+    match prepared.observation().mode() {
+        ColorMode::Reference => *frame = reference::draw(backend, prepared, view, options, step)?,
+        _ => draw_in_threes(backend, prepared, view, options, frame, step)?,
+    }
     if options.show.is_light() {
         frame.channels = prepared.all_channels();
     }
-    Ok(frame)
+    Ok(())
 }
 
 fn draw_in_threes(
@@ -46,10 +62,11 @@ fn draw_in_threes(
     prepared: &Prepared,
     view: &View,
     options: &DrawOptions,
+    frame: &mut Frame,
     step: &mut dyn FnMut(f64),
-) -> Result<Frame, PrepareError> {
+) -> Result<(), PrepareError> {
     let count = prepared.observation().channel_count();
-    let mut frame = backend.draw(prepared, view, options);
+    backend.draw_into(prepared, view, options, frame);
     for plane in frame.rgb.iter_mut().skip(count) {
         plane.fill(0.0);
     }
@@ -61,7 +78,7 @@ fn draw_in_threes(
         let planes = backend.draw(&next, view, &bare).rgb;
         frame.more.extend(planes.into_iter().take(count - first));
     }
-    Ok(frame)
+    Ok(())
 }
 
 /// A background that adds no light.

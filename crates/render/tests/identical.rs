@@ -16,7 +16,7 @@ use glanz_math::SimdLevel;
 use glanz_picture::{Meaning, ScreenMatrix};
 use glanz_render::cpu::Renderer;
 use glanz_render::{
-    Backend, DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, Samples, ToneMap, View,
+    Aovs, Backend, DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, Samples, ToneMap, View,
     develop, draw, draw_rgba8, prepare,
 };
 use glanz_scene::{
@@ -191,6 +191,27 @@ fn pictures_developed_while_drawing_are_the_bytes_of_developed_frames() {
             assert_eq!(at, None, "{what}, {settings:?}: byte {at:?} differs");
             assert_eq!(straight.len(), later.len());
         }
+    }
+}
+
+#[test]
+fn planes_beside_colour_change_no_colour_and_kept_memory_no_bit() {
+    let mut renderer = Renderer::new();
+    let mut kept = Frame::default();
+    for (what, scene, options) in variants() {
+        let (prepared, view) = (prepared(&scene), view(&scene));
+        let all = draw(&prepared, &view, &options);
+        // Of another size before, and with other planes.
+        let small = View::new(&scene.camera.unwrap(), WIDTH / 2, HEIGHT).unwrap();
+        let normals = Aovs { normal: true, ..Aovs::default() };
+        renderer.draw_into(&prepared, &small, &DrawOptions { aovs: normals, ..options }, &mut kept);
+        renderer.draw_into(&prepared, &view, &options, &mut kept);
+        assert_eq!(hash(&all), hash(&kept), "{what}: {}", first_difference(&all, &kept));
+        let bare = DrawOptions { aovs: Aovs::default(), ..options };
+        renderer.draw_into(&prepared, &view, &bare, &mut kept);
+        assert!(kept.depth.is_empty() && kept.normal.iter().all(Vec::is_empty) && kept.object.is_empty());
+        let colors = Frame { depth: vec![], normal: Default::default(), object: vec![], ..all };
+        assert_eq!(hash(&colors), hash(&kept), "{what}: {}", first_difference(&colors, &kept));
     }
 }
 

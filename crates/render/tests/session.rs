@@ -192,3 +192,14 @@ fn after_an_error_the_scene_is_what_was_drawn_last() {
         assert_draws(&mut session, &good, name);
     }
 }
+
+#[test]
+fn a_buffer_of_another_length_is_an_error_that_says_which_is_right() {
+    let mut session = Session::new(Scene::new().with_size(8, 6)).unwrap();
+    for found in [0, 4 * 8 * 6 - 1, 4 * 8 * 6 + 4] {
+        let error = session.draw_into(&mut vec![0; found]).unwrap_err();
+        assert_eq!(error, ShotError::Length { width: 8, height: 6, expected: 192, found });
+        assert!(error.to_string().contains("192 bytes"), "{error}");
+    }
+    session.draw_into(&mut [0; 192]).unwrap();
+}

@@ -12,6 +12,7 @@
 mod dither;
 mod encode;
 mod kernel;
+mod on_screen;
 mod pack;
 mod picture;
 mod settings;
@@ -19,6 +20,7 @@ mod to_screen;
 mod tone_map;
 
 pub use kernel::DevelopKernel;
+pub(crate) use on_screen::to_screen_with;
 pub use picture::{develop, develop_with, develop16, develop16_with};
 pub use settings::{Develop, ToneMap};
 pub use to_screen::{ScreenMatrix, ToScreen};

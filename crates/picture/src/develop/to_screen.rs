@@ -51,6 +51,11 @@ impl ToScreen {
         self.from
     }
 
+    /// The linear sRGB of one unit of each channel.
+    pub(super) fn columns(&self) -> &[[f64; 3]] {
+        &self.columns
+    }
+
     /// The matrix for a frame of three channels, of which those that the observer does not have count for
     /// nothing.
     ///

@@ -18,6 +18,7 @@ mod geometry;
 mod lighting;
 mod renderer;
 mod shading;
+mod threads;
 mod tile;
 mod visibility;
 

@@ -12,10 +12,11 @@ use crate::cpu::geometry::screen::Screen;
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::gouraud::{Lit, VertexLight};
 use crate::cpu::shading::triangle_setup::Projected;
+use crate::cpu::threads;
 use crate::cpu::tile::draw;
 use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
-use crate::{Backend, DrawOptions, Prepared, View};
+use crate::{Aovs, Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
@@ -48,12 +49,16 @@ impl Renderer {
 
 impl Backend for Renderer {
     fn draw(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
-        let view_frame = FrameView::new(prepared, view, options);
-        let (width, height) = (view.width as usize, view.height as usize);
-        let mut frame = empty_frame(width, height, prepared, options);
-        let bands = plane_bands(&mut frame);
-        self.draw_all(&view_frame, bands);
+        let mut frame = Frame::default();
+        self.draw_into(prepared, view, options, &mut frame);
         frame
+    }
+
+    fn draw_into(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions, out: &mut Frame) {
+        let frame = FrameView::new(prepared, view, options);
+        shape_frame(out, prepared, view, options);
+        let bands = plane_bands(out, ViewBackground::of(&frame).fixed());
+        self.draw_all(&frame, bands);
     }
 
     fn draw_rgba8(
@@ -83,7 +88,7 @@ impl Backend for Renderer {
 impl Renderer {
     /// Both passes. The threads are entered once for both: to be woken up takes longer than a small task.
     fn draw_all(&mut self, frame: &FrameView, bands: Vec<Band>) {
-        in_pool(|| {
+        threads::enter(|| {
             self.project(frame);
             self.draw_bands(frame, bands);
         });
@@ -97,7 +102,7 @@ impl Renderer {
         self.lit.resize(if frame.any_gouraud { vertices } else { 0 }, Lit::default());
         self.lit_mix.resize(if frame.any_mix { vertices } else { 0 }, Lit::default());
         let clusters = geometry.clusters.len();
-        let wanted = threads() * CHUNKS_PER_THREAD;
+        let wanted = threads::count() * CHUNKS_PER_THREAD;
         let size = clusters.div_ceil(wanted).max(8);
         let count = clusters.div_ceil(size);
         self.chunks.resize_with(count, ChunkOutput::default);
@@ -119,7 +124,7 @@ impl Renderer {
             tasks.push((range, own, VertexLight { lit: own_lit, mix: own_mix }, output));
         }
         let level = self.level;
-        for_each(tasks, |(range, screen, lit, output)| {
+        threads::for_each(tasks, |(range, screen, lit, output)| {
             output.solid.reset(frame.camera.width, frame.camera.height);
             output.points.reset(frame.camera.width, frame.camera.height);
             output.blended.reset(frame.camera.width, frame.camera.height);
@@ -130,7 +135,7 @@ impl Renderer {
 
     /// The second pass.
     fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
-        self.tiles.resize_with(threads() + 1, Mutex::default);
+        self.tiles.resize_with(threads::count() + 1, Mutex::default);
         let projected =
             Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
         let columns = columns(frame.camera.width);
@@ -139,9 +144,9 @@ impl Renderer {
         // From the middle of the picture outwards: there is most to do there, and what comes last should be short.
         let middle = tasks.len() / 2;
         tasks.sort_by_key(|(row, _)| row.abs_diff(middle));
-        for_each(tasks, |(row, mut band)| {
+        threads::for_each(tasks, |(row, mut band)| {
             // No two threads have the same number, so none ever waits here.
-            let own = self.tiles[thread_number().min(self.tiles.len() - 1)].lock();
+            let own = self.tiles[threads::number().min(self.tiles.len() - 1)].lock();
             let mut scratch = own.unwrap_or_else(PoisonError::into_inner);
             let mut column = 0;
             while column < columns {
@@ -181,25 +186,32 @@ fn shown(prepared: &Prepared, options: &DrawOptions) -> Channels {
     if options.show.is_light() { prepared.channels.clone() } else { Channels::display() }
 }
 
-fn empty_frame(width: usize, height: usize, prepared: &Prepared, options: &DrawOptions) -> Frame {
-    let count = width * height;
-    let plane = |wanted: bool| vec![0.0f32; if wanted { count } else { 0 }];
-    let layers = options.aovs;
-    Frame {
-        width,
-        height,
-        channels: shown(prepared, options),
-        rgb: core::array::from_fn(|_| plane(true)),
-        more: Vec::new(),
-        alpha: plane(true),
-        depth: plane(layers.depth),
-        normal: core::array::from_fn(|_| plane(layers.normal)),
-        object: vec![0; if layers.object { count } else { 0 }],
+/// Gives a frame its size, its channels and the planes that are asked for, whatever is in them.
+fn shape_frame(frame: &mut Frame, prepared: &Prepared, view: &View, options: &DrawOptions) {
+    let Aovs { depth, normal, object } = options.aovs;
+    (frame.width, frame.height) = (view.width as usize, view.height as usize);
+    frame.channels = shown(prepared, options);
+    frame.more.clear();
+    let count = frame.width * frame.height;
+    let of = |wanted: bool| if wanted { count } else { 0 };
+    frame.rgb.iter_mut().for_each(|plane| shape_plane(plane, count));
+    shape_plane(&mut frame.alpha, count);
+    shape_plane(&mut frame.depth, of(depth));
+    frame.normal.iter_mut().for_each(|plane| shape_plane(plane, of(normal)));
+    shape_plane(&mut frame.object, of(object));
+}
+
+/// Gives a plane its length. A new one comes from the system, whose zeros cost nothing before they are touched, which
+/// is by the threads that draw.
+fn shape_plane<T: Copy + Default>(plane: &mut Vec<T>, count: usize) {
+    match plane.capacity() < count {
+        true => *plane = vec![T::default(); count],
+        false => plane.resize(count, T::default()),
     }
 }
 
-/// The frame's planes, cut into bands.
-fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
+/// The frame's planes, cut into bands; `empty` is the background where it is the same everywhere.
+fn plane_bands(frame: &mut Frame, empty: Option<([f32; 3], f32)>) -> Vec<Band<'_>> {
     fn next<'a, T>(rest: &mut &'a mut [T], length: usize) -> &'a mut [T] {
         let length = length.min(rest.len());
         let (own, others) = core::mem::take(rest).split_at_mut(length);
@@ -219,66 +231,8 @@ fn plane_bands(frame: &mut Frame) -> Vec<Band<'_>> {
                 depth: next(&mut depth, length),
                 normal: normal.each_mut().map(|plane| next(plane, length)),
                 object: next(&mut object, length),
+                empty,
             })
         })
         .collect()
-}
-
-#[cfg(feature = "rayon")]
-fn threads() -> usize {
-    rayon::current_num_threads()
-}
-
-#[cfg(not(feature = "rayon"))]
-fn threads() -> usize {
-    1
-}
-
-/// The number of this thread in its pool; one past the last for a thread outside.
-#[cfg(feature = "rayon")]
-fn thread_number() -> usize {
-    rayon::current_thread_index().unwrap_or(usize::MAX)
-}
-
-#[cfg(not(feature = "rayon"))]
-fn thread_number() -> usize {
-    0
-}
-
-/// Runs `work` on a thread of the pool.
-#[cfg(feature = "rayon")]
-fn in_pool(work: impl FnOnce() + Send) {
-    rayon::scope(|_| work());
-}
-
-#[cfg(not(feature = "rayon"))]
-fn in_pool(work: impl FnOnce()) {
-    work();
-}
-
-/// Runs `work` on every task, begun in their order. Each thread takes the next one whenever it is done, so that none
-/// waits for long at the end.
-#[cfg(feature = "rayon")]
-fn for_each<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync + Send) {
-    let workers = threads().min(tasks.len());
-    if workers < 2 {
-        return tasks.into_iter().for_each(work);
-    }
-    let queue = Mutex::new(tasks.into_iter());
-    let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-    rayon::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(|_| {
-                while let Some(task) = next() {
-                    work(task);
-                }
-            });
-        }
-    });
-}
-
-/// Runs `work` on every task, one after the other.
-#[cfg(not(feature = "rayon"))]
-fn for_each<T>(tasks: Vec<T>, work: impl Fn(T)) {
-    tasks.into_iter().for_each(work);
 }

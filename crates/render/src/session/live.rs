@@ -268,10 +268,7 @@ impl Session {
     /// Draws into a buffer of `4·width·height` bytes: 8-bit sRGB by rows from the top.
     ///
     /// # Errors
-    /// As [`Session::update`].
-    ///
-    /// # Panics
-    /// If the buffer has another length.
+    /// As [`Session::update`], and [`ShotError::Length`] if the buffer has another length.
     pub fn draw_into(&mut self, rgba: &mut [u8]) -> Result<(), ShotError> {
         self.update()?;
         self.shot.draw_into(rgba)
@@ -301,6 +298,30 @@ impl Session {
     pub fn frame_with(&mut self, aovs: Aovs) -> Result<Frame, ShotError> {
         self.update()?;
         self.shot.frame_in_steps(aovs, &mut |_| ())
+    }
+
+    /// The same into a frame that was drawn before, whose memory is used again; all that it held is replaced.
+    ///
+    /// ```
+    /// use glanz_render::{Aovs, Frame, Session};
+    /// use glanz_scene::{Camera, Mesh, Scene, library};
+    ///
+    /// let scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(32, 24);
+    /// let mut session = Session::new(scene)?;
+    /// let mut frame = Frame::default();
+    /// for step in 0..3 {
+    ///     session.set_camera(Camera::new([f64::from(step), 0.0, 5.0], [0.0; 3]));
+    ///     session.frame_into(Aovs { depth: true, ..Aovs::default() }, &mut frame)?;
+    ///     assert_eq!(frame.depth.len(), 32 * 24);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Session::update`]; what the frame then holds is of no use.
+    pub fn frame_into(&mut self, aovs: Aovs, frame: &mut Frame) -> Result<(), ShotError> {
+        self.update()?;
+        self.shot.frame_into(aovs, frame)
     }
 
     /// Draws the picture into a file; see [`Shot::save`].

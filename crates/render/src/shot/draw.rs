@@ -8,7 +8,7 @@ use super::{ShotError, ShotOptions, Sight};
 use crate::cpu::Renderer;
 use crate::prepare::{Change, Prepared, prepare};
 use crate::view::{Aovs, DrawOptions, View};
-use crate::{Backend, draw_observed, takes_several_frames};
+use crate::{Backend, draw_observed, draw_observed_into, takes_several_frames};
 
 /// A picture of a scene: honours all that the scene says.
 ///
@@ -141,6 +141,16 @@ impl Shot {
         Ok(draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?)
     }
 
+    /// The same into a frame that was drawn before, whose memory is used again; all that it held is replaced.
+    ///
+    /// # Errors
+    /// As [`Shot::frame`]; what the frame then holds is of no use.
+    pub fn frame_into(&mut self, aovs: Aovs, frame: &mut Frame) -> Result<(), ShotError> {
+        let options = DrawOptions { aovs, ..self.sight.draw };
+        let (backend, prepared) = (&mut *self.backend, &self.prepared);
+        Ok(draw_observed_into(backend, prepared, &self.sight.view, &options, frame, &mut |_| ())?)
+    }
+
     /// The picture as 8-bit sRGB, 4 bytes per pixel by rows from the top.
     ///
     /// # Errors
@@ -159,15 +169,13 @@ impl Shot {
     /// all there are.
     ///
     /// # Errors
-    /// As [`Shot::frame`].
-    ///
-    /// # Panics
-    /// If the buffer has another length.
+    /// As [`Shot::frame`], and [`ShotError::Length`] if the buffer has another length.
     pub fn draw_into(&mut self, rgba: &mut [u8]) -> Result<(), ShotError> {
         self.draw_into_in_steps(rgba, &mut |_| ())
     }
 
     pub(crate) fn draw_into_in_steps(&mut self, rgba: &mut [u8], step: Step) -> Result<(), ShotError> {
+        self.check_length(rgba.len())?;
         if takes_several_frames(&self.prepared) {
             let frame = self.frame_in_steps(Aovs::default(), step)?;
             rgba.copy_from_slice(&self.codes8(frame)?);
@@ -176,6 +184,15 @@ impl Shot {
         let Sight { view, draw, develop, .. } = &self.sight;
         self.backend.draw_rgba8(&self.prepared, view, draw, develop, rgba)?;
         Ok(())
+    }
+
+    fn check_length(&self, found: usize) -> Result<(), ShotError> {
+        let View { width, height, .. } = self.sight.view;
+        let expected = 4 * width as usize * height as usize;
+        match found == expected {
+            true => Ok(()),
+            false => Err(ShotError::Length { width, height, expected, found }),
+        }
     }
 
     /// The frame as 8-bit sRGB.

@@ -26,6 +26,20 @@ pub enum ShotError {
     /// A frame is not what its development is for.
     #[error(transparent)]
     Channels(#[from] ChannelError),
+    /// A buffer does not have 4 bytes for each pixel.
+    #[error(
+        "a picture of {width}×{height} pixels takes a buffer of {expected} bytes, 4 for each pixel, but it has {found}"
+    )]
+    Length {
+        /// Width of the picture in pixels.
+        width: u32,
+        /// Height of the picture in pixels.
+        height: u32,
+        /// The length that is right.
+        expected: usize,
+        /// The buffer's.
+        found: usize,
+    },
     /// Spectra were asked for where there are none.
     #[error(
         "a spectrum for each pixel needs spectra of light, but the colour mode is '{mode}'; choose 'spectral'"

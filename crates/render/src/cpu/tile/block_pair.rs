@@ -17,7 +17,7 @@ use crate::cpu::lighting::point::unit;
 use crate::cpu::shading::surface::{interpolated, place};
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetups};
 use crate::cpu::tile::state::Tile;
-use crate::cpu::tile::target::Codes;
+use crate::cpu::tile::target::{PairTarget, Surface};
 use crate::cpu::visibility::coverage_layers::Run;
 use glanz_math::inline::three;
 use glanz_math::inline::{inlined, nine};
@@ -58,22 +58,22 @@ pub(crate) fn shade<S: Simd>(
     tile: &Tile,
     setups: &TriangleSetups,
     blocks: &[Ready; 2],
-    codes: &mut Codes,
+    target: &mut impl PairTarget,
 ) {
     match blocks.iter().all(|block| block.count == 1) {
-        true => shade_here::<S, true>(simd, tile, setups, blocks, codes),
-        false => shade_here::<S, false>(simd, tile, setups, blocks, codes),
+        true => shade_here::<S, _, true>(simd, tile, setups, blocks, target),
+        false => shade_here::<S, _, false>(simd, tile, setups, blocks, target),
     }
 }
 
 /// [`shade`] of blocks that show one triangle each, or of any. A function of its own, so that it is there but once.
 #[inline(never)]
-fn shade_here<S: Simd, const WHOLE: bool>(
+fn shade_here<S: Simd, T: PairTarget, const WHOLE: bool>(
     simd: S,
     tile: &Tile,
     setups: &TriangleSetups,
     blocks: &[Ready; 2],
-    codes: &mut Codes,
+    target: &mut T,
 ) {
     let object = &tile.frame.objects[blocks[0].object];
     let Some(material) = &tile.frame.loops[object.material] else { return };
@@ -88,27 +88,31 @@ fn shade_here<S: Simd, const WHOLE: bool>(
                     false => gather(simd, setups, blocks, part),
                 },
             );
-            let rgb = colors(tile.frame, (object, material), [rows(0), rows(1)], [px, py]);
-            codes.put_two(&tile.slot, [blocks[0].at, blocks[1].at], rgb);
+            let (rgb, distance, normal) =
+                colors(tile.frame, (object, material), [rows(0), rows(1)], [px, py]);
+            let surface = Surface { distance, normal, object: blocks[0].object as u32 + 1 };
+            target.put_pair(&tile.slot, [blocks[0].at, blocks[1].at], rgb, &surface);
         },
     );
 }
 
-/// The colours of pixels from the rows of their place, and of what is interpolated.
+/// Colours, distances and normals of pixels from the rows of their place, and of what is interpolated.
 #[inline(always)]
 fn colors<R: Real>(
     frame: &FrameView,
     (object, material): (&ObjectView, &MatteHighlight),
     [position, attribute]: [[R; GROUP]; 2],
     [px, py]: [R; 2],
-) -> [R; 3] {
+) -> ([R; 3], R, Vec3<R>) {
     let [u, v, distance] = place(frame, object, &position, px, py);
     let value = interpolated(&attribute, u, v);
     let mut rgb = value;
+    let mut normal = Vec3::new(px.zero(), px.zero(), px.zero());
     if object.shading == Shading::Phong {
         let (position, wo) = frame.camera.unproject(px, py, distance);
         let [x, y, z] = value;
-        let light = material.reflect(&ShadingPoint::plain(position, unit(Vec3::new(x, y, z)), wo));
+        normal = unit(Vec3::new(x, y, z));
+        let light = material.reflect(&ShadingPoint::plain(position, normal, wo));
         rgb = three(
             [0, 1, 2],
             #[inline(always)]
@@ -116,11 +120,12 @@ fn colors<R: Real>(
         );
     }
     let emission = frame.materials[object.material].emission;
-    three(
+    let rgb = three(
         [0, 1, 2],
         #[inline(always)]
         |c| rgb[c] + px.lit(f64::from(emission[c])),
-    )
+    );
+    (rgb, distance, normal)
 }
 
 /// Picture coordinates of the pixels' centres.

@@ -10,6 +10,7 @@ use crate::cpu::shading::triangle_setup::Projected;
 use crate::cpu::tile::state::{Tile, TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Slot};
 use crate::cpu::tile::{multi_sample, single_sample};
+use crate::view::Aovs;
 
 /// Draws a tile into its band, or as many as there are in a row in which nothing is; gives their number.
 #[inline(always)]
@@ -25,7 +26,7 @@ pub(crate) fn draw<S: Simd>(
     let [left, top] = grid.origin;
     let mut slot = Slot { stride: frame.camera.width, left, top, size: grid.size };
     let behind = (&ViewBackground::of(frame), &grid);
-    scratch.pixels.clear();
+    scratch.pixels.clear(frame.options.aovs != Aovs::default());
     if projected.is_empty(place) {
         let right = (place.column + 1..columns(frame.camera.width))
             .find(|&column| !band.fills_empty() || !projected.is_empty(TilePlace { column, ..place }));
@@ -39,10 +40,10 @@ pub(crate) fn draw<S: Simd>(
     scratch.see(simd, &tile, place);
     match band {
         Band::Codes(codes) if codes.opaque && tile.is_plain() => {
-            single_sample::shade(simd, &tile, scratch, Some(codes));
+            single_sample::shade::<S, false>(simd, &tile, scratch, Some(codes));
             return 1;
         }
-        _ if frame.samples.len() == 1 => single_sample::shade(simd, &tile, scratch, None),
+        _ if frame.samples.len() == 1 => single_sample::shade::<S, true>(simd, &tile, scratch, None),
         _ if blended => multi_sample::shade_blended(simd, &tile, scratch),
         _ => multi_sample::shade(simd, &tile, scratch),
     }

@@ -1,7 +1,7 @@
 //! One sample per pixel: each pixel of a block is what its triangle is, or background.
 
 use fearless_simd::Simd;
-use glanz_math::Lanes;
+use glanz_math::{Lanes, Vec3};
 
 use super::block_pair::{self, MOST, Ready};
 use crate::cpu::block::{self, BLOCK};
@@ -11,14 +11,20 @@ use crate::cpu::shading::shade;
 use crate::cpu::shading::shade_block::{Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_batch;
 use crate::cpu::tile::state::{Tile, TileScratch, keep_planes};
-use crate::cpu::tile::target::Codes;
+use crate::cpu::tile::target::{Codes, Surface};
 use crate::cpu::visibility::coverage_layers::Run;
 use crate::cpu::visibility::visible::Owners;
 use glanz_math::inline::three;
 
-/// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels.
+/// Shades all blocks of a tile: straight into codes where these are given, else into the tile's pixels. `PLANES` says
+/// whether distance and normals may be asked for: to keep them takes registers.
 #[inline(always)]
-pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mut codes: Option<&mut Codes>) {
+pub(crate) fn shade<S: Simd, const PLANES: bool>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    mut codes: Option<&mut Codes>,
+) {
     let background = ViewBackground::of(tile.frame);
     let mut owners = Owners::default();
     // Those of one triangle wait for their like, and so do those of more.
@@ -27,16 +33,16 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
         #[inline(always)]
         |at| {
             scratch.visible.owners(simd, at, triangle_batch::enough(&scratch.visible, at), &mut owners);
-            if let (true, Some(codes)) = (block_pair::pays(simd), &mut codes)
+            if block_pair::pays(simd)
+                && !tile.blended
                 && let Some(block) = ready(tile, scratch, &owners, at)
             {
                 let place = &mut waiting[usize::from(block.count > 1)];
-                pair_up(simd, tile, scratch, place, block, codes);
-                return;
+                return pair_up(simd, tile, scratch, place, block, &mut codes);
             }
             let mut rgb = [Lanes::splat(simd, 0.0); 3];
             if owners.count > 0 {
-                rgb = colors(simd, tile, scratch, &mut owners, at);
+                rgb = colors::<S, PLANES>(simd, tile, scratch, &mut owners, at);
             }
             let Some(codes) = &mut codes else { return keep(simd, tile, scratch, rgb, owners.bits, at) };
             if owners.count == 0 && codes.put_empty(&tile.slot, at) {
@@ -48,10 +54,8 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
             codes.put(&tile.slot, at, rgb);
         },
     );
-    if let Some(codes) = codes {
-        for last in waiting.into_iter().flatten() {
-            block_pair::shade(simd, tile, &scratch.setups, &[last; 2], codes);
-        }
+    for last in waiting.into_iter().flatten() {
+        shade_pair(simd, tile, scratch, &[last; 2], &mut codes);
     }
 }
 
@@ -60,10 +64,10 @@ pub(crate) fn shade<S: Simd>(simd: S, tile: &Tile, scratch: &mut TileScratch, mu
 fn pair_up<S: Simd>(
     simd: S,
     tile: &Tile,
-    scratch: &TileScratch,
+    scratch: &mut TileScratch,
     place: &mut Option<Ready>,
     block: Ready,
-    codes: &mut Codes,
+    codes: &mut Option<&mut Codes>,
 ) {
     let Some(first) = place.take() else {
         *place = Some(block);
@@ -71,9 +75,25 @@ fn pair_up<S: Simd>(
     };
     let fits = first.object == block.object;
     let second = if fits { block } else { first };
-    block_pair::shade(simd, tile, &scratch.setups, &[first, second], codes);
+    shade_pair(simd, tile, scratch, &[first, second], codes);
     if !fits {
         *place = Some(block);
+    }
+}
+
+/// Shades two blocks of an object: into codes where these are given, else into the tile's pixels.
+#[inline(always)]
+fn shade_pair<S: Simd>(
+    simd: S,
+    tile: &Tile,
+    scratch: &mut TileScratch,
+    blocks: &[Ready; 2],
+    codes: &mut Option<&mut Codes>,
+) {
+    let TileScratch { setups, pixels, .. } = scratch;
+    match codes {
+        Some(codes) => block_pair::shade(simd, tile, setups, blocks, *codes),
+        None => block_pair::shade(simd, tile, setups, blocks, pixels),
     }
 }
 
@@ -114,7 +134,9 @@ fn keep<S: Simd>(
     if covered == 0 && !tile.blended {
         return;
     }
-    scratch.pixels.touch(simd, &background, &tile.grid, at);
+    if covered == 0 {
+        scratch.pixels.touch(simd, &background, &tile.grid, at);
+    }
     let (mut rgb, mut alpha) = background.behind(simd, rgb, covered, (&tile.grid, at));
     if tile.blended {
         let transmittance = three(
@@ -135,7 +157,7 @@ fn keep<S: Simd>(
 
 /// The colours of a block; where no surface is, any.
 #[inline(always)]
-fn colors<S: Simd>(
+fn colors<S: Simd, const PLANES: bool>(
     simd: S,
     tile: &Tile,
     scratch: &mut TileScratch,
@@ -146,7 +168,7 @@ fn colors<S: Simd>(
     let place = block::coordinates(simd, &tile.grid, at, [0.5, 0.5]);
     let number = scratch.visible.object(frame, owners.runs[0].setup);
     let object = &frame.objects[number];
-    let simple = object.simple && !tile.keeps_planes();
+    let simple = object.simple;
     let (located, value);
     let batched = simple
         && triangle_batch::pays(owners)
@@ -173,50 +195,58 @@ fn colors<S: Simd>(
             _ => shade_block.locate(&[shade_block.gather(0), shade_block.gather(1)]),
         };
     }
-    located_colors(&ShadeBlock::bare(simd, frame, &scratch.setups, object, place), located, value)
+    let bare = ShadeBlock::bare(simd, frame, &scratch.setups, object, place);
+    let (rgb, normal) = located_colors(&bare, located, value);
+    if PLANES && tile.keeps_planes() {
+        let surface = Surface { distance: located.distance, normal, object: number as u32 + 1 };
+        scratch.pixels.put_planes(at, &surface, owners.bits);
+    }
+    rgb
 }
 
-/// The colours of a simple object whose pixels are located and have their first attribute group.
+/// Colours and normals of a simple object whose pixels are located and have their first attribute group.
 #[inline(always)]
 fn located_colors<S: Simd>(
     shade_block: &ShadeBlock<S>,
     located: Place<S>,
     value: [Lanes<S>; 3],
-) -> [Lanes<S>; 3] {
+) -> ([Lanes<S>; 3], Vec3<Lanes<S>>) {
     let ShadeBlock { frame, object, .. } = *shade_block;
     let Some(classic) = &frame.loops[object.material] else {
-        // A variable of its own: what a call writes to lives in memory, for all that it is merged with.
-        let mut own = value;
-        simple_colors(shade_block, located, &mut own);
-        return [own[0], own[1], own[2]];
+        // Variables of their own: what a call writes to lives in memory, for all that it is merged with.
+        let (mut own, mut normal) = (value, Vec3::new(value[0], value[1], value[2]));
+        simple_colors(shade_block, located, &mut own, &mut normal);
+        return ([own[0], own[1], own[2]], Vec3::new(normal.x, normal.y, normal.z));
     };
-    shade_block
-        .simple(
-            &frame.materials[object.material],
-            &located,
-            value,
-            #[inline(always)]
-            |point| classic.reflect(point),
-        )
-        .0
+    shade_block.simple(
+        &frame.materials[object.material],
+        &located,
+        value,
+        #[inline(always)]
+        |point| classic.reflect(point),
+    )
 }
 
 /// [`ShadeBlock::simple`] for any material; `value` becomes the colours.
 #[inline(never)]
-fn simple_colors<S: Simd>(shade_block: &ShadeBlock<S>, place: Place<S>, value: &mut [Lanes<S>; 3]) {
+fn simple_colors<S: Simd>(
+    shade_block: &ShadeBlock<S>,
+    place: Place<S>,
+    value: &mut [Lanes<S>; 3],
+    normal: &mut Vec3<Lanes<S>>,
+) {
     let ShadeBlock { simd, frame, object, .. } = *shade_block;
     let material = &frame.materials[object.material];
     simd.vectorize(
         #[inline(always)]
         || {
-            let lit = shade_block.simple(
+            (*value, *normal) = shade_block.simple(
                 material,
                 &place,
                 *value,
                 #[inline(always)]
                 |point| reflect_lanes(simd, &frame.lights, material, point, None),
             );
-            *value = lit.0;
         },
     );
 }

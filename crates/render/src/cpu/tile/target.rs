@@ -1,7 +1,7 @@
 //! Where finished blocks go.
 
-use fearless_simd::Simd;
-use glanz_math::{Lanes, SimdLevel, Twice};
+use fearless_simd::{Select, Simd, SimdBase, u32x16};
+use glanz_math::{Lanes, LanesMask, Real, SimdLevel, Twice, Vec3};
 
 use crate::Develop;
 use crate::cpu::block::Grid;
@@ -22,6 +22,8 @@ pub(crate) struct TilePixels {
     pub distance: Vec<f32>,
     pub normal: [Vec<f32>; 3],
     pub object: Vec<u32>,
+    /// Whether distance, normals and objects are asked for; else they hold anything.
+    keeps_planes: bool,
     touched: [bool; TILE_PIXELS / BLOCK],
 }
 
@@ -33,14 +35,16 @@ impl Default for TilePixels {
             distance: vec![f32::INFINITY; TILE_PIXELS],
             normal: core::array::from_fn(|_| vec![0.0; TILE_PIXELS]),
             object: vec![0; TILE_PIXELS],
+            keeps_planes: false,
             touched: [false; TILE_PIXELS / BLOCK],
         }
     }
 }
 
 impl TilePixels {
-    /// Forgets everything.
-    pub(crate) fn clear(&mut self) {
+    /// Forgets everything; from now on with planes beside colour and coverage, or without.
+    pub(crate) fn clear(&mut self, keeps_planes: bool) {
+        self.keeps_planes = keeps_planes;
         self.touched = [false; TILE_PIXELS / BLOCK];
     }
 
@@ -55,6 +59,9 @@ impl TilePixels {
         let range = block * BLOCK..(block + 1) * BLOCK;
         let (color, alpha) = background.block(simd, grid, block * BLOCK);
         self.put(block * BLOCK, color, alpha);
+        if !self.keeps_planes {
+            return;
+        }
         self.distance[range.clone()].fill(f32::INFINITY);
         for plane in &mut self.normal {
             plane[range.clone()].fill(0.0);
@@ -79,12 +86,89 @@ impl TilePixels {
         store(&mut self.alpha, alpha);
     }
 
+    /// Writes distance, normal and object of a whole block, where its pixels are covered by this one object.
+    #[inline(always)]
+    pub(crate) fn put_planes<S: Simd>(&mut self, place: usize, surface: &Surface<Lanes<S>>, covered: u32) {
+        let simd = surface.distance.0.simd;
+        let [zero, far] = [Lanes::splat(simd, 0.0), Lanes::splat(simd, f32::INFINITY)];
+        let seen = surface.distance.lt(far) & LanesMask::from_bits(simd, covered);
+        let store = inlined(
+            #[inline(always)]
+            |plane: &mut [f32], value: Lanes<S>| {
+                value.store(plane[place..].first_chunk_mut().expect("tiles are whole blocks"));
+            },
+        );
+        self.touched[place / BLOCK] = true;
+        store(&mut self.distance, surface.distance.select(seen, far));
+        let [nx, ny, nz] = &mut self.normal;
+        store(nx, surface.normal.x.select(seen, zero));
+        store(ny, surface.normal.y.select(seen, zero));
+        store(nz, surface.normal.z.select(seen, zero));
+        let numbers: u32x16<S> = seen.0.select(simd.splat_u32x16(surface.object), simd.splat_u32x16(0));
+        numbers.store_slice(&mut self.object[place..place + BLOCK]);
+    }
+
     #[inline(always)]
     fn touch_all<S: Simd>(&mut self, simd: S, background: &ViewBackground, grid: &Grid) {
         (0..TILE_PIXELS).step_by(BLOCK).for_each(
             #[inline(always)]
             |place| self.touch(simd, background, grid, place),
         );
+    }
+}
+
+/// What a frame's planes hold of a surface beside its colour.
+pub(crate) struct Surface<R> {
+    pub distance: R,
+    pub normal: Vec3<R>,
+    /// 1 + the number of the object.
+    pub object: u32,
+}
+
+/// Takes two blocks of opaque pixels that were shaded in step.
+pub(crate) trait PairTarget {
+    /// Takes both, each of which belongs to one of the places.
+    fn put_pair<S: Simd>(
+        &mut self,
+        slot: &Slot,
+        places: [usize; 2],
+        rgb: [Twice<Lanes<S>>; 3],
+        surface: &Surface<Twice<Lanes<S>>>,
+    );
+}
+
+impl PairTarget for TilePixels {
+    #[inline(always)]
+    fn put_pair<S: Simd>(
+        &mut self,
+        _: &Slot,
+        places: [usize; 2],
+        [r, g, b]: [Twice<Lanes<S>>; 3],
+        surface: &Surface<Twice<Lanes<S>>>,
+    ) {
+        let one = r.0.one();
+        self.put(places[0], [r.0, g.0, b.0], one);
+        self.put(places[1], [r.1, g.1, b.1], one);
+        if self.keeps_planes {
+            let Surface { distance, normal: Vec3 { x, y, z }, object } = *surface;
+            let first = Surface { distance: distance.0, normal: Vec3::new(x.0, y.0, z.0), object };
+            self.put_planes(places[0], &first, 0xffff);
+            let second = Surface { distance: distance.1, normal: Vec3::new(x.1, y.1, z.1), object };
+            self.put_planes(places[1], &second, 0xffff);
+        }
+    }
+}
+
+impl PairTarget for Codes<'_> {
+    #[inline(always)]
+    fn put_pair<S: Simd>(
+        &mut self,
+        slot: &Slot,
+        places: [usize; 2],
+        rgb: [Twice<Lanes<S>>; 3],
+        _: &Surface<Twice<Lanes<S>>>,
+    ) {
+        self.put_two(slot, places, rgb);
     }
 }
 
@@ -114,6 +198,8 @@ pub(crate) struct PlaneBand<'a> {
     pub depth: &'a mut [f32],
     pub normal: [&'a mut [f32]; 3],
     pub object: &'a mut [u32],
+    /// Colour and coverage of the background; none where an environment makes each pixel another.
+    pub empty: Option<([f32; 3], f32)>,
 }
 
 /// A tile's place in its band.
@@ -167,7 +253,10 @@ impl Band<'_> {
     /// Whether what is empty is the same everywhere, so that any number of tiles is written at once: a row of the
     /// picture after the other rather than of a tile, which is several times as fast.
     pub(crate) fn fills_empty(&self) -> bool {
-        matches!(self, Band::Codes(Codes { empty: Some(_), .. }))
+        match self {
+            Band::Codes(codes) => codes.empty.is_some(),
+            Band::Planes(planes) => planes.empty.is_some(),
+        }
     }
 
     /// Writes a tile in which nothing is; several side by side where [`Self::fills_empty`].
@@ -179,15 +268,17 @@ impl Band<'_> {
         slot: Slot,
         behind: (&ViewBackground, &Grid),
     ) {
-        if let Band::Codes(Codes { out, empty: Some(empty), .. }) = self {
-            for row in 0..slot.size[1] {
-                let start = 4 * (row * slot.stride + slot.left);
-                let (whole, rest) = out[start..start + 4 * slot.size[0]].as_chunks_mut();
-                whole.fill(*empty);
-                rest.copy_from_slice(&empty[..rest.len()]);
+        match self {
+            Band::Codes(Codes { out, empty: Some(empty), .. }) => {
+                for row in 0..slot.size[1] {
+                    let start = 4 * (row * slot.stride + slot.left);
+                    let (whole, rest) = out[start..start + 4 * slot.size[0]].as_chunks_mut();
+                    whole.fill(*empty);
+                    rest.copy_from_slice(&empty[..rest.len()]);
+                }
             }
-        } else {
-            self.write(simd, pixels, slot, behind);
+            Band::Planes(planes) if planes.empty.is_some() => planes.fill(&slot),
+            _ => self.write(simd, pixels, slot, behind),
         }
     }
 }
@@ -307,6 +398,31 @@ impl PlaneBand<'_> {
         }
         copy(self.object, &pixels.object, slot);
     }
+
+    /// Fills a rectangle with the background.
+    fn fill(&mut self, slot: &Slot) {
+        let Some((color, alpha)) = self.empty else { return };
+        for (plane, value) in self.rgb.iter_mut().zip(color) {
+            fill(plane, value, slot);
+        }
+        fill(self.alpha, alpha, slot);
+        fill(self.depth, f32::INFINITY, slot);
+        for plane in &mut self.normal {
+            fill(plane, 0.0, slot);
+        }
+        fill(self.object, 0, slot);
+    }
+}
+
+/// Fills a rectangle of a plane; does nothing where the plane was not asked for.
+fn fill<T: Copy>(out: &mut [T], value: T, slot: &Slot) {
+    if out.is_empty() {
+        return;
+    }
+    for row in 0..slot.size[1] {
+        let start = row * slot.stride + slot.left;
+        out[start..start + slot.size[0]].fill(value);
+    }
 }
 
 /// Copies a tile's plane to its place; does nothing where the plane was not asked for.
@@ -317,9 +433,13 @@ fn copy<T: Copy>(out: &mut [T], tile: &[T], slot: Slot) {
     for row in 0..slot.size[1] {
         let start = row * slot.stride + slot.left;
         let blocks = &tile[block::place(0, row / SIDE)..][..TILE_WIDTH * SIDE];
-        let rows = blocks.chunks(BLOCK).map(|block| &block[row % SIDE * SIDE..][..SIDE]);
-        for (out, four) in out[start..start + slot.size[0]].chunks_mut(SIDE).zip(rows) {
-            out.copy_from_slice(&four[..out.len()]);
+        let mut rows =
+            blocks.as_chunks::<BLOCK>().0.iter().map(|block| &block.as_chunks::<SIDE>().0[row % SIDE]);
+        // Four values are one move of the processor as long as their number is known to the compiler.
+        let (whole, rest) = out[start..start + slot.size[0]].as_chunks_mut::<SIDE>();
+        whole.iter_mut().zip(&mut rows).for_each(|(out, four)| *out = *four);
+        if let Some(four) = rows.next() {
+            rest.copy_from_slice(&four[..rest.len()]);
         }
     }
 }

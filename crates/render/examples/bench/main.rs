@@ -5,6 +5,8 @@
 
 #![expect(clippy::print_stdout, reason = "its output is its purpose")]
 
+mod read_back;
+
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
@@ -100,6 +102,9 @@ fn main() {
     spheres(&options);
     if only.is_empty() || only == "paired" {
         pairs(&options);
+    }
+    if only.is_empty() || only == "read back" {
+        read_back::read_back(options.frames.unwrap_or(if *quick { 40 } else { 200 }), *level);
     }
     if only.is_empty() || only == "tables" {
         tables(if *quick { 20 } else { 100 });
