@@ -5,6 +5,7 @@
 mod bench;
 mod data;
 mod failure;
+mod features;
 mod gallery;
 mod golden;
 mod library_examples;
