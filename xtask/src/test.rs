@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, Workspace, run, works};
-use crate::{Result, data, features, gallery, golden, library_examples, reference, tour, wasm};
+use crate::{Result, data, features, gallery, golden, library_examples, packages, reference, tour, wasm};
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,9 +64,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             .cargo("doc --workspace --all-features --no-deps --quiet")
             .env("RUSTDOCFLAGS", "-D warnings"))
     });
-    steps.run("packages", || {
-        run(&mut workspace.cargo("package --workspace --exclude xtask --no-verify --allow-dirty --quiet"))
-    });
+    steps.run("packages", || packages::check(workspace));
     steps.run("features", || features::check(workspace));
     steps.run("libraries without threads", || features::check_serial(workspace));
     steps.run("libraries for wasm32", || wasm::check(workspace));
