@@ -45,7 +45,8 @@ mod pixels;
 #[cfg(feature = "exr")]
 mod planes;
 mod read;
-#[cfg(all(test, feature = "exr"))]
+#[cfg(test)]
+#[cfg(feature = "exr")]
 pub(crate) mod tests;
 mod write;
 
