@@ -58,7 +58,7 @@ fn an_environment_of_openexr_is_read_or_the_feature_is_named() {
     let error = glanz::load(&scene).expect_err("the file ends after its first bytes").to_string();
     std::fs::remove_dir_all(&folder).expect("removed");
     let expected = match Format::Exr.check_feature() {
-        Ok(()) => "expected a complete OpenEXR file".to_owned(),
+        Ok(()) => "expected an OpenEXR picture of scan lines or tiles".to_owned(),
         Err(_) => off("OpenEXR", "exr"),
     };
     assert!(error.contains(&expected), "{error}");
