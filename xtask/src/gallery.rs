@@ -6,9 +6,15 @@ use crate::picture::Picture;
 use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
-/// The README's picture, its scene and the options that it is drawn with.
-const README_PICTURE: (&str, &str, &[&str]) =
-    ("docs/picture.png", "examples/teapot.toml", &["--size", "960x540", "--samples", "16"]);
+/// The README's pictures, and the commands that draw them.
+const README_PICTURES: [(&str, &str); 3] = [
+    ("docs/picture.png", "render examples/teapot.toml --size 960x540 --samples 16"),
+    ("docs/metals.png", "sheet cook-torrance --vary ior=Au,Cu,Al --vary m=0.1:0.6:6 --size 100x100"),
+    (
+        "docs/lights.png",
+        "relight examples/fluorescence.toml --light A --light D65 --light UV365 --size 300x205",
+    ),
+];
 
 /// Draws every example small and checks that each shows something.
 pub(crate) fn try_examples(workspace: &Workspace) -> Result<()> {
@@ -25,7 +31,7 @@ pub(crate) fn try_examples(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-/// Draws all examples at their own size into `target/gallery/`, then the README's picture.
+/// Draws all examples at their own size into `target/gallery/`, then the README's pictures.
 pub(crate) fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
     let glanz = workspace.glanz(Profile::Release)?;
     if !only_readme {
@@ -34,11 +40,11 @@ pub(crate) fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
             println!("{}", draw(workspace, &glanz, &scene, &folder, &[])?.display());
         }
     }
-    let (picture, scene, options) = README_PICTURE;
-    let mut command = workspace.command(&glanz);
-    command.args(["render", scene, "--force", "-o", picture]).args(options);
-    run_quietly(&mut command)?;
-    println!("{picture}");
+    for (picture, words) in README_PICTURES {
+        let mut command = workspace.command(&glanz);
+        run_quietly(command.args(words.split_whitespace()).args(["--force", "-o", picture]))?;
+        println!("{picture}");
+    }
     Ok(())
 }
 

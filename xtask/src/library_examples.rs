@@ -9,7 +9,7 @@ use crate::{Failure, Result};
 pub(crate) fn run_all(workspace: &Workspace) -> Result<()> {
     let sources = workspace.path("crates/glanz/examples");
     let folder = workspace.target_folder("library-examples")?;
-    run(&mut workspace.cargo("build --quiet --package glanz --examples"))?;
+    run(&mut workspace.cargo("build --quiet --package glanz --examples --all-features"))?;
     let entries = std::fs::read_dir(&sources).map_err(Failure::during(sources.display()))?;
     let mut names: Vec<_> =
         entries.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_owned())).collect();

@@ -5,9 +5,11 @@
 mod bench;
 mod data;
 mod failure;
+mod features;
 mod gallery;
 mod golden;
 mod library_examples;
+mod packages;
 mod picture;
 mod reference;
 mod renew;
@@ -37,8 +39,8 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --renew        write the pictures anew; target/golden/diff.png shows what changed
   renew     Write anew what follows from the code: docs/MODELS.md, docs/COMMANDS.md, snapshots of the command's output
               --pictures     the gold pictures too, of models and of tests/golden/; look at them before you commit
-  gallery   Draw all examples at full size into target/gallery/, and the README's picture
-              --readme       only the README's picture
+  gallery   Draw all examples at full size into target/gallery/, and the README's pictures
+              --readme       only the README's pictures
   bench     Measure drawing and print the table of docs/BENCHMARKS.md
               --peers        Mesa llvmpipe and the crate euc on the same scene, in the same run
               --only-peers   the peers alone

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, Workspace, run, works};
-use crate::{Result, data, gallery, golden, library_examples, reference, tour, wasm};
+use crate::{Result, data, features, gallery, golden, library_examples, packages, reference, tour, wasm};
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,8 +25,9 @@ pub(crate) fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
 fn checks(workspace: &Workspace, options: &Options) -> Steps {
     let mut steps = Steps::new(options.keep_going, options.only.clone());
     steps.run("format", || format(workspace));
-    steps
-        .run("lint", || run(&mut workspace.cargo("clippy --workspace --all-targets --quiet -- -D warnings")));
+    steps.run("lint", || {
+        run(&mut workspace.cargo("clippy --workspace --all-targets --all-features --quiet -- -D warnings"))
+    });
     steps.run("unit and integration tests", || tests(workspace));
     if options.quick {
         steps.run("gold pictures, narrowest path", || golden::compare(workspace, golden::Paths::Narrowest));
@@ -59,14 +60,17 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     steps.run("examples", || gallery::try_examples(workspace));
     steps.run("what the README shows", || tour::run(workspace));
     steps.run("reference of the scene file", || reference::check(workspace));
-    steps.run("documentation tests", || run(&mut workspace.cargo("test --workspace --doc --quiet")));
+    steps.run("documentation tests", || {
+        run(&mut workspace.cargo("test --workspace --doc --all-features --quiet"))
+    });
     steps.run("documentation", || {
-        run(workspace.cargo("doc --workspace --no-deps --quiet").env("RUSTDOCFLAGS", "-D warnings"))
+        run(workspace
+            .cargo("doc --workspace --all-features --no-deps --quiet")
+            .env("RUSTDOCFLAGS", "-D warnings"))
     });
-    steps.run("packages", || {
-        run(&mut workspace.cargo("package --workspace --exclude xtask --no-verify --allow-dirty --quiet"))
-    });
-    steps.run("libraries without threads", || wasm::serial(workspace));
+    steps.run("packages", || packages::check(workspace));
+    steps.run("features", || features::check(workspace));
+    steps.run("libraries without threads", || features::check_serial(workspace));
     steps.run("libraries for wasm32", || wasm::check(workspace));
     steps
 }

@@ -28,6 +28,13 @@ pub(crate) fn run(workspace: &Workspace) -> Result<()> {
     if Picture::read(&picture)?.is_uniform() {
         return Err(Failure::new("the README's scene shows nothing"));
     }
+    let library = workspace.path("crates/glanz/README.md");
+    let compiled = std::fs::read_to_string(&library).map_err(Failure::during(library.display()))?;
+    if program(&readme).is_none() || program(&readme) != program(&compiled) {
+        return Err(Failure::new(
+            "README.md and crates/glanz/README.md, which is compiled, show two programs",
+        ));
+    }
     println!("{} commands of the README run, its scene drawn", commands.len());
     Ok(())
 }
@@ -57,6 +64,14 @@ fn smaller<'a>(words: &[&'a str]) -> Vec<&'a str> {
 /// The first block of TOML.
 fn scene(readme: &str) -> Option<&str> {
     readme.split_once("```toml\n")?.1.split_once("```").map(|(scene, _)| scene)
+}
+
+/// The first block of Rust, without the lines that documentation hides.
+fn program(readme: &str) -> Option<Vec<&str>> {
+    let (_, block) = readme.split_once("```rust")?;
+    let (_, code) = block.split_once('\n')?;
+    let (code, _) = code.split_once("```")?;
+    Some(code.lines().filter(|line| !line.starts_with("# ")).collect())
 }
 
 /// Copies a folder with all that is in it.
@@ -92,6 +107,13 @@ mod tests {
         let expected = ["render", "a.toml", "--size", "160x120", "--frames", "0..3", "--force"];
         assert_eq!(smaller(&words), expected);
         assert_eq!(smaller(&["info", "a.glb"]), ["info", "a.glb"]);
+    }
+
+    #[test]
+    fn the_program_is_the_first_block_of_rust() {
+        let shown = program("a\n```rust\nlet a = 1;\n```\n").expect("there is a block");
+        assert_eq!(Some(shown), program("```rust,no_run\nlet a = 1;\n# Ok::<(), ()>(())\n```\n"));
+        assert_eq!(program("no block"), None);
     }
 
     #[test]

@@ -2,22 +2,15 @@
 
 use std::process::Command;
 
+use crate::features::{LIBRARIES, SERIAL};
 use crate::steps::Outcome;
 use crate::workspace::{Workspace, run, run_quietly, works};
 
-/// The crates that know no window and no terminal.
-const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-plot -p glanz-scene -p glanz-render -p glanz";
-
 const TARGET: &str = "wasm32-unknown-unknown";
-
-/// Checks the libraries for this machine without rayon.
-pub(crate) fn serial(workspace: &Workspace) -> Outcome {
-    run(&mut workspace.cargo(&format!("check {LIBRARIES} --no-default-features"))).into()
-}
 
 /// Checks the libraries for wasm32 with the first toolchain that has that target.
 pub(crate) fn check(workspace: &Workspace) -> Outcome {
-    let check = format!("check {LIBRARIES} --no-default-features --target {TARGET}");
+    let check = format!("check {LIBRARIES} --no-default-features --features {SERIAL} --target {TARGET}");
     let own_folder = workspace.target().join("wasm");
     let mut command = if has_target(&mut workspace.command("rustc")) {
         workspace.cargo(&check)

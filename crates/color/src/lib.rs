@@ -26,6 +26,7 @@
 mod algebra;
 mod catalog;
 mod display;
+mod feature_off;
 mod file;
 mod lights;
 mod measures;
@@ -42,9 +43,8 @@ pub use display::mixing;
 pub use display::rgb::Rgb;
 pub use display::srgb::{srgb_decode, srgb_decode_u8, srgb_encode};
 pub use display::tone_map::ToneMap;
-#[cfg(feature = "exr")]
-pub use file::exr;
-pub use file::{read, write};
+pub use feature_off::FeatureOff;
+pub use file::{exr, read, write};
 pub use lights::{DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, light, lights, planck};
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{

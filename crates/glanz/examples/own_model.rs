@@ -1,6 +1,6 @@
 //! A model of one's own: the moon's law of Lommel and Seeliger, with its certificate, its plot and its picture.
 //!
-//!     cargo run --example own_model [-- FOLDER]
+//!     cargo run --features plot --example own_model [-- FOLDER]
 #![expect(clippy::print_stdout, reason = "it tells what it made")]
 
 use std::path::PathBuf;

@@ -2,7 +2,9 @@
 
 use thiserror::Error;
 
-use crate::{bsdf, color, picture, plot, render, scene};
+#[cfg(feature = "plot")]
+use crate::plot;
+use crate::{bsdf, color, picture, render, scene};
 
 /// Any error of the library, for programs that pass all of them on. Each converts into it.
 ///
@@ -58,6 +60,7 @@ pub enum Error {
     #[error(transparent)]
     Compare(#[from] picture::compare::CompareError),
     /// A plot cannot be made.
+    #[cfg(feature = "plot")]
     #[error(transparent)]
     Plot(#[from] plot::Error),
     /// A file or a stream.

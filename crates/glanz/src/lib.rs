@@ -56,9 +56,24 @@
 //! | [`color`] | spectra, light sources, observers, surfaces, colour models and their differences |
 //! | [`bsdf`] | the shapes of reflection lobes, from one list of models |
 //! | [`picture`] | linear frames, development, picture files, comparison |
-//! | [`plot`] | plots of lobes, spectra and colours, contact sheets: SVG, PNG, CSV |
+#![cfg_attr(
+    feature = "plot",
+    doc = "| [`plot`] | plots of lobes, spectra and colours, contact sheets: SVG, PNG, CSV |"
+)]
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels: prepare, view, back ends |
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `rayon`, by default | threads |
+//! | `exr` | OpenEXR: environment maps, spectral files, pictures of linear light and of spectra |
+//! | `gif` | films as GIF; PNG and APNG need no feature |
+//! | `plot` | the module `plot` |
+//!
+//! What needs a feature that is off ends in an error that names it.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod load;
@@ -70,6 +85,7 @@ pub use glanz_bsdf as bsdf;
 pub use glanz_color as color;
 pub use glanz_math as math;
 pub use glanz_picture as picture;
+#[cfg(feature = "plot")]
 pub use glanz_plot as plot;
 pub use glanz_render as render;
 pub use glanz_scene as scene;

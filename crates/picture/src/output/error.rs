@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use glanz_color::FeatureOff;
 use thiserror::Error;
 
 /// Why a picture file could not be written.
@@ -35,6 +36,9 @@ pub enum OutputError {
         /// What was expected and what was found.
         message: String,
     },
+    /// The format needs a feature that this build does not have.
+    #[error(transparent)]
+    FeatureOff(#[from] FeatureOff),
     /// The channels are not what the format is for.
     #[error(transparent)]
     Channels(#[from] crate::ChannelError),

@@ -15,7 +15,7 @@ use crate::{Frame, Meaning};
 /// Writes the frame's colour, in linear sRGB, and alpha and what else it holds, and `more` planes under
 /// their names. Takes the frame, so that its planes need not be copied. Alpha is left out where the whole picture is opaque.
 ///
-/// The format goes back to fill in a table: for a stream write to a `Cursor<Vec<u8>>` first.
+/// Needs the feature `exr`. The format goes back to fill in a table: for a stream write to a `Cursor<Vec<u8>>` first.
 pub fn write_exr(
     out: impl Write + Seek,
     frame: Frame,
@@ -39,6 +39,7 @@ impl From<ExrWriteError> for OutputError {
     fn from(error: ExrWriteError) -> Self {
         match error {
             ExrWriteError::Stream(error) => Self::Stream(error),
+            ExrWriteError::FeatureOff(off) => off.into(),
             other => Self::Encode { format: "OpenEXR", message: other.to_string() },
         }
     }

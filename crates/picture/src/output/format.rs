@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use glanz_color::FeatureOff;
+
 use super::OutputError;
 
 /// A picture file format.
@@ -9,9 +11,9 @@ use super::OutputError;
 pub enum Format {
     /// Portable Network Graphics: 8 or 16 bit sRGB codes, lossless.
     Png,
-    /// OpenEXR: linear `f32` channels, depth, normals, object numbers.
+    /// OpenEXR: linear `f32` channels, depth, normals, object numbers. Needs the feature `exr`.
     Exr,
-    /// Graphics Interchange Format: animation in 256 colours per frame.
+    /// Graphics Interchange Format: animation in 256 colours per frame. Needs the feature `gif`.
     Gif,
     /// Animated PNG: animation, lossless.
     Apng,
@@ -40,6 +42,20 @@ impl Format {
             Self::Exr => "OpenEXR",
             Self::Gif => "GIF",
             Self::Apng => "APNG",
+        }
+    }
+
+    /// That files of this format can be written.
+    ///
+    /// # Errors
+    /// If the crate was built without the feature that it needs: `exr` or `gif`.
+    pub fn check_feature(self) -> Result<(), FeatureOff> {
+        match self {
+            Self::Exr => glanz_color::exr::check_feature(),
+            Self::Gif if cfg!(not(feature = "gif")) => {
+                Err(FeatureOff { format: self.name(), feature: "gif" })
+            }
+            Self::Png | Self::Gif | Self::Apng => Ok(()),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Picture files: PNG, OpenEXR, GIF and APNG, to any stream.
+//! Picture files to any stream: PNG and APNG; OpenEXR with the feature `exr`; GIF with the feature `gif`.
 //!
 //! A file on disk goes through [`write_atomically`], so that a full disk or an interrupted program
 //! leaves what was there before.
@@ -18,15 +18,17 @@ mod atomic;
 mod error;
 mod exr;
 mod format;
+mod gif;
 mod metadata;
 mod picture_data;
 mod png;
 
-pub use self::animation::{Animation, write_apng, write_gif};
+pub use self::animation::{Animation, write_apng};
 pub use self::atomic::{TargetFile, write_atomically};
 pub use self::error::OutputError;
 pub use self::exr::write_exr;
 pub use self::format::Format;
+pub use self::gif::write_gif;
 pub use self::metadata::Metadata;
 pub use self::picture_data::{PictureData, PictureKind};
 pub use self::png::{Effort, write_png8, write_png16};

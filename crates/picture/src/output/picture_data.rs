@@ -127,6 +127,7 @@ impl PictureData {
     /// If the name has no known ending, the file cannot be written, or its format cannot hold this picture.
     pub fn save(self, path: impl AsRef<Path>, metadata: &Metadata) -> Result<(), OutputError> {
         let format = Format::from_path(&path)?;
+        format.check_feature()?;
         write_atomically(path, |out| self.write(out, format, metadata))
     }
 
@@ -170,7 +171,11 @@ mod tests {
         for format in [Format::Png, Format::Gif, Format::Apng] {
             assert_eq!(PictureKind::of(format), PictureKind::Codes8);
             let codes = PictureData::Codes8 { width: 1, height: 1, rgba: vec![255; 4] };
-            assert!(!codes.to_bytes(format, &Metadata::default()).unwrap().is_empty());
+            let bytes = codes.to_bytes(format, &Metadata::default());
+            match format.check_feature() {
+                Ok(()) => assert!(!bytes.unwrap().is_empty()),
+                Err(off) => assert_eq!(bytes.unwrap_err().to_string(), off.to_string()),
+            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glanz_picture::Frame;
-use glanz_picture::output::{Format, Metadata, PictureData, PictureKind};
+use glanz_picture::output::{Format, Metadata, OutputError, PictureData, PictureKind};
 use glanz_scene::White;
 
 use super::{SaveError, Shot, ShotError, Step};
@@ -31,9 +31,11 @@ impl Shot {
     /// ```
     ///
     /// # Errors
-    /// If the picture cannot be drawn or written. The file is as it was then.
+    /// If the picture cannot be drawn or written, or the format needs a feature that this build does not have (`exr`,
+    /// `gif`). The file is as it was then.
     pub fn save(&mut self, path: impl AsRef<Path>) -> Result<(), SaveError> {
         let format = Format::from_path(&path)?;
+        format.check_feature().map_err(OutputError::from)?;
         let picture = self.picture(PictureKind::of(format), &mut |_| ())?;
         Ok(picture.save(path, &self.metadata())?)
     }

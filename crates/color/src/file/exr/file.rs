@@ -1,4 +1,4 @@
-//! The one reader of OpenEXR: parts, channels and attributes, and planes of chosen channels.
+//! The one reader of OpenEXR: headers, and planes of chosen channels.
 
 use std::collections::HashSet;
 use std::io::Cursor;
@@ -10,9 +10,9 @@ use ::exr::error::Error as ExrError;
 use ::exr::meta::attribute::{AttributeValue, Chromaticities, SampleType};
 use ::exr::meta::header::Header;
 use ::exr::prelude::{Vec2, f16};
-use thiserror::Error;
 
 use super::Attribute;
+use super::part::{ExrChannel, ExrPart, ExrReadError};
 use crate::models::{RgbSpace, Transfer};
 
 /// The most bytes of samples that one byte of a file can stand for: deflate packs 1032 bytes into one,
@@ -20,37 +20,6 @@ use crate::models::{RgbSpace, Transfer};
 const MOST_COMPRESSION: u64 = 1032 * 4 / 3 + 1;
 /// The fewest bytes of a sample.
 const LEAST_SAMPLE: u64 = 2;
-
-/// Why an OpenEXR file could not be read.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum ExrReadError {
-    /// The content breaks the rules of the format.
-    #[error("expected {expected}, found {found}")]
-    Malformed {
-        /// What should have been there.
-        expected: String,
-        /// What is there.
-        found: String,
-    },
-    /// The content is valid but of a kind that is not read.
-    #[error("expected {expected}, found {found}, which is not supported")]
-    Unsupported {
-        /// What could have been read.
-        expected: &'static str,
-        /// What is there.
-        found: String,
-    },
-}
-
-impl ExrReadError {
-    fn malformed(expected: impl Into<String>, found: impl ToString) -> Self {
-        Self::Malformed { expected: expected.into(), found: found.to_string() }
-    }
-
-    fn unsupported(expected: &'static str, found: impl ToString) -> Self {
-        Self::Unsupported { expected, found: found.to_string() }
-    }
-}
 
 impl From<ExrError> for ExrReadError {
     fn from(error: ExrError) -> Self {
@@ -70,34 +39,6 @@ pub struct ExrFile<'a> {
     reader: Reader<Cursor<&'a [u8]>>,
     bytes: u64,
     parts: Vec<ExrPart>,
-}
-
-/// A part of an OpenEXR file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExrPart {
-    /// Its name.
-    pub name: Option<String>,
-    /// Pixels in a row.
-    pub width: usize,
-    /// Rows.
-    pub height: usize,
-    /// Its channels in the order of the file.
-    pub channels: Vec<ExrChannel>,
-    /// Attributes beyond the standard ones that are text or a number, by name.
-    pub attributes: Vec<(String, Attribute)>,
-    /// Whether the data window is the display window.
-    pub is_whole: bool,
-    /// Primaries and white, if the file has them.
-    pub space: Option<RgbSpace>,
-}
-
-/// A channel of an OpenEXR file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExrChannel {
-    /// Its name with its layer, as `depth.Z`.
-    pub name: String,
-    /// Whether its samples are whole numbers, not half or float.
-    pub is_whole_numbers: bool,
 }
 
 impl<'a> ExrFile<'a> {
@@ -200,11 +141,6 @@ impl ExrPart {
             is_whole: window.position == position && window.size == size,
             space: header.shared_attributes.chromaticities.map(space),
         }
-    }
-
-    /// The place of the channel of that name.
-    pub fn channel(&self, name: &str) -> Option<usize> {
-        self.channels.iter().position(|channel| channel.name == name)
     }
 }
 

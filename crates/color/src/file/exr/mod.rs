@@ -13,9 +13,11 @@
 //! as ZIP.
 //! The attribute `emissiveUnits` is a text; by custom `W.m^-2.sr^-1` is said of radiance per nm.
 //!
-//! Beneath lie [`ExrFile`] and [`write_planes`], which read and write any named planes.
+//! Beneath lie [`ExrFile`] and [`write_planes`], which read and write any named planes. Both need the feature `exr`:
+//! without it they are there, and each call ends in a [`FeatureOff`](crate::FeatureOff).
 //!
-//! ```
+#![cfg_attr(feature = "exr", doc = "```")]
+#![cfg_attr(not(feature = "exr"), doc = "```ignore")]
 //! use std::io::Cursor;
 //!
 //! use glanz_color::exr::{
@@ -34,18 +36,42 @@
 //! ```
 
 mod channels;
+#[cfg(feature = "exr")]
 mod file;
+#[cfg(not(feature = "exr"))]
+mod off;
+mod part;
 mod pixels;
+#[cfg(feature = "exr")]
 mod planes;
 mod read;
 #[cfg(test)]
+#[cfg(feature = "exr")]
 pub(crate) mod tests;
 mod write;
 
-pub use file::{ExrChannel, ExrFile, ExrPart, ExrReadError};
+#[cfg(feature = "exr")]
+pub use file::ExrFile;
+#[cfg(not(feature = "exr"))]
+pub use off::{ExrFile, write_planes};
+pub use part::{ExrChannel, ExrPart, ExrReadError};
+#[cfg(feature = "exr")]
 pub use planes::write_planes;
 pub use read::{MAX_PICTURE_BYTES, read_spectral_exr};
 pub use write::{ExrWriteError, write_spectral_exr};
+
+use crate::FeatureOff;
+
+const OFF: FeatureOff = FeatureOff { format: "OpenEXR", feature: "exr" };
+
+/// That OpenEXR files can be read and written.
+///
+/// # Errors
+///
+/// [`FeatureOff`] where the crate was built without its feature `exr`.
+pub fn check_feature() -> Result<(), FeatureOff> {
+    if cfg!(feature = "exr") { Ok(()) } else { Err(OFF) }
+}
 
 /// The value of an attribute of an OpenEXR file.
 #[derive(Clone, Debug, PartialEq)]

@@ -19,18 +19,19 @@ const MOST_TEXTS: (usize, usize) = (64, 65_536);
 ///
 /// [`ReadError`] where the bytes are no OpenEXR file, hold no spectral channel, or more pixels than allowed.
 pub fn read_spectral_exr(bytes: &[u8], file: &str, max_bytes: u64) -> Result<SpectralImage, ReadError> {
-    let malformed = |error: ExrReadError| {
+    let failed = |error: ExrReadError| {
         let (expected, found) = match error {
             ExrReadError::Malformed { expected, found } => (expected, found),
             ExrReadError::Unsupported { expected, found } => (expected.to_owned(), found),
+            ExrReadError::FeatureOff(off) => return ReadError::feature_off(file, off),
         };
         ReadError::malformed(file, Place::File, expected, found)
     };
-    let opened = ExrFile::open(bytes).map_err(malformed)?;
+    let opened = ExrFile::open(bytes).map_err(failed)?;
     check_size(opened.parts(), file, max_bytes)?;
     let part = opened.parts()[0].clone();
     let all: Vec<usize> = (0..part.channels.len()).collect();
-    let planes = opened.planes(0, &all).map_err(malformed)?;
+    let planes = opened.planes(0, &all).map_err(failed)?;
     let mut image = SpectralImage { width: part.width, height: part.height, ..SpectralImage::default() };
     image.take_planes(part.channels, planes);
     image.sort(file)?;

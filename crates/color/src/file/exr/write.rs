@@ -4,8 +4,8 @@ use std::io::{Seek, Write};
 
 use thiserror::Error;
 
-use super::planes::write_planes;
-use super::{Attribute, SpectralImage, channels};
+use super::{Attribute, SpectralImage, channels, write_planes};
+use crate::FeatureOff;
 
 /// The unit that is written where the picture tells none.
 const RADIANCE: &str = "W.m^-2.sr^-1";
@@ -31,6 +31,9 @@ pub enum ExrWriteError {
         /// What is there.
         found: String,
     },
+    /// The crate was built without its feature `exr`.
+    #[error(transparent)]
+    FeatureOff(#[from] FeatureOff),
     /// The operating system refused.
     #[error("expected a writable file, found: {0}")]
     Stream(#[from] std::io::Error),

@@ -5,6 +5,8 @@ use std::io;
 
 use thiserror::Error;
 
+use crate::FeatureOff;
+
 /// Where in a file something was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -85,6 +87,16 @@ pub enum ReadError {
         /// What is there.
         found: String,
     },
+    /// The format needs a feature that this build does not have.
+    #[error("{file}: {place}: {off}")]
+    FeatureOff {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// The feature.
+        off: FeatureOff,
+    },
     /// More than the reader's limits allow, so that no file fills the memory.
     #[error("{file}: {place}: expected at most {limit} {unit}, found {found}")]
     TooLarge {
@@ -144,12 +156,18 @@ impl ReadError {
         Self::Unsupported { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
     }
 
+    /// The format of the file needs a feature that this build does not have.
+    pub fn feature_off(file: &str, off: FeatureOff) -> Self {
+        Self::FeatureOff { file: file.to_owned(), place: Place::File, off }
+    }
+
     /// The file that the error is in.
     pub fn file(&self) -> &str {
         match self {
             Self::Io { file, .. }
             | Self::Malformed { file, .. }
             | Self::Unsupported { file, .. }
+            | Self::FeatureOff { file, .. }
             | Self::TooLarge { file, .. }
             | Self::Outside { file, .. }
             | Self::Missing { file, .. } => file,
@@ -162,6 +180,7 @@ impl ReadError {
             Self::Io { place, .. }
             | Self::Malformed { place, .. }
             | Self::Unsupported { place, .. }
+            | Self::FeatureOff { place, .. }
             | Self::TooLarge { place, .. }
             | Self::Outside { place, .. }
             | Self::Missing { place, .. } => place,

@@ -8,7 +8,7 @@
 //! | CxF3 `.cxf` | [`read_cxf`] | – |
 //! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
 //! | text tables of re-radiation | [`read_matrix_csv`] | [`write_matrix_csv`](crate::write::write_matrix_csv) |
-//! | spectral OpenEXR | module `exr`, feature `exr` | module `exr` |
+//! | spectral OpenEXR, with the feature `exr` | module [`exr`](crate::exr) | module `exr` |
 //!
 //! All take bytes and a file's name for messages, and open nothing themselves. A reader is total: it
 //! returns what the file holds or one error that names file, place and what was expected. Its memory and
@@ -138,7 +138,6 @@ fn read_as(
 ///
 /// [`ReadError`] of that format's reader.
 pub fn read_reradiation(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
-    #[cfg(feature = "exr")]
     if bytes.starts_with(&EXR_MAGIC) {
         return read_middle(bytes, file);
     }
@@ -151,15 +150,12 @@ pub fn is_bfc(bytes: &[u8]) -> bool {
 }
 
 /// How an OpenEXR file begins.
-#[cfg(feature = "exr")]
 const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
 /// The most bytes that a bispectral picture may take in memory.
-#[cfg(feature = "exr")]
 const MAX_MATRIX_PICTURE: u64 = 1 << 30;
 
 /// The matrix of the pixel in the middle of a bispectral picture.
-#[cfg(feature = "exr")]
 fn read_middle(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {
     let image = crate::file::exr::read_spectral_exr(bytes, file, MAX_MATRIX_PICTURE)?;
     let (x, y) = (image.width / 2, image.height / 2);

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use glanz_color::FeatureOff;
 use thiserror::Error;
 
 use super::limits::{MAX_PIXELS, MAX_SIDE};
@@ -31,6 +32,14 @@ pub enum ReadError {
     Format {
         /// The file's name.
         name: String,
+    },
+    /// The format needs a feature that this build does not have.
+    #[error("{name}: {off}")]
+    FeatureOff {
+        /// The file's name.
+        name: String,
+        /// The feature.
+        off: FeatureOff,
     },
     /// The file is damaged, or of a kind that is not read.
     #[error("{name}: expected {expected}, found {found}")]

@@ -12,6 +12,7 @@ pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
     let failed = |error: ExrReadError| match error {
         ExrReadError::Malformed { expected, found } => source.content(expected, found),
         ExrReadError::Unsupported { expected, found } => source.content(expected, found),
+        ExrReadError::FeatureOff(off) => ReadError::FeatureOff { name: source.name.to_owned(), off },
     };
     let opened = ExrFile::open(source.bytes).map_err(failed)?;
     for part in opened.parts() {

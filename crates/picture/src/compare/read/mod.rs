@@ -25,7 +25,7 @@ const PNG: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 /// How an OpenEXR file begins: 20000630, low byte first.
 const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
-/// Reads a PNG or OpenEXR file; its first bytes tell which.
+/// Reads a PNG file, or with the feature `exr` an OpenEXR file; its first bytes tell which.
 ///
 /// Of a PNG, 1 to 16 bits per sample are taken as sRGB codes and straight alpha. Of OpenEXR, the half or
 /// float channels R, G, B of the first part that has them are taken, else the first layer `name.R`, … that

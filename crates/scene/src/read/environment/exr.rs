@@ -43,5 +43,6 @@ fn failed(source: &Source, error: ExrReadError) -> ReadError {
     match error {
         ExrReadError::Malformed { expected, found } => source.malformed(Place::File, expected, found),
         ExrReadError::Unsupported { expected, found } => source.unsupported(expected, found),
+        ExrReadError::FeatureOff(off) => ReadError::feature_off(source.file, off),
     }
 }

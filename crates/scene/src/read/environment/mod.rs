@@ -20,7 +20,7 @@ const RADIANCE: &[u8] = b"#?";
 /// The most that a channel may be; sums of squares of it must fit into `f32`.
 const MAX_VALUE: f32 = 1e12;
 
-/// Reads a Radiance HDR or OpenEXR picture as an environment; its first bytes tell which. `file` is its name
+/// Reads a Radiance HDR or, with the feature `exr`, an OpenEXR picture as an environment; its first bytes tell which. `file` is its name
 /// for messages. Sides and memory are limited by `max_texture_side` and `max_texture_bytes` of `options`,
 /// and to 16384×8192 pixels.
 ///
