@@ -1,6 +1,6 @@
 //! A lamp goes once around a torus, in a GIF.
 //!
-//!     cargo run --example animate [-- FOLDER]
+//!     cargo run --features gif --example animate [-- FOLDER]
 #![expect(clippy::print_stdout, reason = "it tells what it made")]
 
 use std::f64::consts::TAU;

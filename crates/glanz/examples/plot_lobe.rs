@@ -1,6 +1,6 @@
 //! Two models of a highlight about a point of the surface, as a polar plot.
 //!
-//!     cargo run --example plot_lobe [-- FOLDER]
+//!     cargo run --features plot --example plot_lobe [-- FOLDER]
 #![expect(clippy::print_stdout, reason = "it tells what it made")]
 
 use std::path::PathBuf;

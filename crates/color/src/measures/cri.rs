@@ -80,7 +80,10 @@ fn reference(cct_k: f64) -> Result<Spectrum, RenderingError> {
     if cct_k < 5000.0 {
         return Ok(blackbody(cct_k));
     }
-    daylight(cct_k).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
+    // The search for the temperature is exact to 1e-5: 25000 K may come out a little above.
+    let series_end = 25_000.0;
+    let kelvin = if cct_k < series_end * (1.0 + 1e-5) { cct_k.min(series_end) } else { cct_k };
+    daylight(kelvin).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
 }
 
 /// The samples as a light shows them, Y = 100 for the perfect diffuser.
@@ -203,6 +206,12 @@ mod tests {
             let found = color_rendering(&(light(name).unwrap() * 7.0)).unwrap();
             assert!(found.r.iter().all(|r| *r > 99.8), "{name}: {found:?}");
         }
+    }
+
+    #[test]
+    fn the_end_of_the_daylight_series_is_a_reference() {
+        assert!(color_rendering(&light("blackbody(25000)").unwrap()).is_ok());
+        assert!(color_rendering(&light("blackbody(25100)").unwrap()).is_err());
     }
 
     #[test]

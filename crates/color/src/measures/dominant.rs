@@ -34,6 +34,10 @@ const ACHROMATIC: f64 = 1e-4;
 /// the end of the locus at 380 nm, 2e-4 beyond it. Nothing real is purer than a single wavelength.
 const BORDER: f64 = 1e-3;
 
+/// How far beyond the ends of a piece of the border a ray may meet it, as a part of the piece: a ray through the point
+/// between two pieces misses both by rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Where a colour lies between the white and the border.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dominant {
@@ -98,17 +102,26 @@ fn along(direction: [f64; 2], color: Chromaticity, white: Chromaticity) -> Resul
     }
     let ray = |sign: f64| meet(white, direction.map(|d| sign * d / distance));
     let (ahead, behind) = ray(1.0).zip(ray(-1.0)).ok_or(DominantError::WhiteOutside(white))?;
-    let nm = match (ahead.nm, behind.nm) {
-        (Some(nm), _) => nm,
-        (None, Some(nm)) => -nm,
-        // The purples are one straight line: no ray from inside meets it both ways.
-        (None, None) => return Err(DominantError::WhiteOutside(white)),
-    };
     let border = Chromaticity::new(
         white.x + ahead.distance * direction[0] / distance,
         white.y + ahead.distance * direction[1] / distance,
     );
+    let is_pure = distance / ahead.distance > 1.0 - BORDER;
+    let nm = match (ahead.nm, behind.nm) {
+        (Some(nm), _) => nm,
+        (None, _) if is_pure && end_at(border).is_some() => end_at(border).unwrap_or_default(),
+        (None, Some(nm)) => -nm,
+        // The purples are one straight line: no ray from inside meets it both ways.
+        (None, None) => return Err(DominantError::WhiteOutside(white)),
+    };
     Ok(Dominant { nm, purity: distance / ahead.distance, border })
+}
+
+/// The end of the locus that a point of the purples is, to within the errors of sums by 5 nm.
+fn end_at(border: Chromaticity) -> Option<f64> {
+    let near = |end: &Chromaticity| libm::hypot(end.x - border.x, end.y - border.y) < BORDER;
+    let ends = [locus().first(), locus().last()].into_iter().zip(ENDS_NM);
+    ends.filter_map(|(end, nm)| end.filter(|end| near(end)).map(|_| nm)).next()
 }
 
 /// Where a ray meets the border: at which wavelength, or none on the purples.
@@ -143,7 +156,8 @@ fn cross(
     let distance = (to[0] * piece[1] - to[1] * piece[0]) / by;
     let part = (to[0] * direction[1] - to[1] * direction[0]) / by;
     // Parallel lines give infinities and NaN, which lie in no range.
-    (distance > 0.0 && distance.is_finite() && (0.0..=1.0).contains(&part)).then_some((distance, part))
+    let meets = (-ROUNDING..=1.0 + ROUNDING).contains(&part);
+    (distance > 0.0 && distance.is_finite() && meets).then_some((distance, part.clamp(0.0, 1.0)))
 }
 
 /// The chromaticities of single wavelengths, from 380 to 700 nm by 1 nm.
@@ -208,6 +222,41 @@ mod tests {
         let of = |name: &str| Chromaticity::of_light(&crate::light(name).unwrap()).unwrap();
         assert!(matches!(dominant(of("E"), Chromaticity::E), Err(DominantError::Achromatic(_))));
         assert_eq!(dominant(of("UV365"), Chromaticity::E).unwrap().purity, 1.0);
+    }
+
+    #[test]
+    fn every_point_of_the_locus_has_its_wavelength_and_is_pure() {
+        for white in [Chromaticity::E, D65] {
+            for (index, point) in locus().iter().enumerate() {
+                let nm = ENDS_NM[0] + index as f64;
+                let found = dominant(*point, white).unwrap();
+                // From 699 nm on nothing moves, and at the violet end hardly anything.
+                let exact = if (390.0..=695.0).contains(&nm) { 1e-6 } else { 5.0 };
+                assert!((found.nm - nm).abs() <= exact, "{nm}: {found:?}");
+                assert!((found.purity - 1.0).abs() < 1e-9, "{nm}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_at_the_ends_of_the_band_are_not_purple() {
+        let of = |nm: f64| {
+            dominant(
+                Chromaticity::of_light(&crate::light(&format!("line({nm})")).unwrap()).unwrap(),
+                Chromaticity::E,
+            )
+        };
+        for (nm, expected) in [(695.0, 695.0), (700.0, 700.0), (780.0, 700.0), (360.0, 380.0), (380.0, 380.0)]
+        {
+            let found = of(nm).unwrap();
+            assert!((found.nm - expected).abs() < 1.5, "{nm}: {found:?}");
+            assert!((found.purity - 1.0).abs() < 1e-9, "{nm}: {found:?}");
+        }
+        // Between the ends there is purple, right beside them too.
+        let [first, last] = [locus()[0], locus()[locus().len() - 1]];
+        let beside =
+            Chromaticity::new(last.x + 0.02 * (first.x - last.x), last.y + 0.02 * (first.y - last.y));
+        assert!(dominant(beside, Chromaticity::E).unwrap().is_purple());
     }
 
     proptest! {

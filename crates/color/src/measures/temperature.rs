@@ -61,6 +61,12 @@ fn log_at(index: usize) -> f64 {
     libm::log(CCT_RANGE_K[0]) + step() * index as f64
 }
 
+/// How near to an end of the range, in the logarithm, a temperature counts as the end.
+const END: f64 = 1e-5;
+
+/// How far from the end of the locus, in u and v, a chromaticity is still its own.
+const ON_LOCUS: f64 = 1e-6;
+
 static TABLE: LazyLock<Vec<[f64; 2]>> =
     LazyLock::new(|| (0..STEPS).map(|i| planckian_uv(log_at(i))).collect());
 
@@ -78,11 +84,20 @@ pub fn color_temperature(of: Chromaticity) -> Result<ColorTemperature, Temperatu
     let uv = of.uv1960();
     let nearest = (0..STEPS)
         .min_by(|a, b| distance_squared(TABLE[*a], uv).total_cmp(&distance_squared(TABLE[*b], uv)))
-        .filter(|i| (1..STEPS - 1).contains(i) && uv[0].is_finite() && uv[1].is_finite())
+        .filter(|_| uv[0].is_finite() && uv[1].is_finite())
         .ok_or(TemperatureError(of))?;
-    let log_k = golden_section(log_at(nearest - 1), log_at(nearest + 1), |log_k| {
+    let neighbours = [nearest.saturating_sub(1), (nearest + 1).min(STEPS - 1)];
+    let log_k = golden_section(log_at(neighbours[0]), log_at(neighbours[1]), |log_k| {
         distance_squared(planckian_uv(log_k), uv)
     });
+    // At an end of the range the nearest point may be that end only because the range has one: then more than rounding lies
+    // along the locus.
+    let ends = [log_at(0), log_at(STEPS - 1)];
+    if let Some(end) = ends.into_iter().find(|end| (end - log_k).abs() < END)
+        && distance_squared(planckian_uv(end), uv) > ON_LOCUS * ON_LOCUS
+    {
+        return Err(TemperatureError(of));
+    }
     let on_locus = planckian_uv(log_k);
     let distance = distance_squared(on_locus, uv).sqrt();
     Ok(ColorTemperature { cct_k: libm::exp(log_k), duv: distance.copysign(uv[1] - on_locus[1]) })
@@ -152,6 +167,18 @@ mod tests {
         let found = color_temperature(Chromaticity::from_uv1960([0.1978, 0.3122])).unwrap();
         assert!((found.cct_k - 6507.47).abs() < 1.0, "{found:?}");
         assert!((found.duv - 0.003_223).abs() < 1e-5, "{found:?}");
+    }
+
+    #[test]
+    fn black_bodies_at_the_ends_of_the_range_are_found() {
+        for kelvin in [1000.0, 1001.0, 25_000.0, 99_000.0, 100_000.0] {
+            let found = color_temperature(planckian(kelvin).unwrap()).unwrap();
+            assert!(
+                (found.cct_k / kelvin - 1.0).abs() < 1e-4 && found.duv.abs() < 1e-6,
+                "{kelvin}: {found:?}"
+            );
+        }
+        assert!(color_temperature(planckian(900.0).unwrap()).is_err());
     }
 
     #[test]

@@ -205,7 +205,11 @@ fn screen_facts(facts: &mut Facts, screen: DisplayColor, how: &str) {
 fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &str) {
     let Some((dominant, complement)) = dominant_wavelength(color, white) else {
         facts.value("dominant_nm", Value::Null);
-        facts.line("dominant", format!("none, it has the chromaticity of {name}"));
+        let why = match Chromaticity::of_light(color) {
+            Some(_) => format!("none, it has the chromaticity of {name}"),
+            None => "none, it is not seen".to_owned(),
+        };
+        facts.line("dominant", why);
         return;
     };
     facts.value("dominant_nm", dominant.nm);
@@ -293,7 +297,10 @@ fn power_facts(facts: &mut Facts, source: &Source) {
     if let Some(efficacy) = efficacy_lm_per_w(light) {
         facts.line("efficacy", format!("{efficacy:.1} lm/W of 300 to 780 nm"));
     }
-    facts.line("S/P ratio", fixed(night / day, 3));
+    facts.line(
+        "S/P ratio",
+        finite(night / day).map_or("none, it is not seen".to_owned(), |_| fixed(night / day, 3)),
+    );
     let Some(unit) = source.power_unit else {
         if !source.unit.is_empty() {
             facts.line("luminous", format!("none: the unit '{}' is not understood", source.unit));
