@@ -26,7 +26,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 25] = [
+const SCHEMAS: [Named; 27] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -48,6 +48,8 @@ const SCHEMAS: [Named; 25] = [
     ("material-sheet", schema::<SheetDocument>),
     ("color-convert", schema::<color::convert::Document>),
     ("color-spectrum", schema::<color::spectrum::Document>),
+    ("color-xy", schema::<color::xy::Document>),
+    ("color-wave", schema::<color::wave::Document>),
     ("color-metamers", schema::<color::metamers::Document>),
     ("color-fluorescence", schema::<color::fluorescence::Document>),
     ("color-list", schema::<color::list::Document>),

@@ -171,6 +171,55 @@ fn values_below_0_are_refused_where_they_are_more_than_noise() {
 }
 
 #[test]
+fn colours_from_0_to_255_are_refused_and_hexadecimal_ones_read() {
+    let folder = Folder::new();
+    let failure = folder.glanz(&["color", "convert", "--from", "srgb", "--to", "lab", "255,128,0"]).failure();
+    assert!(failure.contains("1 is white") && failure.contains("1,0.50196"), "{failure}");
+    let convert = |text: &str| {
+        let words = ["color", "convert", "--from", "srgb", "--to", "xyz", text, "--format", "json"];
+        folder.glanz(&words).json()["values"].clone()
+    };
+    assert_eq!(convert("#ff8000"), convert(&format!("1,{},0", 128.0 / 255.0)));
+    assert_eq!(convert("#f80"), convert(&format!("1,{},0", 136.0 / 255.0)));
+    for wrong in ["#ff80", "#gg0000", "#+10000"] {
+        assert_eq!(
+            folder.glanz(&["color", "convert", "--from", "srgb", "--to", "xyz", wrong]).code,
+            2,
+            "{wrong}"
+        );
+    }
+}
+
+#[test]
+fn a_chromaticity_has_its_numbers() {
+    let folder = Folder::new();
+    let told = folder.glanz(&["color", "xy", "0.3127,0.3290", "--format", "json"]).json();
+    // D65 by the black body of colour-science 0.4.7's uv_to_CCT_Ohno2013.
+    assert!((number(&told["cct_k"]) - 6503.5).abs() < 1.5, "{told}");
+    assert!((number(&told["duv"]) - 0.0032).abs() < 1e-4, "{told}");
+    // colour-science 0.4.7: dominant_wavelength and excitation_purity against D65.
+    let told = folder.glanz(&["color", "xy", "0.6,0.35", "--white", "D65", "--format", "json"]).json();
+    assert!((number(&told["dominant_nm"]) - 604.0).abs() < 0.6, "{told}");
+    assert!((number(&told["purity"]) - 0.8614).abs() < 2e-3, "{told}");
+    let same = folder.glanz(&["color", "xy", "0.19784,0.46834", "--from", "uv1976"]).text().to_owned();
+    assert!(same.contains("0.31271 0.32901") && same.contains("CCT"), "{same}");
+    for wrong in ["0.3", "0.9,0.9", "0.3,0", "a,b"] {
+        assert_eq!(folder.glanz(&["color", "xy", wrong]).code, 2, "{wrong}");
+    }
+}
+
+#[test]
+fn a_wave_has_its_numbers() {
+    let folder = Folder::new();
+    let told = folder.glanz(&["color", "wave", "580nm", "2.1", "eV", "--format", "json"]).json();
+    let of = |index: usize, key: &str| number(&told["waves"][index][key]);
+    assert!((of(0, "thz") - 516.883).abs() < 1e-3 && (of(0, "ev") - 2.137_66).abs() < 1e-5, "{told}");
+    assert!((of(0, "per_cm") - 17_241.379).abs() < 1e-3 && (of(0, "fs") - 1.934_67).abs() < 1e-5, "{told}");
+    assert!((of(1, "nm") - 590.401).abs() < 1e-3, "{told}");
+    assert_eq!(folder.glanz(&["color", "wave", "580"]).code, 2);
+}
+
+#[test]
 fn photometric_figures_follow_the_unit() {
     let folder = Folder::new();
     // 683 lm/W times ∫ V = 106.86 nm: 72983 lx of 1 W/(m² nm).

@@ -49,7 +49,7 @@ const COULD_NOT: [&[&str]; 31] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 11] = [
+const PRINTING: [&[&str]; 13] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -57,6 +57,8 @@ const PRINTING: [&[&str]; 11] = [
     &["material", "list"],
     &["material", "show", "gold"],
     &["color", "list", "lights"],
+    &["color", "xy", "0.31,0.33"],
+    &["color", "wave", "580nm"],
     &["color", "convert", "--from", "srgb", "--to", "lab", "1,0,0"],
     &["info", "scene.toml"],
     &["schema"],

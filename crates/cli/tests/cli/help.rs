@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 36] = [
+pub(crate) const COMMANDS: [&[&str]; 38] = [
     &[],
     &["render"],
     &["sweep"],
@@ -27,6 +27,8 @@ pub(crate) const COMMANDS: [&[&str]; 36] = [
     &["color"],
     &["color", "convert"],
     &["color", "spectrum"],
+    &["color", "xy"],
+    &["color", "wave"],
     &["color", "metamers"],
     &["color", "fluorescence"],
     &["color", "list"],

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 23] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
     (
         "render",
         &[
@@ -76,6 +76,8 @@ const DOCUMENTS: [(&str, &[&[&str]]); 23] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    ("color-xy", &[&["color", "xy", "0.3127,0.329"], &["color", "xy", "0.35,0.2", "--white", "D65"]]),
+    ("color-wave", &[&["color", "wave", "580nm", "2.1eV"]]),
     ("color-metamers", &[&["color", "metamers", "gold", "copper"]]),
     ("color-fluorescence", &[&["color", "fluorescence", "paper-note-pink"]]),
     ("color-list", &[&["color", "list"], &["color", "list", "models"]]),

@@ -17,6 +17,7 @@ use crate::print::{self, FormatArgs, number};
 pub(crate) const EXAMPLES: &str = "Examples:
   glanz color convert --from hls --to ac1c2 210,0.4,0.8
   glanz color convert --from srgb --to lab 1,0.5,0
+  glanz color convert --from srgb --to oklch '#ff8000'
   glanz color convert --from lab --to oklch --format json -- 50,-20,30
 
 White is D65 in all models, and XYZ of white has Y = 1. 'glanz color list models' tells the
@@ -34,7 +35,7 @@ pub(crate) struct ConvertArgs {
     #[arg(long, value_name = "MODEL", value_parser = models())]
     to: String,
 
-    /// The colour: its numbers in order, between commas
+    /// The colour: its numbers in order, between commas; of sRGB also #ff8000
     #[arg(value_name = "NUMBERS", value_parser = numbers, allow_hyphen_values = true)]
     values: Values,
 
@@ -62,7 +63,49 @@ pub(crate) struct Document {
 struct Values(Vec<f64>);
 
 fn numbers(text: &str) -> Result<Values, String> {
-    args::numbers(text).map(Values)
+    match text.strip_prefix('#') {
+        Some(digits) => hexadecimal(digits),
+        None => args::numbers(text).map(Values),
+    }
+}
+
+/// The three numbers of `ff8000` or `f80`, from 0 to 1.
+fn hexadecimal(digits: &str) -> Result<Values, String> {
+    let wrong = || format!("'#{digits}': expected six digits from 0 to f behind the #, or three");
+    let width = match digits.len() {
+        6 => 2,
+        3 => 1,
+        _ => return Err(wrong()),
+    };
+    let most = if width == 2 { 255.0 } else { 15.0 };
+    let value = |at: usize| {
+        let part = digits
+            .get(at * width..(at + 1) * width)
+            .filter(|part| part.chars().all(|c| c.is_ascii_hexdigit()));
+        part.and_then(|part| u8::from_str_radix(part, 16).ok()).map(|value| f64::from(value) / most)
+    };
+    (0..3).map(value).collect::<Option<Vec<f64>>>().map(Values).ok_or_else(wrong)
+}
+
+/// Beyond this a device's colour is meant on another scale: no display is ten times as bright as its white.
+const ANOTHER_SCALE: f64 = 10.0;
+
+/// Numbers up to 255 where 1 is white are a mistake, and no colour.
+fn check_scale(model: &str, values: &[f64]) -> Result<(), Failure> {
+    let is_device = |channel: &Channel| channel.range == [0.0, 1.0];
+    let info = Model::from_name(model).map_err(|error| Failure::Usage(error.to_string()))?.info();
+    let is_far = |value: &&f64| **value > ANOTHER_SCALE;
+    match values.iter().find(is_far).filter(|_| info.channels.iter().all(is_device)) {
+        Some(value) => {
+            let scaled: Vec<_> = values.iter().map(|value| number(value / 255.0)).collect();
+            let scaled = scaled.join(",");
+            Err(Failure::Usage(format!(
+                "{} of {model} is on another scale: 1 is white; from 0 to 255 it would be {scaled}",
+                number(*value)
+            )))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Parses the name of a model.
@@ -77,6 +120,7 @@ impl ConvertArgs {
     /// Converts the colour.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(error.to_string());
+        check_scale(&self.from, &self.values.0)?;
         let found = convert(&self.from, &self.to, &self.values.0).map_err(|error| usage(&error))?;
         let model = Model::from_name(&self.to).map_err(|error| usage(&error))?;
         let channels = model.info().channels;

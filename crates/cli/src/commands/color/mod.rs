@@ -7,6 +7,8 @@ pub(super) mod list;
 pub(super) mod metamers;
 mod plot;
 pub(super) mod spectrum;
+pub(super) mod wave;
+pub(super) mod xy;
 
 use clap::Subcommand;
 
@@ -21,6 +23,12 @@ pub(crate) enum ColorCommand {
     /// The colour numbers of a light or a surface
     #[command(after_help = spectrum::EXAMPLES)]
     Spectrum(spectrum::SpectrumArgs),
+    /// The numbers of a chromaticity: colour temperature, dominant wavelength, purity
+    #[command(after_help = xy::EXAMPLES)]
+    Xy(xy::XyArgs),
+    /// Light by its wavelength, frequency, wavenumber, energy and period
+    #[command(after_help = wave::EXAMPLES)]
+    Wave(wave::WaveArgs),
     /// How different two surfaces look under each of several lights
     #[command(after_help = metamers::EXAMPLES)]
     Metamers(metamers::MetamersArgs),
@@ -44,6 +52,8 @@ impl ColorCommand {
         match self {
             Self::Convert(_) => vec!["convert"],
             Self::Spectrum(_) => vec!["spectrum"],
+            Self::Xy(_) => vec!["xy"],
+            Self::Wave(_) => vec!["wave"],
             Self::Metamers(_) => vec!["metamers"],
             Self::Fluorescence(_) => vec!["fluorescence"],
             Self::List(_) => vec!["list"],
@@ -57,6 +67,8 @@ impl ColorCommand {
         match self {
             Self::Convert(args) => args.run(),
             Self::Spectrum(args) => args.run(),
+            Self::Xy(args) => args.run(),
+            Self::Wave(args) => args.run(),
             Self::Metamers(args) => args.run(),
             Self::Fluorescence(args) => args.run(),
             Self::List(args) => args.run(),

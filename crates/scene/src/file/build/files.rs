@@ -25,7 +25,7 @@ pub(super) fn unresolved(reference: &str, error: &ResolveError, span: &Range<usi
     match error {
         ResolveError::Outside(_) => {
             Problem::at(span, format!("'{reference}' leaves the folder of the scene file"))
-                .help("files elsewhere are read only where that is allowed explicitly")
+                .help("files elsewhere are read only where that is allowed: by the option --allow-outside, in a program by LoadOptions::allow_outside")
         }
         ResolveError::Missing => Problem::at(span, format!("there is no file '{reference}'"))
             .help("file names are relative to the scene file"),
