@@ -450,7 +450,13 @@ fn told(
     Ok(spectrum)
 }
 
-/// The spectrum that is meant: the only one, or that of the column.
+/// The only spectrum that says what it is of, beside what an instrument counted for it.
+fn only_known(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
+    let mut known = spectra.iter().filter(|one| one.quantity != Quantity::Unknown);
+    known.next().filter(|_| known.next().is_none())
+}
+
+/// The spectrum that is meant: the only one, the only one that is known, or that of the column.
 fn pick<'a>(
     spectra: &'a [NamedSpectrum],
     file: &str,
@@ -461,12 +467,20 @@ fn pick<'a>(
         None => match spectra {
             [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
             [only] => Some(only),
-            [first, ..] => {
-                let count = spectra.len();
-                let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
-                let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
-                return Err(report.help(help).into());
-            }
+            [first, ..] => match only_known(spectra) {
+                Some(found) => {
+                    let (count, name) = (spectra.len(), &found.name);
+                    let why = "the only one that says what it is of";
+                    print::note(format_args!("note: {file} holds {count} spectra: '{name}' is taken, {why}"));
+                    Some(found)
+                }
+                None => {
+                    let count = spectra.len();
+                    let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
+                    let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
+                    return Err(report.help(help).into());
+                }
+            },
         },
         Some(column) => {
             let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));

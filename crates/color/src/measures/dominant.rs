@@ -31,8 +31,9 @@ const ENDS_NM: [f64; 2] = [380.0, 700.0];
 const ACHROMATIC: f64 = 1e-4;
 
 /// How far beyond the border a colour may lie and still be on it: sums by 5 nm put ultraviolet, whose place is
-/// the end of the locus at 380 nm, 2e-4 beyond it. Nothing real is purer than a single wavelength.
-const BORDER: f64 = 1e-3;
+/// the end of the locus at 380 nm, 2e-4 (at 365 nm) to 2e-3 (at 360 nm) beside it. Nothing real is purer than a single
+/// wavelength.
+const BORDER: f64 = 3e-3;
 
 /// How far beyond the ends of a piece of the border a ray may meet it, as a part of the piece: a ray through the point
 /// between two pieces misses both by rounding.

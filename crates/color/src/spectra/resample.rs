@@ -92,6 +92,15 @@ pub enum TableError {
         /// Its last wavelength.
         last: f64,
     },
+    /// Fractions of light on a scale that nothing explains.
+    #[error(
+        "expected fractions of light up to 1, or per cent up to 100, found {greatest}: say which value is all light \
+         (--scale 255, or scale = \"percent\")"
+    )]
+    Scale {
+        /// The greatest value.
+        greatest: f64,
+    },
     /// A channel of a sensor without any value above 0.
     #[error("expected a sensitivity above 0 at some wavelength, found none: {value} at {nm} nm and so on")]
     NoSensitivity {

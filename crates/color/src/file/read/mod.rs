@@ -88,7 +88,7 @@ pub fn read_spectra_with(
         Format::Cgats => cgats::parse(&text, file),
         Format::Table => table::parse(&text, file, options.unit),
     }?;
-    settle::settle(&mut spectra, file, options)?;
+    settle::settle(&mut spectra, options);
     Ok(spectra)
 }
 
@@ -127,7 +127,7 @@ fn read_as(
     parse: impl FnOnce(&str, &str) -> Result<Vec<NamedSpectrum>, ReadError>,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = parse(&text::decode(bytes, file)?, file)?;
-    settle::settle(&mut spectra, file, &ReadOptions::default())?;
+    settle::settle(&mut spectra, &ReadOptions::default());
     Ok(spectra)
 }
 

@@ -1,5 +1,6 @@
 //! What a file of spectra holds: named spectra, as they were measured.
 
+use super::settle::GREATEST_PERCENT;
 use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum, TableError};
 
 /// What the values of a spectrum are.
@@ -60,6 +61,9 @@ impl Quantity {
     }
 }
 
+/// Where values far below 0 are no noise.
+const SEEN_NM: core::ops::RangeInclusive<f64> = 400.0..=700.0;
+
 /// How far below 0 noise reaches, as a part of the greatest value: instruments that subtract their dark
 /// signal give up to about a hundredth.
 const NOISE: f64 = 0.02;
@@ -86,19 +90,24 @@ impl NamedSpectrum {
     /// The spectrum on the grid, and in words what lay outside of it or was missing.
     ///
     /// Beyond its ends a fraction of light is held, any other spectrum is 0, unless `outside` says otherwise.
-    /// Values below 0 are noise, and become 0, down to −0.02 of the greatest value, or of 1 for fractions of
-    /// light.
+    /// Values below 0 are noise, and become 0; from 400 to 700 nm down to −0.02 of the greatest value, or of 1 for fractions
+    /// of light.
     ///
     /// # Errors
     ///
     /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
     pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
         self.check_band()?;
+        let greatest = self.within_band();
+        if self.quantity.is_ratio() && greatest > GREATEST_PERCENT {
+            return Err(TableError::Scale { greatest });
+        }
         let least = -NOISE * self.scale();
         let in_band = |nm: f64| (FIRST_NM..=LAST_NM).contains(&nm);
         let below =
             || self.nm.iter().zip(&self.values).filter(move |(nm, value)| **value < 0.0 && in_band(**nm));
-        if let Some((&nm, &value)) = below().find(|(_, value)| **value < least) {
+        // Towards the ends lamps are weak and instruments blind: there noise is as great as it likes.
+        if let Some((&nm, &value)) = below().find(|(nm, value)| **value < least && SEEN_NM.contains(*nm)) {
             return Err(TableError::Negative { nm, value, least });
         }
         let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
@@ -110,6 +119,13 @@ impl NamedSpectrum {
                 .push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
         }
         Ok((spectrum, notes))
+    }
+
+    /// The greatest value where it is used: instruments give noise beyond.
+    pub(super) fn within_band(&self) -> f64 {
+        let points = self.nm.iter().zip(&self.values);
+        let seen = points.filter(|(nm, _)| (FIRST_NM..=LAST_NM).contains(*nm));
+        seen.map(|(_, value)| *value).fold(0.0, f64::max)
     }
 
     /// Something must have been measured where the grid is.

@@ -2,9 +2,8 @@
 
 use super::named::note;
 use super::units::{Scale, is_percent, photons};
-use super::{NamedSpectrum, Place, PowerUnit, Quantity, ReadError};
+use super::{NamedSpectrum, PowerUnit, Quantity};
 use crate::spectra::units::photon_energy_j;
-use crate::spectra::{FIRST_NM, LAST_NM};
 
 /// What is known of a file beside its bytes.
 ///
@@ -60,21 +59,13 @@ impl ValueScale {
 const GREATEST_SHARE: f64 = 2.0;
 
 /// Per cent of light beyond this are none: the values are on another scale.
-const GREATEST_PERCENT: f64 = 200.0;
+pub(super) const GREATEST_PERCENT: f64 = 200.0;
 
 /// Units that say that 1 is all light.
 const FRACTIONS: [&str; 6] = ["1", "fraction", "-", "0-1", "0..1", "ratio"];
 
 /// Brings the values of a file to fractions of light, or to power by wavelength.
-///
-/// # Errors
-///
-/// [`ReadError`] where fractions of light are on a scale that nothing explains.
-pub(super) fn settle(
-    spectra: &mut [NamedSpectrum],
-    file: &str,
-    options: &ReadOptions,
-) -> Result<(), ReadError> {
+pub(super) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions) {
     for spectrum in &mut *spectra {
         match (options.quantity, options.default_quantity) {
             (Some(quantity), _) => spectrum.quantity = quantity,
@@ -84,11 +75,10 @@ pub(super) fn settle(
     }
     match options.scale {
         Some(scale) => divide(spectra, |_| true, scale.divisor()),
-        None => settle_shares(spectra, file)?,
+        None => settle_shares(spectra),
     }
     spectra.iter_mut().for_each(settle_absorbance);
     spectra.iter_mut().for_each(settle_photons);
-    Ok(())
 }
 
 fn divide(spectra: &mut [NamedSpectrum], which: impl Fn(&NamedSpectrum) -> bool, divisor: f64) {
@@ -101,23 +91,22 @@ fn divide(spectra: &mut [NamedSpectrum], which: impl Fn(&NamedSpectrum) -> bool,
 }
 
 /// Turns per cent to fractions where a file says so, or where fractions of light exceed 2. All spectra of a file whose scale
-/// is not said are judged together, for a black sample in per cent looks like a grey one.
-fn settle_shares(spectra: &mut [NamedSpectrum], file: &str) -> Result<(), ReadError> {
+/// is not said are judged together, for a black sample in per cent looks like a grey one; but those that can be neither, such as
+/// an instrument's counts, say nothing of the others, and are refused where they are used.
+fn settle_shares(spectra: &mut [NamedSpectrum]) {
     let is_share = |spectrum: &NamedSpectrum| {
         spectrum.quantity.is_ratio() || (spectrum.quantity == Quantity::Unknown && is_percent(&spectrum.unit))
     };
     let is_said = |spectrum: &NamedSpectrum| is_percent(&spectrum.unit) || is_fraction(&spectrum.unit);
-    let judged = |spectrum: &NamedSpectrum| is_share(spectrum) && !is_said(spectrum);
-    let greatest = spectra.iter().filter(|one| judged(one)).map(within_band).fold(0.0, f64::max);
+    let judged = |spectrum: &NamedSpectrum| {
+        is_share(spectrum) && !is_said(spectrum) && spectrum.within_band() <= GREATEST_PERCENT
+    };
+    let greatest =
+        spectra.iter().filter(|one| judged(one)).map(NamedSpectrum::within_band).fold(0.0, f64::max);
     for spectrum in spectra.iter_mut().filter(|one| is_share(one) && is_percent(&one.unit)) {
         if spectrum.quantity == Quantity::Unknown {
             note(&mut spectrum.notes, "values in per cent, given as fractions");
         }
-    }
-    if greatest > GREATEST_PERCENT {
-        let expected = "fractions of light up to 1, or per cent up to 100";
-        let found = format!("{greatest}; say which value is all light (--scale, scale = …)");
-        return Err(ReadError::malformed(file, Place::File, expected, found));
     }
     if greatest > GREATEST_SHARE {
         for spectrum in spectra.iter_mut().filter(|one| judged(one)) {
@@ -126,17 +115,10 @@ fn settle_shares(spectra: &mut [NamedSpectrum], file: &str) -> Result<(), ReadEr
         divide(spectra, judged, 100.0);
     }
     divide(spectra, |spectrum| is_share(spectrum) && is_percent(&spectrum.unit), 100.0);
-    Ok(())
 }
 
 fn is_fraction(unit: &str) -> bool {
     FRACTIONS.contains(&unit.trim().to_lowercase().as_str())
-}
-
-/// The greatest value where it is used: instruments give noise beyond.
-fn within_band(spectrum: &NamedSpectrum) -> f64 {
-    let points = spectrum.nm.iter().zip(&spectrum.values);
-    points.filter(|(nm, _)| (FIRST_NM..=LAST_NM).contains(*nm)).map(|(_, value)| *value).fold(0.0, f64::max)
 }
 
 /// An absorbance A as the transmittance 10^−A.
@@ -178,7 +160,7 @@ mod tests {
 
     fn settled(one: NamedSpectrum, options: ReadOptions) -> NamedSpectrum {
         let mut spectra = [one];
-        settle(&mut spectra, "f", &options).unwrap();
+        settle(&mut spectra, &options);
         let [one] = spectra;
         one
     }
@@ -197,8 +179,13 @@ mod tests {
         assert_eq!(unknown.values, [5.0, 50.0], "what it is may be known later");
         let whole = ReadOptions { scale: Some(ValueScale::Whole(255.0)), ..plain };
         assert_eq!(settled(spectrum(Quantity::Reflectance, "", &[255.0, 51.0]), whole).values, [1.0, 0.2]);
-        let error = settle(&mut [spectrum(Quantity::Reflectance, "", &[255.0])], "f", &plain).unwrap_err();
-        assert!(error.to_string().contains("--scale"), "{error}");
+        // Counts beside a reflectance do not count, and are no reflectance.
+        let counts = spectrum(Quantity::Reflectance, "", &[255.0, 3.0]);
+        let mut both = [counts, spectrum(Quantity::Reflectance, "", &[0.5, 1.0])];
+        settle(&mut both, &plain);
+        assert_eq!(both[1].values, [0.5, 1.0]);
+        let error = both[0].to_spectrum(None).unwrap_err();
+        assert!(error.to_string().contains("which value is all light"), "{error}");
     }
 
     #[test]

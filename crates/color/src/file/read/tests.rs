@@ -153,6 +153,24 @@ fn what_stands_around_a_table_is_passed_over_and_told() {
 }
 
 #[test]
+fn spectrometers_write_counts_beside_what_they_mean() {
+    let table = spectra(
+        "Integration: 9 ms\r\nName\0\0\0\r\nWave   ;Sample  ;Dark    ;Transmittance\r\n[nm]   ;[counts];[counts];[% transmittance]\r\n\
+         400.0;57000;30;50.0\r\n401.0;57001;31;25.0\r\n",
+    );
+    let told: Vec<_> = table.iter().map(|one| (one.name.as_str(), one.quantity)).collect();
+    assert_eq!(
+        told,
+        [
+            ("Sample", Quantity::Unknown),
+            ("Dark", Quantity::Unknown),
+            ("Transmittance", Quantity::Transmittance),
+        ]
+    );
+    assert_eq!((&table[0].values[..], &table[2].values[..]), (&[57000.0, 57001.0][..], &[0.5, 0.25][..]));
+}
+
+#[test]
 fn meters_write_pairs_of_words_and_values() {
     let (lamp, found) =
         points("Model\tX\nLUX\t486\nCCT\t5461\nR1\t90\n380nm\t0.5\n385nm\t0.75\n390nm\t1\nPeak\t390\n");
@@ -324,15 +342,16 @@ fn noise_below_0_is_cut_and_more_is_refused() {
     let (lamp, notes) = read("nm,lamp (W/nm)\n300,-0.1\n780,10\n").unwrap();
     assert_eq!((lamp[0], lamp[96]), (0.0, 10.0));
     assert_eq!(notes, ["1 values of 'lamp' below 0, down to -0.1, are taken as noise: 0"]);
-    let error = read("nm,lamp (W/nm)\n300,1\n540,-0.5\n780,10\n").unwrap_err();
+    let error = read("nm,lamp (W/nm)\n300,-9\n540,-0.5\n780,10\n").unwrap_err();
     assert_eq!(
         error.to_string(),
         "expected values of at least 0 (noise down to -2.000e-1 is taken as 0), found -0.5 at 540 nm"
     );
     // The noise of a reflectance does not shrink with it: black is as noisy as white.
     assert_eq!(read("nm,reflectance\n300,-0.01\n780,0.02\n").unwrap().0[0], 0.0);
-    assert!(read("nm,reflectance\n300,-0.5\n780,0.5\n").is_err());
-    assert!(read("nm,a\n300,-1\n780,-1\n").is_err());
+    assert_eq!(read("nm,reflectance\n300,-0.5\n780,0.5\n").unwrap().0[0], 0.0, "blind at the end");
+    assert!(read("nm,reflectance\n400,-0.5\n780,0.5\n").is_err());
+    assert!(read("nm,a\n400,-1\n700,-1\n").is_err());
 }
 
 #[test]

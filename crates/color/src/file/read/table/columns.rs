@@ -143,7 +143,11 @@ fn headers(line: &Line<'_>, separator: Separator, run: Run) -> Option<Vec<String
 
 /// Whether a field is a unit and no more: `nm`, `(nm)`, `[%]`, `W/m²/nm`, or nothing.
 fn is_unit(field: &str) -> bool {
-    let bare = field.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']).trim();
+    let field = field.trim();
+    if field.starts_with('[') && field.ends_with(']') {
+        return true;
+    }
+    let bare = field.trim_start_matches('(').trim_end_matches(')').trim();
     let is_scale = SHORT_AXES.iter().any(|unit| bare.eq_ignore_ascii_case(unit));
     bare.is_empty() || is_scale || bare == "%" || PowerUnit::parse(bare).is_some()
 }
@@ -332,13 +336,14 @@ fn spectra(
             continue;
         }
         settle_column(&mut spectrum, &said, axis.scale);
-        if spectrum.quantity == Quantity::Unknown && head.quantity != Quantity::Unknown {
-            spectrum.quantity = head.quantity;
-        }
         spectra.push(spectrum);
     }
     if spectra.is_empty() {
         return Err(ReadError::malformed(source.file, Place::File, "at least one value", "none"));
+    }
+    // What the head says is of all columns, unless these tell themselves apart.
+    if spectra.iter().all(|spectrum| spectrum.quantity == Quantity::Unknown) {
+        spectra.iter_mut().for_each(|spectrum| spectrum.quantity = head.quantity);
     }
     for name in empty.iter().filter(|name| !name.is_empty()).take(4) {
         let text = format!("column {} has no values", excerpt(name));
