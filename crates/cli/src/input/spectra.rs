@@ -26,7 +26,8 @@ use crate::print::failure::{Failure, Report, without_number};
 const MAX_BYTES: u64 = (16 << 20) + 1;
 
 /// Endings by which a word is known to be a file's name, whether or not the file exists.
-const ENDINGS: [&str; 9] = ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr"];
+const ENDINGS: [&str; 15] =
+    ["csv", "tsv", "txt", "dat", "spdx", "xml", "cxf", "bfc", "exr", "jdx", "dx", "sp", "spd", "xls", "ttt"];
 
 /// A surface may exceed 1 by the rounding of numbers in a file without a remark.
 const RATIO_TOLERANCE: f64 = 1e-6;

@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | text tables: CSV, TSV, blanks | [`read_csv`] | [`write_csv`](crate::write::write_csv) |
 //! | IES TM-27-14 `.spdx` | [`read_spdx`] | [`write_spdx`](crate::write::write_spdx) |
+//! | JCAMP-DX `.jdx` | [`read_spectra`] | – |
 //! | CGATS.17 `.txt` | [`read_cgats`] | – |
 //! | CxF3 `.cxf` | [`read_cxf`] | – |
 //! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
@@ -33,6 +34,7 @@ mod bfc;
 mod cgats;
 mod cxf;
 pub(crate) mod error;
+mod jcamp;
 mod matrix;
 pub(crate) mod named;
 mod power;
@@ -62,7 +64,7 @@ pub use units::Scale;
 /// The beginning of a file in which its format shows.
 const SNIFFED: usize = 4096;
 
-/// Reads spectra in whichever format the bytes are: `.spdx`, CxF3, CGATS or a text table.
+/// Reads spectra in whichever format the bytes are: `.spdx`, CxF3, CGATS, JCAMP-DX or a text table.
 ///
 /// # Errors
 ///
@@ -86,6 +88,7 @@ pub fn read_spectra_with(
         Format::Spdx => spdx::parse(&text, file),
         Format::Cxf => cxf::parse(&text, file),
         Format::Cgats => cgats::parse(&text, file),
+        Format::Jcamp => jcamp::parse(&text, file),
         Format::Table => table::parse(&text, file, options.unit),
     }?;
     settle::settle(&mut spectra, options);
@@ -97,13 +100,18 @@ enum Format {
     Spdx,
     Cxf,
     Cgats,
+    Jcamp,
     Table,
 }
 
 /// The format that a text is in.
 fn format(text: &str, file: &str) -> Result<Format, ReadError> {
     if !text.trim_start().starts_with('<') {
-        return Ok(if cgats::is_cgats(text) { Format::Cgats } else { Format::Table });
+        return Ok(match (cgats::is_cgats(text), jcamp::is_jcamp(text)) {
+            (true, _) => Format::Cgats,
+            (_, true) => Format::Jcamp,
+            _ => Format::Table,
+        });
     }
     let mut end = text.len().min(SNIFFED);
     while !text.is_char_boundary(end) {
