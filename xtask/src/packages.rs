@@ -8,13 +8,13 @@ use crate::{Failure, Result};
 /// What every package holds.
 const NEEDED: &[&str] = &["README.md", "LICENSE-MIT", "LICENSE-APACHE", "NOTICE"];
 
-/// Where else files of a package may lie.
-const FOLDERS: &[&str] = &["src/", "data/", "examples/"];
+/// Where else files of a package may lie; `build.rs` is a file by itself.
+const FOLDERS: &[&str] = &["src/", "data/", "examples/", "build.rs"];
 
 /// What Cargo adds.
 const ADDED: &[&str] = &[".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig"];
 
-/// The limits of crates.io for keywords: how many, and of how many characters.
+/// The registry's limits for keywords: how many, and of how many characters.
 const KEYWORDS: (usize, usize) = (5, 20);
 
 /// Checks manifests and files of all packages, then packs them. Where the variable `CI` is set, they are also built from
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn files_that_do_not_belong_are_told() {
-        let good = [NEEDED, ADDED, &["src/lib.rs", "data/a.csv"]].concat();
+        let good = [NEEDED, ADDED, &["src/lib.rs", "data/a.csv", "build.rs"]].concat();
         assert_eq!(fault_of_files(&good), None);
         let junk = [good.as_slice(), &["tests/big.png"]].concat();
         assert_eq!(fault_of_files(&junk), Some("holds tests/big.png, which is no part of it".to_owned()));
