@@ -2,6 +2,17 @@
 //!
 //! Code below a SIMD dispatch must be inlined into it, closures too, or it runs without the level's
 //! instructions.
+//!
+//! ```
+//! use glanz_math::inline::{inlined, nine, three};
+//!
+//! let double = inlined(
+//!     #[inline(always)]
+//!     |x: f32| x + x,
+//! );
+//! assert_eq!(three([1.0, 2.0, 3.0], double), [2.0, 4.0, 6.0]);
+//! assert_eq!(nine(|i| i * i)[8], 64);
+//! ```
 
 /// The closure itself: a place where `#[inline(always)]` may stand on a closure that has a name, since the
 /// language allows the attribute on arguments but not on the value of a `let`.

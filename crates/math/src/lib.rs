@@ -8,6 +8,20 @@
 //! Only `+ − × ÷ √`, comparisons and our own [`Real::exp2`] and [`Real::log2`] are used: IEEE 754
 //! defines the first five exactly, the others are polynomials made of them. Nothing here depends on
 //! the C library of a platform and nothing is contracted to a fused multiply-add.
+//!
+//! ```
+//! use glanz_math::{Lanes, Real, SimdLevel, at_level};
+//!
+//! /// Lambert's cosine to a power, in any kind of number.
+//! fn lobe<R: Real>(cosine: R) -> R {
+//!     cosine.clamp(0.0, 1.0).pow(cosine.lit(20.0))
+//! }
+//!
+//! let mut row = [0.0; 16];
+//! at_level!(SimdLevel::best(), simd => lobe(Lanes::splat(simd, 0.9)).store(&mut row));
+//! assert_eq!(row, [lobe(0.9_f32); 16]);
+//! assert!((f64::from(row[0]) - lobe(0.9_f64)).abs() < 1e-6);
+//! ```
 
 mod chebyshev;
 mod exponent;

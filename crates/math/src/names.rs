@@ -1,4 +1,12 @@
 //! Names as people type them: how they are compared, and which known name is meant by a misspelt one.
+//!
+//! ```
+//! use glanz_math::names::{did_you_mean, nearest, plain};
+//!
+//! assert_eq!(plain("Blinn Phong"), plain("blinn-phong"));
+//! assert_eq!(nearest("lambrt", ["lambert", "phong"]), ["lambert"]);
+//! assert_eq!(did_you_mean("lambrt", ["lambert", "phong"]), "; did you mean 'lambert'?");
+//! ```
 
 /// The longest name that is looked at: a longer one is a misspelling of nothing, and the distance costs the
 /// product of the lengths.

@@ -1,4 +1,14 @@
 //! What a scene says about its picture: size, shading, view, exposure and tone mapping.
+//!
+//! ```
+//! use glanz_scene::{DebugView, Interpolation, Shading};
+//!
+//! assert_eq!("gouraud".parse::<Shading>()?, Shading::Gouraud);
+//! assert_eq!(Shading::default().name(), "phong");
+//! assert_eq!(Interpolation::ALL.len(), 3);
+//! assert!("fong".parse::<Shading>().unwrap_err().starts_with("expected one of flat, gouraud, phong"));
+//! # Ok::<(), String>(())
+//! ```
 
 use glanz_color::Rgb;
 pub use glanz_color::ToneMap;

@@ -1,4 +1,14 @@
 //! Figures: plain data that draws itself on a [`Page`](crate::Page).
+//!
+//! ```
+//! use glanz_plot::Figure;
+//! use glanz_plot::figure::{NamedSpectrum, spectra};
+//!
+//! let lamp = NamedSpectrum { name: "A".to_owned(), spectrum: glanz_color::light("A")? };
+//! let svg = spectra("A lamp", "300 to 780 nm", "relative power", &[lamp]).page().svg()?;
+//! assert!(svg.starts_with("<svg"));
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 mod chromaticity;
 mod cones;

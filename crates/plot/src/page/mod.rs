@@ -2,6 +2,17 @@
 //!
 //! A [`Page`] is a list of shapes in points and knows no file format; [`Page::svg`], [`Page::png`] and
 //! [`Page::save`] write it.
+//!
+//! ```
+//! use glanz_plot::page::{Anchor, Page};
+//!
+//! let mut page = Page::new(100, 60);
+//! page.line([(10.0, 50.0), (90.0, 10.0)], [0, 0, 255], 1.5);
+//! page.text("a line", (50.0, 55.0), Anchor::Middle, 9.0, [0, 0, 0]);
+//! assert!(page.svg()?.contains("a line"));
+//! assert!(page.png()?.starts_with(b"\x89PNG"));
+//! # Ok::<(), glanz_plot::Error>(())
+//! ```
 
 mod figure;
 mod files;

@@ -11,6 +11,25 @@
 //!
 //! Nothing depends on the number of threads or the order of triangles: of two surfaces at the same depth the one
 //! with the smaller number is seen.
+//!
+//! ```
+//! use glanz_math::SimdLevel;
+//! use glanz_render::cpu::Renderer;
+//! use glanz_render::{Backend, DrawOptions, PrepareOptions, View, prepare};
+//! use glanz_scene::{Background, Camera, Light, Material, Mesh, Scene};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("sphere")?, Material::default_gray())
+//!     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]));
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 32, 32)?;
+//! let options = DrawOptions::new(Background::Transparent);
+//! // The same bits with the narrowest vectors and with the best.
+//! let [narrow, wide] = [SimdLevel::narrowest(), SimdLevel::best()]
+//!     .map(|level| Renderer::with_level(level).draw(&prepared, &view, &options));
+//! assert!(narrow.rgb == wide.rgb && narrow.alpha[16 * 32 + 16] == 1.0);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 mod block;
 mod frame;

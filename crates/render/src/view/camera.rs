@@ -1,4 +1,22 @@
 //! The camera of a view in single precision.
+//!
+//! ```
+//! use glanz_render::view::camera::ViewCamera;
+//! use glanz_render::{PrepareOptions, View, prepare};
+//! use glanz_scene::{Camera, Light, Material, Mesh, Scene};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("sphere")?, Material::default_gray())
+//!     .with_light(Light::point([0.0, 0.0, 3.0], [1.0; 3]));
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 64, 48)?;
+//! let camera = ViewCamera::new(&prepared, &view);
+//! // The sphere of radius 1 is 4 to 6 m before the camera.
+//! let [near, far] = camera.range;
+//! assert!(near <= 4.0 && far >= 6.0 && far < 7.0, "{near} to {far}");
+//! assert_eq!(camera.center, [32.0, 24.0]);
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use glam::DVec3;
 use glanz_math::{Real, Vec3};

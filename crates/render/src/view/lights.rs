@@ -1,4 +1,22 @@
 //! The lights in single precision, relative to the camera.
+//!
+//! ```
+//! use glanz_render::view::camera::ViewCamera;
+//! use glanz_render::view::lights::ViewLights;
+//! use glanz_render::{DrawOptions, PrepareOptions, View, prepare};
+//! use glanz_scene::{Background, Camera, Light, Material, Mesh, Scene};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("sphere")?, Material::default_gray())
+//!     .with_light(Light::point([0.0, 0.0, 3.0], [1.0; 3]));
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 64, 48)?;
+//! let camera = ViewCamera::new(&prepared, &view);
+//! let lights = ViewLights::new(&prepared, &camera, &DrawOptions::new(Background::Transparent));
+//! assert_eq!(lights.list.len(), 1);
+//! assert!(lights.bvh.is_none(), "the scene has no shadows");
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use glam::{DMat3, DVec3};
 use glanz_math::{Real, Vec3};

@@ -1,4 +1,17 @@
 //! What a debug view leaves of materials.
+//!
+//! ```
+//! use glanz_render::view::materials::shown_materials;
+//! use glanz_render::{DebugView, PrepareOptions, prepare};
+//! use glanz_scene::{Material, Mesh, Scene};
+//!
+//! let scene = Scene::new().with_mesh(Mesh::builtin("cube")?, Material::default_gray());
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! let ambient = shown_materials(&prepared, DebugView::Ambient);
+//! assert_eq!(ambient.len(), prepared.materials.len());
+//! assert!(ambient[0].tints.iter().all(|tint| *tint == [0.0; 3]), "no lamp adds to it");
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use std::borrow::Cow;
 

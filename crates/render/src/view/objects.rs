@@ -1,4 +1,22 @@
 //! How the objects of a scene take part in a frame.
+//!
+//! ```
+//! use glanz_render::view::camera::ViewCamera;
+//! use glanz_render::view::objects::{Pass, ViewObject};
+//! use glanz_render::{PrepareOptions, View, prepare};
+//! use glanz_scene::{Camera, Light, Material, Mesh, Scene};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("sphere")?, Material::default_gray())
+//!     .with_light(Light::point([0.0, 0.0, 3.0], [1.0; 3]));
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! let view = View::new(&Camera::new([0.0, 0.0, 5.0], [0.0; 3]), 64, 48)?;
+//! let camera = ViewCamera::new(&prepared, &view);
+//! let seen = ViewObject::new(&prepared.objects[0], &prepared.materials[0], &camera);
+//! assert_eq!(seen.pass, Pass::Opaque);
+//! assert!(seen.cull_back, "nobody sees the inside of a closed sphere");
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 use glanz_scene::AlphaMode;
 

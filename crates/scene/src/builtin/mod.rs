@@ -5,6 +5,16 @@
 //! seen from outside; normals are those of the true surface, not of the facets, so a coarse sphere
 //! shaded by interpolated normals looks round. Texture coordinates run rightwards and downwards
 //! seen from outside, with the seam of round meshes at the back (−Z).
+//!
+//! ```
+//! use glanz_scene::{Builtin, Mesh};
+//!
+//! // By name with defaults, or with numbers.
+//! assert_eq!(Mesh::builtin("cube")?.positions.len(), 24);
+//! let coarse = Builtin::Sphere { radius: 1.0, slices: 8, stacks: 4 }.mesh()?;
+//! assert!(coarse.positions.len() < Mesh::builtin("sphere")?.positions.len());
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 mod flat;
 mod icosphere;

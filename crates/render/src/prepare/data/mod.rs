@@ -10,6 +10,20 @@
 //! | [`bvh`](Prepared::bvh) | the triangles that cast shadows, nodes and leaves in order |
 //!
 //! [`Prepared::pack`] lays all of it out in two pools of `u32` and `f32`, for upload; [`Section`] has the layout.
+//!
+//! ```
+//! use glanz_render::{PrepareOptions, prepare};
+//! use glanz_scene::{Light, Material, Mesh, Scene};
+//!
+//! let scene = Scene::new()
+//!     .with_mesh(Mesh::builtin("cube")?, Material::default_gray())
+//!     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]));
+//! let prepared = prepare(&scene, &PrepareOptions::default())?;
+//! assert_eq!((prepared.triangle_count(), prepared.objects.len(), prepared.lights.len()), (12, 1, 1));
+//! let material = &prepared.materials[0];
+//! assert_eq!(material.tints.len(), material.lobes.len() * prepared.lights.len());
+//! # Ok::<_, Box<dyn std::error::Error>>(())
+//! ```
 
 pub(crate) mod bvh;
 pub(crate) mod environment_map;
