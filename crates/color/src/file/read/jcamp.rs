@@ -159,22 +159,7 @@ impl Table {
             let told = block.points.unwrap_or_default();
             note(&mut notes, format!("NPOINTS is {told}, but there are {} points", self.y.len()));
         }
-        let mut points = Vec::with_capacity(x.len());
-        for (x, y) in x.into_iter().zip(&self.y) {
-            points.push((scale.nm(x, file, || Place::Line(self.line))?, y * block.y_factor.unwrap_or(1.0)));
-        }
-        if points.first().zip(points.last()).is_some_and(|(first, last)| first.0 > last.0) {
-            points.reverse();
-        }
-        if let Some(pair) = points.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
-            return wrong(
-                "abscissas that only rise or only fall",
-                format!("{} nm after {} nm", pair[1].0, pair[0].0),
-            );
-        }
-        if points.is_empty() {
-            return wrong("points", "none".to_owned());
-        }
+        let points = self.points(x, scale, block.y_factor.unwrap_or(1.0), file)?;
         let name = match block.title.as_str() {
             "" => format!("{} {}", stem(file), index + 1),
             title => clean(title, MAX_NAME),
@@ -182,6 +167,34 @@ impl Table {
         let unit = if is_percent(&block.y_units) { "%".to_owned() } else { String::new() };
         let (nm, values) = points.into_iter().unzip();
         Ok(NamedSpectrum { name, nm, values, quantity: Quantity::of(&block.y_units), unit, notes })
+    }
+
+    /// Wavelengths in nm that rise, with their values.
+    fn points(
+        &self,
+        x: Vec<f64>,
+        scale: Scale,
+        factor: f64,
+        file: &str,
+    ) -> Result<Vec<(f64, f64)>, ReadError> {
+        let wrong = |expected: &str, found: String| {
+            Err(ReadError::malformed(file, Place::Line(self.line), expected, found))
+        };
+        let mut points = Vec::with_capacity(x.len());
+        for (x, y) in x.into_iter().zip(&self.y) {
+            points.push((scale.nm(x, file, || Place::Line(self.line))?, y * factor));
+        }
+        if points.first().zip(points.last()).is_some_and(|(first, last)| first.0 > last.0) {
+            points.reverse();
+        }
+        if let Some(pair) = points.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
+            let found = format!("{} nm after {} nm", pair[1].0, pair[0].0);
+            return wrong("abscissas that only rise or only fall", found);
+        }
+        match points.is_empty() {
+            true => wrong("points", "none".to_owned()),
+            false => Ok(points),
+        }
     }
 }
 
