@@ -10,8 +10,7 @@ use crate::{DirectionPair, Model, ModelInfo, ParamError, Shape};
 /// Models of one's own.
 impl Shape {
     /// A model of one's own as a shape. It is written as the models of the list are, and everything that takes a shape takes
-    /// it: pictures, plots, certificates, scenes in code. It is compiled for every SIMD level; a call of it costs about
-    /// 100 instructions for 16 pixels more than one of the list.
+    /// it: pictures, plots, certificates, scenes in code. It is compiled for every SIMD level, and called once for 16 pixels.
     ///
     /// Only the program knows it: a scene with it cannot be written into a file.
     ///
@@ -65,7 +64,8 @@ impl Shape {
 
     /// A function of one's own as a shape: f_cos, the BSDF times the incident cosine in 1/sr, from the values of the
     /// parameters in the order of `info.params` and the two directions. It is for what is no formula, such as
-    /// a table that has been measured; it is called for one pixel after the other, which is several times slower than [`Shape::custom`].
+    /// a table that has been measured; it is called for one pixel after the other, so a formula is
+    /// better off as [`Shape::custom`].
     ///
     /// ```
     /// use glanz_bsdf::models::lambert::Lambert;
