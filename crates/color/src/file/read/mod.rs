@@ -7,6 +7,7 @@
 //! | JCAMP-DX `.jdx` | [`read_spectra`] | – |
 //! | CGATS.17 `.txt` | [`read_cgats`] | – |
 //! | CxF3 `.cxf` | [`read_cxf`] | – |
+//! | n and k: text tables, `.spd` pairs, refractiveindex.info YAML | [`read_ior`] | – |
 //! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
 //! | text tables of re-radiation | [`read_matrix_csv`] | [`write_matrix_csv`](crate::write::write_matrix_csv) |
 //! | spectral OpenEXR, with the feature `exr` | module [`exr`](crate::exr) | module `exr` |
@@ -34,6 +35,7 @@ mod bfc;
 mod cgats;
 mod cxf;
 pub(crate) mod error;
+mod ior;
 mod jcamp;
 mod matrix;
 pub(crate) mod named;
@@ -52,6 +54,7 @@ pub use bfc::read_bfc;
 pub use cgats::read_cgats;
 pub use cxf::read_cxf;
 pub use error::{Place, ReadError, excerpt};
+pub use ior::{NamedIor, ior_partner, read_ior, read_ior_pair};
 pub use matrix::read_matrix_csv;
 pub use named::{NamedSpectrum, Quantity};
 pub use power::{PowerUnit, Radiometry};
