@@ -314,6 +314,13 @@ mod tests {
             let glossy = layered_albedo(&ggx, &[LayerWeight::over_glossy(&coat)], cosine);
             let gloss = |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), eta);
             let top = albedo_with(&ggx, cosine, 0.0, gloss);
+            let boundary = LayerWeight::over_boundary(&coat);
+            let smooth = |cosine: f64| coated_reflectance(coat_reflectance(eta, alpha, cosine), 1.0);
+            let mirror = |pair: &DirectionPair<f64>| {
+                ggx.f_cos(pair) * smooth(pair.cos_view_half()) * boundary.factor(pair)
+            };
+            let below = albedo_with(&ggx, cosine, 0.0, mirror);
+            prop_assert!(top + below < 1.005, "a perfect mirror: {top} + {below}");
             // The series, the mean over facets and both quadratures are each within 2e-3.
             prop_assert!(top + matte < 1.005, "white matte: {top} + {matte}");
             prop_assert!(top + matte > 0.99, "nothing is lost over white: {top} + {matte}");

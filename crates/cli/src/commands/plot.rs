@@ -1,9 +1,10 @@
 //! `glanz plot`: lobes, albedos and Fresnel reflectance as plots.
 
 use clap::{Args, ValueEnum, ValueHint};
-use glanz_plot::{Factor, Figure, FresnelPlot, LobePlot, Medium, PlotFile};
+use glanz_plot::{Factor, Figure, FresnelPlot, LobePlot, PlotFile};
 
 use crate::input::lobes::{FactorArgs, SetArgs, model_names, wavelength};
+use crate::input::media;
 use crate::input::spectra::words;
 use crate::print;
 use crate::print::failure::Failure;
@@ -84,8 +85,8 @@ pub(crate) struct PlotArgs {
     #[arg(long)]
     log: bool,
 
-    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list metals`, or a refractive
-    /// index); for --kind fresnel the media, between commas [default there: 1.5]
+    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list metals`, a refractive index, n and k
+    /// as in 0.2+3i, or a file of n and k); for --kind fresnel the media, between commas [default there: 1.5]
     #[arg(long, value_name = "NAME", help_heading = "Tint")]
     ior: Option<String>,
 
@@ -143,7 +144,7 @@ impl PlotArgs {
             Kind::Albedo => Box::new(plot.albedo()?),
             Kind::Slice => Box::new(plot.slice()?),
             Kind::Terms => {
-                Box::new(plot.terms(&Medium::named(self.ior.as_deref().unwrap_or("1.5"), plot.lambda_nm)?)?)
+                Box::new(plot.terms(&media::medium(self.ior.as_deref().unwrap_or("1.5"), plot.lambda_nm)?)?)
             }
             Kind::Fresnel => self.fresnel()?,
         })
@@ -176,7 +177,7 @@ impl PlotArgs {
         let lambda_nm = self.factor().nm();
         let words = words(self.ior.as_deref().unwrap_or("1.5"));
         let words = words.map_err(|message| Failure::Usage(format!("--ior: {message}")))?;
-        let media: Result<Vec<_>, _> = words.iter().map(|word| Medium::named(word, lambda_nm)).collect();
+        let media: Result<Vec<_>, _> = words.iter().map(|word| media::medium(word, lambda_nm)).collect();
         let plot = FresnelPlot { media: media?, lambda_nm, log: self.log, polarized: self.polarised };
         Ok(Box::new(plot.chart()?))
     }

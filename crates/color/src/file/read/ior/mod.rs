@@ -19,6 +19,9 @@ const POSSIBLE_N: std::ops::RangeInclusive<f64> = 1e-3..=20.0;
 /// The extinction coefficients that are possible.
 const POSSIBLE_K: std::ops::RangeInclusive<f64> = 0.0..=50.0;
 
+/// Extinction coefficients down to this are noise of ellipsometers.
+const NOISE: f64 = -0.02;
+
 /// A complex refractive index n + i k of a file, at the wavelengths at which it was measured.
 ///
 /// ```
@@ -79,8 +82,14 @@ impl NamedIor {
                 format!("{first} to {last} nm"),
             );
         }
+        let below = part.values.iter().filter(|value| (NOISE..0.0).contains(*value)).count();
+        let values: Vec<f64> =
+            part.values.iter().map(|v| if (NOISE..0.0).contains(v) { 0.0 } else { *v }).collect();
+        if what == "k" && below > 0 {
+            notes.push(format!("{below} values of k below 0 are taken as noise: 0"));
+        }
         let used = |nm: f64| (FIRST_NM - 50.0..=LAST_NM + 50.0).contains(&nm);
-        let mut points = part.nm.iter().zip(&part.values);
+        let mut points = part.nm.iter().zip(&values);
         if let Some((nm, value)) = points.find(|(nm, value)| used(**nm) && !possible.contains(*value)) {
             let (least, most) = (possible.start(), possible.end());
             return wrong(format!("{what} from {least} to {most}"), format!("{value} at {nm} nm"));
@@ -92,7 +101,7 @@ impl NamedIor {
                 "{what} is known from {from} to {to} nm; beyond, the values at the ends are held"
             ));
         }
-        Ok(Spectrum::from_fn(|nm| linear(&part.nm, &part.values, nm)))
+        Ok(Spectrum::from_fn(|nm| linear(&part.nm, &values, nm)))
     }
 }
 

@@ -39,6 +39,13 @@ fn what_is_assumed_is_told() {
 }
 
 #[test]
+fn noise_below_0_is_no_absorption() {
+    let (clear, notes) = index("nm,n,k\n300,1.5,-3e-4\n800,1.5,1e-6\n", "x.csv").expect("it is read");
+    assert_eq!(clear.k.at(300.0), 0.0);
+    assert!(notes.iter().any(|note| note.contains("noise")), "{notes:?}");
+}
+
+#[test]
 fn a_record_of_the_database_is_read() {
     let metal = "REFERENCES: \"J. <i>Doe</i>, <a href=\\\"x\\\">Metals</a>\"\nDATA:\n  - type: tabulated nk\n    data: |\n        \
                  0.45 1.09 1.83\n        0.55 0.53 2.77\n        0.65 0.44 3.69\n";
