@@ -57,8 +57,9 @@ mod tests {
         assert!(worst.0 > 1e-8, "{worst:?}: f32 is not as good as that");
     }
 
-    /// What a series may be off by where a metal lies under a coat, in parts of all light.
-    const COATED: f64 = 2e-4;
+    /// What a series may be off by where a metal lies under a coat, in parts of all light: most at grazing angles, below
+    /// coats as dense as diamond, where the coat lets next to nothing pass.
+    const COATED: f64 = 4e-4;
 
     #[test]
     fn every_metal_under_a_coat_keeps_its_reflection_at_every_angle() {
