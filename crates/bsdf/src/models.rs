@@ -19,7 +19,7 @@
 use glanz_math::names::nearest;
 use glanz_math::{Real, Vec3};
 
-use crate::{CustomModel, DirectionPair, Model, ModelInfo, ParamError};
+use crate::{CustomModel, DirectionPair, LightTerm, Model, ModelInfo, ParamError};
 
 /// [`Shape::id`] of a program's own models.
 const CUSTOM: u32 = u32::MAX;
@@ -138,6 +138,16 @@ macro_rules! models {
                 match self {
                     $(Self::$model(model) => model.tint_cosine(pair),)+
                     Self::Custom(model) => model.tint_cosine(pair),
+                }
+            }
+
+            /// The cosine at which pictures take a Fresnel tint of the lobe: [`tint_cosine`](Self::tint_cosine) for
+            /// specular lobes; 1, normal incidence, for matte ones, whose light meets no facet.
+            #[inline(always)]
+            pub fn fresnel_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+                match self.info().term {
+                    LightTerm::Specular => self.tint_cosine(pair),
+                    _ => pair.cos_o.one(),
                 }
             }
 

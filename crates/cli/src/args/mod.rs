@@ -6,6 +6,7 @@ mod color;
 mod input;
 mod look;
 mod picture;
+mod plot;
 mod target;
 mod values;
 
@@ -14,6 +15,7 @@ pub(crate) use color::ColorArgs;
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
+pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
 pub(crate) use target::{Target, TargetArgs, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};
 

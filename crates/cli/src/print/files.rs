@@ -1,4 +1,4 @@
-//! Files beside a picture: tables of spectra, plots, and what is told of contact sheets.
+//! Files beside a picture: tables of spectra, and what is told of contact sheets.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,30 +6,17 @@ use std::path::Path;
 use glanz_color::Spectrum;
 use glanz_color::write::write_csv;
 use glanz_picture::output::{OutputError, write_atomically};
-use glanz_plot::{Figure, PlotFile};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::failure::Failure;
 use super::stdout::{self, FormatArgs, note};
-use crate::args::{Target, check_folder};
+use crate::args::Target;
 
 /// Writes spectra as columns, by their names. The file is old or new, but never half.
 pub(crate) fn save_csv(path: &Path, spectra: &[(&str, &Spectrum)]) -> Result<(), Failure> {
     write_atomically(path, |out| write_csv(out, spectra).map_err(OutputError::Stream))?;
     note(format_args!("wrote {}", path.display()));
-    Ok(())
-}
-
-/// That the file of a plot can be written, before any work is done.
-pub(crate) fn check_plot(file: Option<&PlotFile>) -> Result<(), Failure> {
-    file.map_or(Ok(()), |file| check_folder(file.path()))
-}
-
-/// Writes a plot. The file is old or new, but never half.
-pub(crate) fn save_plot(file: &PlotFile, figure: &dyn Figure) -> Result<(), Failure> {
-    file.save(&figure.page())?;
-    note(format_args!("wrote {}", file.path().display()));
     Ok(())
 }
 

@@ -27,4 +27,4 @@ pub use factor::Factor;
 pub use fresnel::FresnelPlot;
 pub use lobe::{Lobe, label};
 pub use medium::Medium;
-pub use plot::{DEFAULT_NM, LobePlot, Quantity, lobe};
+pub use plot::{DEFAULT_NM, LobePlot, Quantity, Unit, lobe};

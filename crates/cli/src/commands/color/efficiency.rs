@@ -7,13 +7,13 @@ use clap::Args;
 use glanz_color::efficiency::{Errors, Representation};
 use glanz_color::{Spectrum, colorchecker, reflectance, reflectances};
 use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
-use glanz_plot::{EfficiencyChart, PlotFile};
+use glanz_plot::{EfficiencyChart, Lang, Word};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::args::BesidePlotArgs;
 use crate::input::spectra::{light_source, surfaces, words};
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
@@ -41,9 +41,8 @@ pub(crate) struct EfficiencyArgs {
     #[command(flatten)]
     what: WhatArgs,
 
-    /// Draw the errors over the number of samples; .svg or .png
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    plot: Option<PlotFile>,
+    #[command(flatten)]
+    plot: BesidePlotArgs,
 
     #[command(flatten)]
     format: FormatArgs,
@@ -106,10 +105,10 @@ struct ErrorsFacts {
 impl EfficiencyArgs {
     /// Computes the errors, and draws them.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        check_plot(self.plot.as_ref())?;
+        let plot = self.plot.target()?;
         let found = self.what.find()?;
-        if let Some(file) = &self.plot {
-            save_plot(file, &found.chart())?;
+        if let Some(plot) = plot {
+            plot.save(&mut found.chart(plot.lang()))?;
         }
         match self.format.is_json() {
             true => print::json(&found.document()),
@@ -164,7 +163,7 @@ impl WhatArgs {
 
 impl Found {
     /// The plot: a panel for each light.
-    pub(crate) fn chart(&self) -> EfficiencyChart {
+    pub(crate) fn chart(&self, lang: Lang) -> EfficiencyChart {
         let kinds = [
             Representation::Uniform(0),
             Representation::UniformVisible(0),
@@ -183,11 +182,12 @@ impl Found {
                 })
                 .collect(),
         };
-        let subtitle = format!(
-            "Mean ΔE₀₀ over the {} surfaces of '{}', against the whole spectrum",
-            self.count, self.set
-        );
-        EfficiencyChart { subtitle, lights: self.lights.iter().enumerate().map(panel).collect() }
+        EfficiencyChart {
+            title: lang.say(Word::Efficiency, &[]),
+            subtitle: lang.say(Word::EfficiencyOver, &[&self.count.to_string(), &self.set]),
+            lights: self.lights.iter().enumerate().map(panel).collect(),
+            lang,
+        }
     }
 
     fn document(&self) -> Document {
