@@ -303,6 +303,26 @@ impl Shape {
         let info = info_named(name)?;
         Ok(Self::build(info.name, &info.values(set)?).expect("a name from the list builds"))
     }
+
+    /// The shape of another model with the parameters that both have by name; the others have their defaults.
+    ///
+    /// ```
+    /// use glanz_bsdf::Shape;
+    ///
+    /// let phong = Shape::named("phong", &[("shininess", 8.0)])?;
+    /// assert_eq!(phong.as_model("blinn-phong")?.params(), [8.0]);
+    /// # Ok::<(), glanz_bsdf::ParamError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ParamError`] where there is no such model, or a value is out of its range.
+    pub fn as_model(&self, name: &str) -> Result<Self, ParamError> {
+        let target = info_named(name)?;
+        let has = |name: &str| target.params.iter().any(|param| param.name == name);
+        let own = self.info().params.iter().map(|param| param.name).zip(self.params());
+        Self::named(name, &own.filter(|(name, _)| has(name)).collect::<Vec<_>>())
+    }
 }
 
 /// The description of the model called `name`.

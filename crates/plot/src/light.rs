@@ -204,6 +204,7 @@ pub fn attenuation_label(constant: f64, linear: f64, quadratic: f64) -> String {
     let parts = [part(constant, ""), part(linear, "d"), part(quadratic, "d²")];
     let sum: Vec<_> = parts.into_iter().flatten().collect();
     match sum.as_slice() {
+        [one] if one == "1" => one.clone(),
         [one] => format!("1 / {one}"),
         _ => format!("1 / ({})", sum.join(" + ")),
     }
@@ -237,7 +238,10 @@ mod tests {
     #[test]
     fn laws_are_named_by_their_factors() {
         assert_eq!(attenuation_label(1.0, 0.5, 0.0), "1 / (1 + 0.5 d)");
-        assert_eq!(attenuation_label(0.0, 0.0, 1.0), "1 / d²");
+        assert_eq!(
+            (attenuation_label(1.0, 0.0, 0.0), attenuation_label(0.0, 0.0, 1.0)),
+            ("1".into(), "1 / d²".into())
+        );
         assert_eq!(attenuation_label(1.0, 0.0, 0.1), "1 / (1 + 0.1 d²)");
     }
 

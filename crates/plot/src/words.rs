@@ -42,6 +42,16 @@ impl Lang {
     }
 }
 
+impl Lang {
+    /// Parts of a sentence, one after the other.
+    pub(crate) fn join(self, parts: &[String]) -> String {
+        parts.join(match self {
+            Self::En => "; ",
+            Self::Fr => " ; ",
+        })
+    }
+}
+
 /// The code of ISO 639-1.
 impl FromStr for Lang {
     type Err = String;

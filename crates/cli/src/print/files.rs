@@ -8,6 +8,7 @@ use glanz_color::write::write_csv;
 use glanz_picture::output::{OutputError, write_atomically};
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::Value;
 
 use super::failure::Failure;
 use super::stdout::{self, FormatArgs, note};
@@ -76,6 +77,7 @@ struct CellFacts {
 enum ValueFacts {
     Number(f64),
     Truth(bool),
+    List(Vec<Value>),
     Text(String),
 }
 
@@ -87,7 +89,13 @@ impl ValueFacts {
             (Some(number), _) => Self::Number(number),
             (_, "true") => Self::Truth(true),
             (_, "false") => Self::Truth(false),
-            _ => Self::Text(text.to_owned()),
+            (_, list) if list.starts_with('[') => {
+                serde_json::from_str(list).map_or_else(|_| Self::Text(text.to_owned()), Self::List)
+            }
+            (_, quoted) => {
+                let inner = quoted.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+                Self::Text(inner.unwrap_or(text).to_owned())
+            }
         }
     }
 }

@@ -6,12 +6,14 @@ use super::projection::Projection;
 use crate::chart::heading;
 use crate::data::{DataCurve, DataPanel, PlotData};
 use crate::number;
-use crate::page::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8};
-use crate::page::{Anchor, Figure, Page};
+use crate::page::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8, WHITE};
+use crate::page::{Anchor, Figure, Page, Rect, letters};
 use crate::words::{Lang, Word};
 
-/// The size of the page in points.
-const SIZE: (f64, f64) = (900.0, 560.0);
+/// The width of the page in points.
+const WIDTH: f64 = 960.0;
+/// The space below the surface.
+const BELOW: f64 = 52.0;
 /// Where the point of the surface lies on it.
 const CENTER: (f64, f64) = (350.0, 456.0);
 /// The length of a direction in points.
@@ -162,21 +164,24 @@ fn seen_from(wo: Vec3<f64>, wi: Vec3<f64>) -> (f64, f64) {
 impl Figure for VectorDrawing {
     fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let below = self.arrows.iter().any(|arrow| arrow.direction[2] < -1e-9);
-        let height = SIZE.1 + if below { RADIUS } else { 0.0 };
-        let mut page = Page::new(SIZE.0 as u32, height as u32);
+        let tilt = libm::sin(self.seen_from_deg.0.to_radians());
+        let height = CENTER.1 + BELOW + RADIUS * if below { 1.0 } else { tilt };
+        let mut page = Page::new(WIDTH as u32, height as u32);
         heading(&mut page, 40.0, &self.title, &self.subtitle);
         let projection = Projection::new(CENTER, RADIUS, self.seen_from_deg);
         projection.ground(&mut page);
         if self.seen_from_deg.0 == 0.0 {
             page.line([(CENTER.0 - RADIUS, CENTER.1), (CENTER.0 + RADIUS, CENTER.1)], INK, 3.0);
         }
-        let at = (CENTER.0 - RADIUS, CENTER.1 + 1.8 * NUMBER);
+        let at = (CENTER.0 - RADIUS, CENTER.1 + 0.7 * RADIUS * tilt + 1.8 * NUMBER);
         page.text(self.lang.say(Word::Surface, &[]), at, Anchor::Start, NUMBER, INK);
-        for arc in &self.arcs {
-            draw_arc(&mut page, projection, arc);
-        }
+        let labels: Vec<_> =
+            self.arcs.iter().filter_map(|arc| draw_arc(&mut page, projection, arc)).collect();
         for arrow in &self.arrows {
             draw_arrow(&mut page, projection, arrow);
+        }
+        for (text, at) in labels {
+            label(&mut page, &text, at);
         }
         for (index, note) in self.notes.iter().enumerate() {
             let at = (CENTER.0 + RADIUS + 46.0, 120.0 + 28.0 * index as f64);
@@ -223,13 +228,21 @@ fn draw_arrow(page: &mut Page, projection: Projection, arrow: &Arrow) {
     page.text(&arrow.name, at, Anchor::Middle, LABEL + 1.0, arrow.color);
 }
 
-/// An arc of a great circle, with its angle at its middle.
-fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc) {
+/// Writes an angle over what is drawn, on a piece of paper.
+fn label(page: &mut Page, text: &str, (x, y): (f64, f64)) {
+    let size = NUMBER - 1.5;
+    let (width, height) = (letters::width(text, size) + 4.0, 1.15 * size);
+    page.fill(Rect { x: x - 0.5 * width, y: y - 0.85 * size, width, height }, WHITE);
+    page.text(text, (x, y), Anchor::Middle, size, GRAY);
+}
+
+/// Draws an arc of a great circle, and gives its angle and where that stands: outside of its middle.
+fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc) -> Option<(String, (f64, f64))> {
     let [a, b] = arc.ends.map(|[x, y, z]| Vec3::new(x, y, z));
     let angle = libm::acos(a.dot(b).clamp(-1.0, 1.0));
     // Opposite directions have no arc of their own, and none is needed between equal ones.
     if !(0.01..3.13).contains(&angle) {
-        return;
+        return None;
     }
     let point = |part: f64| {
         let w = a * (libm::sin((1.0 - part) * angle) / libm::sin(angle))
@@ -240,9 +253,8 @@ fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc) {
     let ((x, y), (from, _)) = (point(0.5), projection.apply([0.0; 3]));
     let (dx, dy) = (x - from.0, y - from.1);
     let length = libm::hypot(dx, dy).max(1e-9);
-    let at = (x + 17.0 * dx / length, y + 13.0 * dy / length + 0.36 * NUMBER);
-    let text = format!("{} {}°", arc.name, rounded(angle.to_degrees()));
-    page.text(text, at, Anchor::Middle, NUMBER - 1.5, GRAY);
+    let at = (x + 24.0 * dx / length, y + 14.0 * dy / length + 0.36 * NUMBER);
+    Some((format!("{} {}°", arc.name, rounded(angle.to_degrees())), at))
 }
 
 #[cfg(test)]

@@ -196,7 +196,9 @@ impl LobePlot {
     /// The same, with where the peak of classic models lies.
     pub(super) fn subtitle_of_values(&self, more: &str) -> String {
         let peak = self.peak();
-        self.subtitle(&if peak.is_empty() { more.to_owned() } else { format!("{more}; {peak}") })
+        let parts = [more.to_owned(), peak];
+        let parts: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        self.subtitle(&self.lang.join(&parts))
     }
 
     /// Models, azimuth and factor in one line, for below the title.
@@ -215,7 +217,7 @@ impl LobePlot {
             }
         }
         parts.retain(|part| !part.is_empty());
-        parts.join("; ")
+        self.lang.join(&parts)
     }
 
     /// The title: the model's, if there is one only.

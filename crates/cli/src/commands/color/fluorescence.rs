@@ -12,17 +12,15 @@ use glanz_plot::{NamedSpectrum, ReradiationMap};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::args::{BesidePlotArgs, PlotTarget, check_folder};
-use crate::input::spectra::{
-    FluorescentSource, Source, fluorescent_source, light_source, observer_source, words,
-};
+use crate::args::{BesidePlotArgs, PlotTarget, check_folder, light_words};
+use crate::input::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source};
 use crate::print::failure::Failure;
 use crate::print::files::save_csv;
 use crate::print::{self, FormatArgs, decimals, finite, number};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
-  glanz color fluorescence paper-note-pink --under D65,A,UV365
+  glanz color fluorescence paper-note-pink --light D65,A,UV365
   glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
 
 XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is
@@ -47,8 +45,8 @@ pub(crate) struct FluorescenceArgs {
     material: String,
 
     /// Lights between commas: names or files
-    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,UV365")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "D65,A,UV365")]
+    light: Vec<String>,
 
     /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
@@ -87,7 +85,7 @@ impl FluorescenceArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let lights = light_words(&self.light)?;
         let material = fluorescent_source(&self.material)?;
         let observer = observer_source(&self.observer)?;
         if observer.kind != ObserverKind::Xyz {

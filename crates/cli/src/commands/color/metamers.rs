@@ -9,14 +9,14 @@ use glanz_plot::{NamedSpectrum, WavelengthChart, Word, spectra};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::args::BesidePlotArgs;
-use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source, words};
+use crate::args::{BesidePlotArgs, light_words};
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
-  glanz color metamers a.csv b.csv --under D65,A,FL11
+  glanz color metamers a.csv b.csv --light D65,A,FL11
   glanz color metamers pairs.csv:1 pairs.csv:2 --observer cie1964 --format json
 
 The index is the special metamerism index, change of illuminant, of CIE 15: the first light is the
@@ -37,8 +37,8 @@ pub(crate) struct MetamersArgs {
     second: String,
 
     /// Lights between commas, the reference first: names or files
-    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,FL11")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "D65,A,FL11")]
+    light: Vec<String>,
 
     /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
@@ -67,7 +67,7 @@ impl MetamersArgs {
     /// Compares the pair under each light.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
-        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let lights = light_words(&self.light)?;
         let mut pair = [surface(&self.first, &self.table)?, surface(&self.second, &self.table)?];
         if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
             pair[0].name = self.first.clone();

@@ -43,7 +43,7 @@ pub(crate) enum PlotCommand {
     #[command(after_help = "Example:\n  glanz color plot matrix paper-note-yellow -o matrix.png")]
     Matrix(MatrixArgs),
     /// The error of colours over the number of samples of the spectrum
-    #[command(after_help = "Example:\n  glanz color plot efficiency --under D65,A,FL11 -o efficiency.svg")]
+    #[command(after_help = "Example:\n  glanz color plot efficiency --light D65,A,FL11 -o efficiency.svg")]
     Efficiency(EfficiencyArgs),
 }
 

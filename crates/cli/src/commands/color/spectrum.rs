@@ -25,11 +25,11 @@ use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
   glanz color spectrum D65
-  glanz color spectrum gold --under A
+  glanz color spectrum gold --light A
   glanz color spectrum sample.csv --observer cie1964 --plot sample.svg
   glanz color spectrum 'blackbody(2700)' --csv lamp.csv --format json
 
-XYZ are relative: a light, and the perfect diffuser under --under, have Y = 100. Lab of a surface
+XYZ are relative: a light, and the perfect diffuser under --light, have Y = 100. Lab of a surface
 is relative to the light, that of a light to D65. sRGB of a surface is adapted from the light to
 D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
 colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
@@ -47,8 +47,8 @@ pub(crate) struct SpectrumArgs {
     spectrum: String,
 
     /// The light that falls on a surface: a name or a file
-    #[arg(long, value_name = "LIGHT", default_value = "D65")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT", default_value = "D65")]
+    light: String,
 
     /// The observer: a name, or a file with a column for each channel of a sensor
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
@@ -147,7 +147,7 @@ impl SpectrumArgs {
         match source.kind {
             SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
             SpectrumKind::Surface => {
-                surface_facts(&mut facts, &source, &light_source_with(&self.under, &self.table)?, &observer)
+                surface_facts(&mut facts, &source, &light_source_with(&self.light, &self.table)?, &observer)
             }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
