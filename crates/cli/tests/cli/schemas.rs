@@ -18,7 +18,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
     ("render-frames", &[&["render", "scene.toml", "--frames", "0..2", "--turntable", "-o", "f{frame}.png"]]),
     (
         "sweep",
-        &[&["sweep", "scene.toml", "--vary", "render.shading=flat,phong", "--cell", "24x16", "-o", "s.png"]],
+        &[&["sweep", "scene.toml", "--vary", "render.shading=flat,phong", "--size", "24x16", "-o", "s.png"]],
     ),
     ("shade-compare", &[&["shade-compare", "scene.toml", "-o", "s.png"]]),
     ("modes", &[&["modes", "scene.toml", "--modes", "rgb,sampled:4", "-o", "s.png"]]),
@@ -72,7 +72,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
         &[
             &["color", "spectrum", "D65"],
             &["color", "spectrum", "UV365"],
-            &["color", "spectrum", "gold", "--under", "A"],
+            &["color", "spectrum", "gold", "--light", "A"],
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
@@ -81,7 +81,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
     ("color-metamers", &[&["color", "metamers", "gold", "copper"]]),
     ("color-fluorescence", &[&["color", "fluorescence", "paper-note-pink"]]),
     ("color-list", &[&["color", "list"], &["color", "list", "models"]]),
-    ("color-efficiency", &[&["color", "efficiency", "--under", "D65"]]),
+    ("color-efficiency", &[&["color", "efficiency", "--light", "D65"]]),
 ];
 
 /// One light of each kind.
