@@ -20,7 +20,7 @@ const VERSION: u32 = 1;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub struct PlotData {
-    /// The version of the document
+    #[cfg_attr(feature = "schemars", schemars(skip))]
     version: u32,
     /// The title of the plot
     pub title: String,
@@ -49,6 +49,7 @@ pub struct DataCurve {
     /// Its name in the legend
     pub name: String,
     /// Its points, each with a number for every column; null where there is none
+    #[cfg_attr(feature = "schemars", schemars(with = "Vec<Vec<Option<f64>>>"))]
     pub points: Vec<Vec<f64>>,
 }
 

@@ -160,7 +160,7 @@ fn a_scene_is_told_with_another_model_of_highlights() {
     let folder = Folder::with_scene();
     let json = folder.glanz(&["info", "scene.toml", "--model", "blinn-phong", "--format", "json"]).json();
     let lobe = &json["materials"][0]["lobes"][2];
-    assert_eq!((lobe["model"].as_str(), number(&lobe["params"]["shininess"])), (Some("blinn-phong"), 32.0));
+    assert_eq!((lobe["shape"].as_str(), number(&lobe["params"]["shininess"])), (Some("blinn-phong"), 32.0));
 }
 
 #[test]
@@ -172,7 +172,8 @@ fn old_names_of_options_work_with_a_remark() {
     assert_eq!((new.text(), new.stderr.as_str()), (run.text(), ""));
     let run = folder.glanz(&["color", "efficiency", "--light", "D65", "--set", "samples"]);
     assert_eq!(run.stderr, "note: --set is called --surfaces now\n");
-    let run = folder.glanz(&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--cell", "8x8", "-o", "a.png"]);
+    let run =
+        folder.glanz(&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--cell", "8x8", "-o", "a.png"]);
     assert_eq!(run.stderr, "note: --cell is called --size now\nwrote a.png\n");
     let run = folder.glanz(&["material", "sheet", "gold", "--size", "16", "-o", "b.png"]);
     assert_eq!(run.stderr, "note: --size is WxH now, such as 16x16\nwrote b.png\n");

@@ -25,8 +25,18 @@ const PLOTS: [&[&str]; 16] = [
 ];
 
 /// English words that no French plot has.
-const ENGLISH: [&str; 10] =
-    ["viewer", "light ", "angle of", "wavelength", "distance in", "reflectance", "number of", " of the", "from", "part "];
+const ENGLISH: [&str; 10] = [
+    "viewer",
+    "light ",
+    "angle of",
+    "wavelength",
+    "distance in",
+    "reflectance",
+    "number of",
+    " of the",
+    "from",
+    "part of",
+];
 
 /// The points of a curve of a CSV table: the numbers behind its name.
 fn curve(table: &str, name: &str) -> Vec<Vec<f64>> {
@@ -43,11 +53,18 @@ fn value_at(points: &[Vec<f64>], x: f64) -> f64 {
 fn every_plot_comes_in_every_format_as_a_file_and_on_stdout() {
     let folder = Folder::new();
     for words in PLOTS {
-        for (format, head) in
-            [("svg", &b"<svg "[..]), ("pdf", b"%PDF-1.7"), ("csv", b""), ("json", b"{\"version\":1,\"title\":")]
-        {
+        for (format, head) in [
+            ("svg", &b"<svg "[..]),
+            ("pdf", b"%PDF-1.7"),
+            ("csv", b""),
+            ("json", b"{\"version\":1,\"title\":"),
+        ] {
             let file = format!("a.{format}");
-            assert_eq!(folder.glanz(&[words, &["-o", &file]].concat()).stderr, format!("wrote {file}\n"), "{words:?}");
+            assert_eq!(
+                folder.glanz(&[words, &["-o", &file]].concat()).stderr,
+                format!("wrote {file}\n"),
+                "{words:?}"
+            );
             let run = folder.glanz(&[words, &["-o", "-", "--format", format]].concat());
             assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{words:?} {format}");
             assert!(run.stdout == folder.read(&file), "{words:?}: another {format} on stdout");
@@ -56,7 +73,10 @@ fn every_plot_comes_in_every_format_as_a_file_and_on_stdout() {
                 let json = run.json();
                 let points = json["panels"][0]["curves"][0]["points"].as_array().unwrap();
                 let columns = json["panels"][0]["columns"].as_array().unwrap();
-                assert!(!points.is_empty() && points.iter().all(|point| point.as_array().unwrap().len() == columns.len()));
+                assert!(
+                    !points.is_empty()
+                        && points.iter().all(|point| point.as_array().unwrap().len() == columns.len())
+                );
             }
         }
     }
@@ -72,7 +92,10 @@ fn every_plot_is_french_where_french_is_asked_for() {
             let found = ENGLISH.iter().find(|english| text.contains(*english));
             assert!(found.is_none(), "{words:?}: {text}");
         }
-        let csv = folder.glanz(&[words, &["-o", "-", "--lang", "fr", "--format", "csv"]].concat()).text().to_owned();
+        let csv = folder
+            .glanz(&[words, &["-o", "-", "--lang", "fr", "--format", "csv"]].concat())
+            .text()
+            .to_owned();
         let head = csv.lines().next().unwrap();
         assert!(ENGLISH.iter().all(|english| !head.contains(english)), "{words:?}: {head}");
     }
@@ -90,7 +113,8 @@ fn every_plot_has_the_title_and_the_size_that_are_asked_for() {
             let head = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
             assert!(svg.starts_with("<svg ") && svg.contains(&head), "{words:?}: {}", &svg[..120]);
         }
-        let json = folder.glanz(&[words, &["--title", "Ein Titel", "-o", "-", "--format", "json"]].concat()).json();
+        let json =
+            folder.glanz(&[words, &["--title", "Ein Titel", "-o", "-", "--format", "json"]].concat()).json();
         assert_eq!(json["title"], "Ein Titel");
     }
     for (words, size) in [(PLOTS[0], "320x240"), (PLOTS[11], "200x300")] {
@@ -121,7 +145,9 @@ fn attenuation_and_cones_are_those_of_scene_files() {
     };
     let laws = "attenuation=none,{linear=1},{constant=1, quadratic=0.25},\"physical\"";
     let fade = table(&["--kind", "attenuation", "--set", laws, "--distance", "4"]);
-    for (name, value) in [("none: 1", 1.0), ("1 / d", 0.5), ("1 / (1 + 0.25 d²)", 0.5), ("physical: 1 / d²", 0.25)] {
+    for (name, value) in
+        [("none: 1", 1.0), ("1 / d", 0.5), ("1 / (1 + 0.25 d²)", 0.5), ("physical: 1 / d²", 0.25)]
+    {
         assert!((value_at(&curve(&fade, name), 2.0) - value).abs() < 1e-9, "{name}");
     }
     let cone = table(&["--kind", "spot", "--set", "cutoff_deg=30,70", "--set", "exponent=2"]);
@@ -150,11 +176,17 @@ fn in_the_unit_of_the_course_the_peak_is_1() {
         let table = folder.glanz(&words).text().to_owned();
         let most = table.lines().skip(1).map(|line| line.rsplit(',').next().unwrap().parse().unwrap());
         assert!((most.fold(0.0, f64::max) - 1.0).abs() < 1e-12, "{model}");
-        let words = ["bsdf", "eval", model, "--wo", "0,0", "--wi", "0,0", "--unit", "course", "--format", "json"];
+        let words =
+            ["bsdf", "eval", model, "--wo", "0,0", "--wi", "0,0", "--unit", "course", "--format", "json"];
         let json = folder.glanz(&words).json();
-        assert!((json["f_cos"].as_f64().unwrap() - 1.0).abs() < 1e-12 && json["unit"] == "1/(π sr)", "{json}");
+        assert!(
+            (json["f_cos"].as_f64().unwrap() - 1.0).abs() < 1e-12 && json["unit"] == "1/(π sr)",
+            "{json}"
+        );
     }
-    assert!(folder.glanz(&["bsdf", "show", "phong", "--unit", "course"]).text().contains("max(R·wo, 0)ⁿ where"));
+    assert!(
+        folder.glanz(&["bsdf", "show", "phong", "--unit", "course"]).text().contains("max(R·wo, 0)ⁿ where")
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 32] = [
     (
         "render",
         &[
@@ -82,6 +82,20 @@ const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
     ("color-fluorescence", &[&["color", "fluorescence", "paper-note-pink"]]),
     ("color-list", &[&["color", "list"], &["color", "list", "models"]]),
     ("color-efficiency", &[&["color", "efficiency", "--light", "D65"]]),
+    (
+        "plot",
+        &[
+            &["plot", "phong", "-o", "-"],
+            &["plot", "cook-torrance", "--kind", "terms", "-o", "-"],
+            &["plot", "--kind", "attenuation", "-o", "-"],
+        ],
+    ),
+    ("color-plot-spectra", &[&["color", "plot", "spectra", "D65", "-o", "-"]]),
+    ("color-plot-chromaticity", &[&["color", "plot", "chromaticity", "-o", "-"]]),
+    ("color-plot-cones", &[&["color", "plot", "cones", "-o", "-"]]),
+    ("color-plot-meyer", &[&["color", "plot", "meyer", "-o", "-"]]),
+    ("color-plot-matrix", &[&["color", "plot", "matrix", "paper-note-pink", "-o", "-"]]),
+    ("color-plot-efficiency", &[&["color", "plot", "efficiency", "--light", "D65", "-o", "-"]]),
 ];
 
 /// One light of each kind.

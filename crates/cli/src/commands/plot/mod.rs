@@ -130,6 +130,9 @@ impl PlotArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let target = self.output.target()?;
         self.kind.check_options(self)?;
+        if self.lambda_nm.is_some() && self.ior.is_none() && self.tint.is_none() {
+            return Err(Failure::Usage("--lambda-nm changes nothing without --ior or --tint".to_owned()));
+        }
         target.save(self.figure(target.lang())?.as_mut())
     }
 
