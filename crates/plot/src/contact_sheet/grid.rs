@@ -174,7 +174,7 @@ mod tests {
         let short =
             |values: &[&str]| short_values(&values.iter().map(|v| (*v).to_owned()).collect::<Vec<_>>());
         assert_eq!(short(&["0", "0.333333", "0.666667", "1"]), ["0", "0.333", "0.667", "1"]);
-        assert_eq!(short(&["0.123412", "0.123456"]), ["0.12341", "0.12346"]);
+        assert_eq!(short(&["0.123412", "0.123456"]), ["0.1234", "0.1235"]);
         assert_eq!(short(&["[1, 0.333333, 0]", "phong"]), ["[1, 0.333333, 0]", "phong"]);
     }
 }

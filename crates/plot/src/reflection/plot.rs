@@ -224,7 +224,7 @@ impl LobePlot {
     pub(super) fn title(&self, several: Word) -> String {
         let first = self.lobes.first().map_or("", |lobe| lobe.shape.info().title);
         match self.lobes.iter().all(|lobe| lobe.shape.info().title == first) {
-            true => first.to_owned(),
+            true => self.lang.name(first).to_owned(),
             false => self.lang.say(several, &[]),
         }
     }

@@ -180,7 +180,7 @@ impl Found {
                 .map(|kind| {
                     let of_kind = self.errors.iter().filter(|(one, _)| one.name() == kind.name());
                     let points = of_kind.map(|(one, errors)| (one.samples(), errors[index].mean));
-                    EfficiencyLine { name: kind.name().to_owned(), points: points.collect() }
+                    EfficiencyLine { name: lang.name(kind.name()).to_owned(), points: points.collect() }
                 })
                 .collect(),
         };

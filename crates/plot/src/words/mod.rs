@@ -1,8 +1,10 @@
 //! The words of plots, in each language: one table for axes, legends, titles and remarks.
 
+mod names;
+
 use std::str::FromStr;
 
-/// The language of a plot's words. Names of models, media and spectra are the same in all.
+/// The language of a plot's words. Names of media, spectra and parameters are the same in all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lang {
     /// English.
@@ -43,6 +45,21 @@ impl Lang {
 }
 
 impl Lang {
+    /// The name of a model or of a representation of spectra.
+    ///
+    /// ```
+    /// use glanz_plot::words::Lang;
+    ///
+    /// assert_eq!(Lang::Fr.name("Perfect mirror"), "Miroir parfait");
+    /// assert_eq!(Lang::Fr.name("Phong 1975"), "Phong 1975");
+    /// ```
+    pub fn name(self, english: &str) -> &str {
+        match self {
+            Self::En => english,
+            Self::Fr => names::french(english),
+        }
+    }
+
     /// Parts of a sentence, one after the other.
     pub(crate) fn join(self, parts: &[String]) -> String {
         parts.join(match self {
