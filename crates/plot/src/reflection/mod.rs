@@ -1,6 +1,7 @@
 //! Plots of lobes and of Fresnel reflectance.
 //!
 //! ```
+//! use glanz_plot::Figure;
 //! use glanz_plot::reflection::{FresnelPlot, Lobe, LobePlot, Medium};
 //!
 //! let plot = LobePlot::new(vec![Lobe::named("ggx", &[("alpha", 0.2)])?]);
