@@ -109,16 +109,15 @@ impl VectorDrawing {
         };
         let mut arcs = vec![arc("θ", n, wi, 0.3), arc("θ", n, r, 0.3), arc("α", r, wo, 0.62)];
         arcs.extend(h.map(|h| arc("δ", n, h, 0.78)));
-        let pairs = [("N·L", Some((n, wi))), ("N·V", Some((n, wo))), ("R·V", Some((r, wo)))];
-        let of_half = [("N·H", h.map(|h| (n, h))), ("L·H", h.map(|h| (wi, h)))];
-        let note =
-            |(name, pair): (&str, Option<(Vec3<f64>, Vec3<f64>)>)| pair.map(|(a, b)| cosine(name, a, b));
+        let mut notes = vec![cosine("N·L", n, wi), cosine("N·V", n, wo), cosine("R·V", r, wo)];
+        notes.extend(h.map(|h| cosine("N·H", n, h)));
+        notes.extend(h.map(|h| cosine("L·H", wi, h)));
         Self {
             title: lang.say(Word::Vectors, &[]),
             subtitle: lang.say(Word::VectorsLaw, &[]),
             arrows,
             arcs,
-            notes: pairs.into_iter().chain(of_half).filter_map(note).collect(),
+            notes,
             seen_from_deg: seen_from(wo, wi),
             lang,
         }
