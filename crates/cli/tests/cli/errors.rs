@@ -73,6 +73,9 @@ fails! {
     a_plot_of_factors_of_a_model_without: ["plot", "phong", "--kind", "terms", "-o", "a.svg"];
     a_plot_of_an_unknown_medium: ["plot", "--kind", "fresnel", "--ior", "1.5,Ay", "-o", "a.svg"];
     a_plot_of_an_unknown_kind: ["plot", "phong", "--kind", "polr", "-o", "a.svg"];
+    a_plot_of_an_azimuth_for_nothing: ["plot", "phong", "--phi", "30", "-o", "a.svg"];
+    an_albedo_of_an_azimuth_for_nothing: ["bsdf", "albedo", "phong", "--phi", "30"];
+    a_plot_of_a_named_spectrum_with_a_column: ["color", "plot", "spectra", "D65", "--column", "2", "-o", "a.svg"];
     a_plot_of_a_mirror: ["plot", "mirror", "-o", "a.svg"];
     a_plot_with_an_option_of_other_kinds: ["plot", "phong", "--kind", "albedo", "--theta", "30", "-o", "a.svg"];
     a_plot_of_media_with_a_model: ["plot", "phong", "--kind", "fresnel", "-o", "a.svg"];

@@ -1,8 +1,8 @@
 //! `glanz color plot`: plots of spectra, observers and colour spaces.
 
 use clap::{Args, Subcommand};
-use glanz_color::SpectrumKind;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::{SpectrumKind, catalog_spectrum};
 use glanz_plot::figure::Mark;
 use glanz_plot::{
     ChromaticityDiagram, Figure, Lang, NamedSpectrum, ReradiationMap, WavelengthChart, Word, cones, meyer,
@@ -141,6 +141,7 @@ impl PlotCommand {
 
 impl SpectraArgs {
     fn chart(&self, lang: Lang) -> Result<WavelengthChart, Failure> {
+        self.check_table()?;
         let read = |word: &String| source(word, None, &self.table);
         let sources = self.spectra.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let curves: Vec<_> = sources.iter().map(|source| self.curve(source)).collect();
@@ -161,6 +162,25 @@ impl SpectraArgs {
         };
         let chart = spectra(&title, &subtitle, &lang.say(label, &[]), &curves);
         Ok(WavelengthChart { lang, ..chart })
+    }
+
+    /// That there is a file where an option tells how files are read.
+    fn check_table(&self) -> Result<(), Failure> {
+        let table = &self.table;
+        let given = [
+            ("--as", table.kind.is_some()),
+            ("--unit", table.unit.is_some()),
+            ("--scale", table.scale.is_some()),
+            ("--column", table.column.is_some()),
+        ];
+        let given = given.into_iter().find(|(_, is)| *is);
+        match given.filter(|_| self.spectra.iter().all(|word| catalog_spectrum(word).is_ok())) {
+            Some((option, _)) => {
+                let names = self.spectra.join(", ");
+                Err(Failure::Usage(format!("{option} has no effect on {names}; it acts on files")))
+            }
+            None => Ok(()),
+        }
     }
 
     fn curve(&self, source: &Source) -> NamedSpectrum {

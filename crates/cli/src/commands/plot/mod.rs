@@ -165,10 +165,17 @@ impl PlotArgs {
                 "name a model, such as phong; 'glanz bsdf list' has them all".to_owned(),
             ));
         }
+        let lobes = self.set.lobes(&self.models)?;
+        if self.phi.is_some() && !lobes.iter().any(|lobe| lobe.shape.info().anisotropic) {
+            let names = self.models.join(", ");
+            return Err(Failure::Usage(format!(
+                "--phi has no effect on {names}: values do not depend on the azimuth"
+            )));
+        }
         let factor = self.factor();
         let default = if self.kind == Kind::Slice { Quantity::F } else { Quantity::FCos };
         Ok(LobePlot {
-            lobes: self.set.lobes(&self.models)?,
+            lobes,
             theta_deg: if self.theta.is_empty() { vec![30.0] } else { self.theta.clone() },
             phi_deg: self.phi.unwrap_or(0.0),
             quantity: self.quantity.unwrap_or(default).into(),
