@@ -122,7 +122,6 @@ macro_rules! words {
 words! {
     // Directions.
     Viewer: "viewer", "observateur";
-    Light: "light", "lumière";
     Mirror: "mirror", "miroir";
     MirrorAt: "mirror {0}°", "miroir {0}°";
     Surface: "surface", "surface";
