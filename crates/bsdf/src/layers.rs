@@ -79,6 +79,13 @@ pub enum LayerWeight {
         /// The gain by internal reflection at the layer; see [`LayerWeight::over_matte`].
         gain: f64,
     },
+    /// A clear layer over a smooth boundary, whose tint holds what a mirror below the layer gives at the half-angle cosine
+    /// (see [`coated_reflectance`]): (1 − E(θo))(1 − E(θi)) / (1 − E(θh))², which is 1 for light that is mirrored.
+    OverBoundary {
+        /// 1 − E over the cosine.
+        #[serde(with = "crate::serial::chebyshev")]
+        transmittance: Chebyshev,
+    },
     /// The albedo scaling of layers below a sheen (KHR_materials_sheen): 1 − strength · the greater of the sheen's
     /// albedos towards viewer and light.
     Sheen {
@@ -90,7 +97,12 @@ pub enum LayerWeight {
 }
 
 impl LayerWeight {
-    /// A coat over a specular lobe: internal reflection is lost.
+    /// A coat over a specular lobe of a known boundary, whose tint has the internal reflection: [`coated_reflectance`].
+    pub fn over_boundary(coat: &CoatSurface) -> Self {
+        Self::OverBoundary { transmittance: coat.transmittance.clone() }
+    }
+
+    /// A coat over a specular lobe of which nothing but its colour is known: internal reflection is lost.
     pub fn over_glossy(coat: &CoatSurface) -> Self {
         Self::Coat { transmittance: coat.transmittance.clone(), gain: 1.0 }
     }
@@ -118,6 +130,11 @@ impl LayerWeight {
                 let left = |cosine: R| transmittance.at(cosine.abs().min(one)).clamp(0.0, 1.0);
                 left(pair.cos_o) * left(pair.cos_i) * one.lit(*gain)
             }
+            Self::OverBoundary { transmittance } => {
+                let left =
+                    |cosine: R| transmittance.at(cosine.abs().min(one)).clamp(LEAST_TRANSMITTANCE, 1.0);
+                left(pair.cos_o) * left(pair.cos_i) / left(pair.cos_view_half()).sqr()
+            }
             Self::Sheen { strength, albedo } => {
                 let taken = albedo.at(pair.cos_o.abs()).max(albedo.at(pair.cos_i.abs()));
                 (one - taken * one.lit(*strength)).max(one.zero())
@@ -125,6 +142,9 @@ impl LayerWeight {
         }
     }
 }
+
+/// A ratio of transmittances takes none as less than this: at grazing angles both are 0.
+const LEAST_TRANSMITTANCE: f64 = 1e-3;
 
 /// Terms of a coat's transmittance over the cosine.
 const COAT_TERMS: usize = 24;
@@ -174,10 +194,31 @@ impl CoatSurface {
     }
 }
 
-/// The directional albedo of GGX facets with Fresnel's law, single reflections only: the mean of F · G2/G1 over the
-/// distribution of visible normals. Source of their distribution: E. Heitz, "Sampling the GGX
-/// Distribution of Visible Normals", JCGT 7(4), 2018.
-fn coat_reflectance(eta: f64, alpha: f64, cos_o: f64) -> f64 {
+/// The reflectance of a mirror below a coat, without what the coat itself reflects: (1 − E)² R / (1 − E R), light going to and
+/// fro between both. E is the albedo of the coat towards a direction of this cosine, R what the boundary below reflects at
+/// the cosine that light has inside of the coat, times what absorption leaves on the way down and up.
+///
+/// ```
+/// use glanz_bsdf::coated_reflectance;
+///
+/// // Below a smooth coat of index 1.5, which reflects 4 %, a perfect mirror returns the rest.
+/// assert!((coated_reflectance(0.04, 1.0) - 0.96).abs() < 1e-12);
+/// ```
+pub fn coated_reflectance(coat: f64, below: f64) -> f64 {
+    let passed = 1.0 - coat;
+    if passed <= 0.0 { 0.0 } else { passed * passed * below / (1.0 - coat * below) }
+}
+
+/// The directional albedo of the surface of a coat: GGX facets of width `alpha` that reflect by Fresnel's law, single
+/// reflections only: the mean of F · G2/G1 over the distribution of visible normals. Source of their distribution: E. Heitz,
+/// "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), 2018.
+///
+/// ```
+/// use glanz_bsdf::coat_reflectance;
+///
+/// assert!((coat_reflectance(1.5, 0.001, 1.0) - 0.04).abs() < 1e-4);
+/// ```
+pub fn coat_reflectance(eta: f64, alpha: f64, cos_o: f64) -> f64 {
     let cos_o = cos_o.clamp(1e-4, 1.0);
     let sin_o = libm::sqrt(1.0 - cos_o * cos_o);
     let stretched = Vec3::new(alpha * sin_o, 0.0, cos_o).normalized();
@@ -273,6 +314,13 @@ mod tests {
             let glossy = layered_albedo(&ggx, &[LayerWeight::over_glossy(&coat)], cosine);
             let gloss = |pair: &DirectionPair<f64>| ggx.f_cos(pair) * fresnel_dielectric(pair.cos_view_half(), eta);
             let top = albedo_with(&ggx, cosine, 0.0, gloss);
+            let boundary = LayerWeight::over_boundary(&coat);
+            let smooth = |cosine: f64| coated_reflectance(coat_reflectance(eta, alpha, cosine), 1.0);
+            let mirror = |pair: &DirectionPair<f64>| {
+                ggx.f_cos(pair) * smooth(pair.cos_view_half()) * boundary.factor(pair)
+            };
+            let below = albedo_with(&ggx, cosine, 0.0, mirror);
+            prop_assert!(top + below < 1.005, "a perfect mirror: {top} + {below}");
             // The series, the mean over facets and both quadratures are each within 2e-3.
             prop_assert!(top + matte < 1.005, "white matte: {top} + {matte}");
             prop_assert!(top + matte > 0.99, "nothing is lost over white: {top} + {matte}");

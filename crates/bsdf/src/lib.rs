@@ -43,7 +43,7 @@ pub use direction_pair::DirectionPair;
 pub use glanz_math::Chebyshev;
 pub use info::{LightTerm, ModelInfo, ParamError, ParamInfo, Side};
 pub use laws::Law;
-pub use layers::{Angle, CoatSurface, LayerWeight, layered_albedo};
+pub use layers::{Angle, CoatSurface, LayerWeight, coat_reflectance, coated_reflectance, layered_albedo};
 pub use models::{MODELS, Shape, ShapeVisitor};
 
 use glanz_math::{Real, Vec3};

@@ -30,6 +30,7 @@ mod shot;
 pub mod view;
 
 pub use backend::{Backend, default_backend, draw, draw_rgba8};
+pub use cpu::probe::{Arrival, PointPlace, Probe, ProbedLight, ProbedLobe, ProbedPoint, ProbedSurface};
 pub use glam;
 pub use glanz_picture::{
     Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,

@@ -276,6 +276,10 @@ fn check_layer(reader: &mut Reader, number: usize, layer: &LayerWeight) {
             assert_eq!((kind, values[0]), (3, *gain as f32));
             reader.scalar_series(series, transmittance);
         }
+        LayerWeight::OverBoundary { transmittance } => {
+            assert_eq!(kind, 5);
+            reader.scalar_series(series, transmittance);
+        }
         LayerWeight::Sheen { strength, albedo } => {
             assert_eq!((kind, values[0]), (4, *strength as f32));
             check_sheen(reader, series, albedo);

@@ -40,8 +40,9 @@ pub use light::{
     Space, add_default_lights,
 };
 pub use material::{
-    Absorption, AlphaMode, ClassicMaterial, Coat, Film, LightColor, Lobe, Material, Metalness, Pane,
-    ParameterError, Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
+    Absorption, AlphaMode, Boundary, ClassicMaterial, Coat, CoatedBoundary, Film, LightColor, Lobe, Material,
+    Metalness, Pane, ParameterError, Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance,
+    Wrap,
 };
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
 pub use open::{OpenError, Opened, is_scene_file, open};

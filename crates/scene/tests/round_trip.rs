@@ -223,6 +223,16 @@ fn film() -> impl Strategy<Value = Arc<Film>> {
         .prop_map(|(thickness_nm, film, base)| Arc::new(Film { thickness_nm, film, base }))
 }
 
+fn coated() -> impl Strategy<Value = Arc<CoatedBoundary>> {
+    let below = prop_oneof![
+        medium().prop_map(Boundary::Medium),
+        medium().prop_map(|ior| Boundary::Polarized(ior, Polarization::P)),
+        film().prop_map(|film| Boundary::Film((*film).clone())),
+    ];
+    (below, clear(), 0.001..1.0f64)
+        .prop_map(|(below, coat, alpha)| Arc::new(CoatedBoundary { below, coat, alpha }))
+}
+
 fn tint() -> impl Strategy<Value = Tint> {
     let reflectance = prop_oneof![
         rgb().prop_map(Tint::Rgb),
@@ -237,6 +247,7 @@ fn tint() -> impl Strategy<Value = Tint> {
         medium().prop_map(|ior| Tint::Schlick(Box::new(Tint::Ior(Arc::new(ior))))),
         film().prop_map(Tint::Film),
         pane().prop_map(Tint::Pane),
+        coated().prop_map(Tint::Coated),
     ]
 }
 
@@ -262,6 +273,7 @@ fn layer() -> impl Strategy<Value = LayerWeight> {
         (angle.clone(), 0.0..1.0f64, 0.0..1.0f64)
             .prop_map(|(angle, at_zero, at_grazing)| LayerWeight::Schlick { angle, at_zero, at_grazing }),
         (angle, series.clone()).prop_map(|(angle, factor)| LayerWeight::Series { angle, factor }),
+        series.clone().prop_map(|transmittance| LayerWeight::OverBoundary { transmittance }),
         (series, 1.0..3.0f64).prop_map(|(transmittance, gain)| LayerWeight::Coat { transmittance, gain }),
         (0.0..1.0f64, 0.01..1.0f64)
             .prop_map(|(strength, alpha)| LayerWeight::Sheen { strength, albedo: Albedo::new(alpha) }),

@@ -9,6 +9,7 @@ mod draw;
 mod info;
 mod material;
 mod plot;
+mod probe;
 mod schema;
 
 use std::path::Path;
@@ -42,6 +43,9 @@ pub(crate) enum Command {
     /// Tell what is in a scene or a model, and what of it is ignored
     #[command(after_help = info::EXAMPLES)]
     Info(info::InfoArgs),
+    /// Take pixels apart: vectors, cosines, and what each light and lobe gives
+    #[command(after_help = probe::EXAMPLES)]
+    Probe(Box<probe::ProbeArgs>),
     /// The models of reflection and their numbers
     #[command(
         subcommand,
@@ -90,6 +94,7 @@ impl Command {
             Self::Relight(_) => vec!["relight"],
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
+            Self::Probe(_) => vec!["probe"],
             Self::Bsdf(command) => vec!["bsdf", command.name()],
             Self::Sheet(_) => vec!["sheet"],
             Self::Material(command) => vec!["material", command.name()],
@@ -117,6 +122,7 @@ impl Command {
             Self::ShadeCompare(args) => &args.input,
             Self::Modes(args) => &args.input,
             Self::Relight(args) => &args.input,
+            Self::Probe(args) => &args.input,
             _ => return None,
         };
         Some(&input.input)
@@ -131,6 +137,7 @@ impl Command {
             Self::Relight(args) => args.run(),
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
+            Self::Probe(args) => args.run(),
             Self::Bsdf(command) => command.run(),
             Self::Sheet(args) => args.run(),
             Self::Material(command) => command.run(),

@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, material};
+use super::{bsdf, check, color, compare, material, probe};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 34] = [
+const SCHEMAS: [Named; 35] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -38,6 +38,7 @@ const SCHEMAS: [Named; 34] = [
     ("relight", schema::<relight::Document>),
     ("compare", schema::<compare::Document>),
     ("info", schema::<scene_document::Document>),
+    ("probe", schema::<probe::Document>),
     ("bsdf-list", schema::<bsdf::list::ListDocument>),
     ("bsdf-show", schema::<bsdf::list::ModelFacts>),
     ("bsdf-eval", schema::<bsdf::eval::Document>),

@@ -6,10 +6,10 @@ use glanz_bsdf::{MODELS, ModelInfo, Shape};
 use glanz_color::{FIRST_NM, LAST_NM, SpectrumKind};
 use glanz_math::names::did_you_mean;
 use glanz_plot::reflection::{DEFAULT_NM, Unit, label};
-use glanz_plot::{Factor, Lobe, Medium, Variation, number};
+use glanz_plot::{Factor, Lobe, Variation, number};
 
-use super::spectra;
 use super::vary::variation;
+use super::{media, spectra};
 use crate::print::failure::Failure;
 
 /// The most combinations of parameters.
@@ -128,8 +128,8 @@ fn info(name: &str) -> &'static ModelInfo {
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Tint")]
 pub(crate) struct FactorArgs {
-    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list metals`, or a refractive
-    /// index such as 1.5
+    /// Multiply with the Fresnel reflectance of a medium: a name from `glanz color list metals`, a refractive index such
+    /// as 1.5, n and k as in 0.2+3i, or a file of n and k (tables, refractiveindex.info YAML, .spd pairs)
     #[arg(long, value_name = "NAME")]
     pub ior: Option<String>,
 
@@ -189,7 +189,7 @@ impl FactorArgs {
     /// The factor that is meant.
     pub(crate) fn factor(&self) -> Result<Factor, Failure> {
         match (&self.ior, &self.tint) {
-            (Some(word), _) => Ok(Factor::Fresnel(Medium::named(word, self.nm())?)),
+            (Some(word), _) => Ok(Factor::Fresnel(media::medium(word, self.nm())?)),
             (None, Some(word)) => match word.trim().parse::<f64>() {
                 Ok(value) if value.is_finite() && value >= 0.0 => {
                     Ok(Factor::Reflectance(number(value), value))

@@ -124,6 +124,16 @@ pub(crate) struct TableArgs {
     /// Which of a file's spectra: its name, or its number from 1
     #[arg(long, value_name = "NAME|NUMBER")]
     pub column: Option<String>,
+
+    /// Of a spectral picture (OpenEXR), the pixel, from 0,0 at the top left [default: the middle]
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    pub pixel: Option<(usize, usize)>,
+}
+
+/// Parses what --pixel takes.
+fn pixel(text: &str) -> Result<(usize, usize), String> {
+    let both = text.split_once(',').and_then(|(x, y)| Some((x.trim().parse().ok()?, y.trim().parse().ok()?)));
+    both.ok_or_else(|| "expected column and row of a pixel, such as 320,240".to_owned())
 }
 
 /// Parses what --scale takes.
@@ -152,6 +162,7 @@ impl TableArgs {
             }),
             unit: self.unit.map(AxisUnit::scale),
             scale: self.scale,
+            pixel: self.pixel,
         }
     }
 
@@ -376,13 +387,18 @@ fn open(word: &str) -> Result<Option<Opened>, Failure> {
     Ok(Some(Opened { bytes, file: file.to_owned(), column: column.map(str::to_owned) }))
 }
 
+/// Whether a word is the name of a file, by its ending, its folder, or since there is one.
+pub(super) fn names_file(word: &str) -> bool {
+    has_ending(word) || word.contains(['/', '\\']) || Path::new(word).exists()
+}
+
 fn has_ending(word: &str) -> bool {
     let ending = Path::new(word).extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     ENDINGS.iter().any(|known| known.eq_ignore_ascii_case(ending))
 }
 
 /// Reads a file, but not more than the readers take.
-fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+pub(super) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let failed = |error: std::io::Error| {
         let error = without_number(&error.to_string());
         Failure::from(Report::new(format_args!("cannot read '{}': {error}", path.display())).file(path))

@@ -1,7 +1,9 @@
 //! The colours of lights and surfaces, in words and as JSON.
 
+use std::sync::Arc;
+
 use glanz_color::{Rgb, Spectrum, rgb_spectra};
-use glanz_scene::{LightColor, Polarization, Tint};
+use glanz_scene::{Boundary, CoatedBoundary, LightColor, Polarization, Tint};
 use serde_json::{Value, json};
 
 use glanz_plot::number;
@@ -46,6 +48,9 @@ pub(super) fn tint_text(tint: &Tint) -> String {
             film.film.name,
             film.base.name
         ),
+        Tint::Coated(boundary) => {
+            format!("{} under a coat of {}", tint_text(&below(boundary)), boundary.coat.name)
+        }
         Tint::Pane(pane) => {
             format!("Fresnel reflection of a pane of {}, {} mm", pane.ior.name, number(pane.thickness * 1e3))
         }
@@ -66,10 +71,22 @@ pub(super) fn tint_json(tint: &Tint) -> Value {
         Tint::Film(film) => json!({ "film": {
             "thickness_nm": film.thickness_nm, "ior": film.film.name, "base": film.base.name,
         } }),
+        Tint::Coated(boundary) => json!({ "coated": {
+            "below": tint_json(&below(boundary)), "coat": boundary.coat.name, "alpha": boundary.alpha,
+        } }),
         Tint::Pane(pane) => json!({ "pane": {
             "ior": pane.ior.name, "thickness_mm": pane.thickness * 1e3,
             "absorption_per_m": spectrum_json(&pane.absorption),
         } }),
+    }
+}
+
+/// The tint that a boundary below a coat has in air.
+fn below(boundary: &CoatedBoundary) -> Tint {
+    match &boundary.below {
+        Boundary::Medium(ior) => Tint::Ior(Arc::new(ior.clone())),
+        Boundary::Polarized(ior, way) => Tint::Polarized(Arc::new(ior.clone()), *way),
+        Boundary::Film(film) => Tint::Film(Arc::new(film.clone())),
     }
 }
 

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 31] = [
+const COULD_NOT: [&[&str]; 33] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -31,6 +31,8 @@ const COULD_NOT: [&[&str]; 31] = [
     &["compare", "a.png", "small.png", "--fail-above", "rmse=0"],
     &["info", "none.toml"],
     &["info", "wrong.toml"],
+    &["probe", "none.toml", "1,1"],
+    &["probe", "scene.toml", "9999,1"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
     &["sheet", "phong", "--vary", "shininess=1,2", "-o", "none/a.png"],

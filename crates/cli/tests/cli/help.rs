@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 38] = [
+pub(crate) const COMMANDS: [&[&str]; 39] = [
     &[],
     &["render"],
     &["sweep"],
@@ -12,6 +12,7 @@ pub(crate) const COMMANDS: [&[&str]; 38] = [
     &["modes"],
     &["relight"],
     &["info"],
+    &["probe"],
     &["bsdf"],
     &["bsdf", "list"],
     &["bsdf", "show"],

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 32] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 33] = [
     (
         "render",
         &[
@@ -44,6 +44,14 @@ const DOCUMENTS: [(&str, &[&[&str]]); 32] = [
     (
         "info",
         &[&["info", "scene.toml"], &["info", "lights.toml"], &["info", "tetra.obj"], &["info", "empty.toml"]],
+    ),
+    (
+        "probe",
+        &[
+            &["probe", "scene.toml", "12,8", "0,0"],
+            &["probe", "lights.toml", "12,8"],
+            &["probe", "tetra.obj", "12,8", "--size", "24x16", "--shading", "gouraud"],
+        ],
     ),
     ("bsdf-list", &[&["bsdf", "list"]]),
     ("bsdf-show", &[&["bsdf", "show", "phong"], &["bsdf", "show", "ward"]]),

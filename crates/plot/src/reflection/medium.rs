@@ -1,7 +1,7 @@
 //! Media at one wavelength: dielectrics and metals.
 
 use glanz_bsdf::terms::{fresnel_conductor, fresnel_dielectric, fresnel_polarized};
-use glanz_color::{IorKind, ior, iors};
+use glanz_color::{Ior, ior};
 
 use crate::{Error, number};
 
@@ -20,7 +20,8 @@ pub struct Medium {
 }
 
 impl Medium {
-    /// The medium of that name, such as `Au`, or of the refractive index that the word is, at a wavelength in nm.
+    /// The medium of that name, such as `Au`, or of the refractive index that the word is (also as n + k i: `1.5+3i`), at a
+    /// wavelength in nm.
     ///
     /// # Errors
     /// [`Error::UnknownMedium`], and [`Error::RefractiveIndex`] for a number that no medium has.
@@ -32,11 +33,12 @@ impl Medium {
             }
             return Ok(Self { name: format!("n = {}", number(eta)), eta, k: 0.0 });
         }
-        let found = ior(word)?;
-        // Outside of its range a dielectric's formula is continued, and k is none.
-        let metal = iors().iter().any(|info| info.name == found.name && info.kind == IorKind::Metal);
-        let k = if metal { found.k.at(nm) } else { 0.0 };
-        Ok(Self { name: found.name.clone(), eta: found.eta.at(nm), k })
+        Ok(Self::of(&ior(word)?, nm))
+    }
+
+    /// A medium at a wavelength in nm.
+    pub fn of(ior: &Ior, nm: f64) -> Self {
+        Self { name: ior.name.clone(), eta: ior.eta.at(nm), k: ior.k.at(nm) }
     }
 
     /// The reflectance of a smooth boundary to it from air, for unpolarised light at this cosine from the normal.

@@ -2,6 +2,7 @@
 
 use crate::cpu::lighting::matte_highlight::MatteHighlight;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
+use crate::cpu::probe::Record;
 use crate::cpu::shading::polygons::PolygonView;
 use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
 use crate::view::camera::ViewCamera;
@@ -57,6 +58,8 @@ pub(crate) struct FrameView<'a> {
     pub loops: Vec<Option<MatteHighlight>>,
     pub objects: Vec<ObjectView>,
     pub options: &'a DrawOptions,
+    /// What a frame holds in place of light, if that is wanted.
+    pub record: Option<Record>,
     pub samples: &'static [[i32; 2]],
     pub any_gouraud: bool,
     /// Whether any vertex needs light through three spectra.
@@ -79,7 +82,31 @@ impl<'a> FrameView<'a> {
             |object: &ObjectView| object.shading == Shading::Gouraud && object.layout.mix.is_some();
         let any_mix = objects.iter().any(is_mixed);
         let samples = samples::positions(options.samples);
-        Self { prepared, camera, lights, materials, loops, objects, options, samples, any_gouraud, any_mix }
+        Self {
+            prepared,
+            camera,
+            lights,
+            materials,
+            loops,
+            objects,
+            options,
+            record: None,
+            samples,
+            any_gouraud,
+            any_mix,
+        }
+    }
+
+    /// The same for a frame that holds numbers in place of light; every surface hides what is behind it.
+    pub(super) fn recording(self, record: Record) -> Self {
+        let mut objects = self.objects;
+        for object in &mut objects {
+            object.simple = false;
+            if object.pass == Pass::Blended {
+                object.pass = Pass::Opaque;
+            }
+        }
+        Self { objects, record: Some(record), ..self }
     }
 }
 

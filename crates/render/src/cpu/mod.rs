@@ -35,6 +35,7 @@ mod block;
 mod frame;
 mod geometry;
 mod lighting;
+pub(crate) mod probe;
 mod renderer;
 mod shading;
 mod threads;

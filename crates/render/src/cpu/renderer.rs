@@ -9,6 +9,7 @@ use crate::cpu::geometry::bins::{TILE_HEIGHT, columns};
 use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::geometry::process;
 use crate::cpu::geometry::screen::Screen;
+use crate::cpu::probe::Record;
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::gouraud::{Lit, VertexLight};
 use crate::cpu::shading::triangle_setup::Projected;
@@ -86,6 +87,22 @@ impl Backend for Renderer {
 }
 
 impl Renderer {
+    /// A frame that holds what lies behind the light of its pixels.
+    pub(crate) fn record(
+        &mut self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        record: Record,
+    ) -> Frame {
+        let mut out = Frame::default();
+        let frame = FrameView::new(prepared, view, options).recording(record);
+        shape_frame(&mut out, prepared, view, options);
+        let bands = plane_bands(&mut out, None);
+        self.draw_all(&frame, bands);
+        out
+    }
+
     /// Both passes. The threads are entered once for both: to be woken up takes longer than a small task.
     fn draw_all(&mut self, frame: &FrameView, bands: Vec<Band>) {
         threads::enter(|| {

@@ -40,6 +40,21 @@ pub enum ShotError {
         /// The buffer's.
         found: usize,
     },
+    /// A pixel was asked for that the picture does not have.
+    #[error("the picture has {width}×{height} pixels, counted from 0 at the top left, but not ({x}, {y})")]
+    Pixel {
+        /// The column.
+        x: u32,
+        /// The row.
+        y: u32,
+        /// Width of the picture in pixels.
+        width: u32,
+        /// Height of the picture in pixels.
+        height: u32,
+    },
+    /// The picture does not come from the tint table, whose entries could be told.
+    #[error("only pictures of light in a mode other than 'reference' can be taken apart; choose 'spectral'")]
+    NoTable,
     /// Spectra were asked for where there are none.
     #[error(
         "a spectrum for each pixel needs spectra of light, but the colour mode is '{mode}'; choose 'spectral'"

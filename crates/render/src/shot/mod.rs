@@ -4,6 +4,7 @@ mod draw;
 mod error;
 mod options;
 mod output;
+mod probe;
 mod sight;
 mod spectrum;
 

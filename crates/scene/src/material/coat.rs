@@ -6,7 +6,8 @@ use glanz_bsdf::{CoatSurface, LayerWeight, LightTerm, ParamError, Shape, Side};
 use glanz_color::{Ior, Rgb, Spectrum};
 use serde::{Deserialize, Serialize};
 
-use crate::{Absorption, Lobe, Material, Tint};
+use crate::material::coated_boundary::MIDDLE_NM;
+use crate::{Absorption, Boundary, CoatedBoundary, Lobe, Material, Tint};
 
 /// A layer over a material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,7 +39,7 @@ impl Default for Coat {
 impl Coat {
     /// The index at the middle of the visible range, by which the geometry of the layer goes.
     fn eta(&self) -> f64 {
-        self.ior.eta.at(550.0)
+        self.ior.eta.at(MIDDLE_NM)
     }
 
     fn absorption(&self) -> Option<Arc<Absorption>> {
@@ -46,15 +47,31 @@ impl Coat {
         Some(Arc::new(Absorption { depth, eta: self.eta() }))
     }
 
+    /// The boundary whose highlight a lobe is, if it is known.
+    fn boundary(&self, lobe: &Lobe) -> Option<CoatedBoundary> {
+        let info = lobe.shape.info();
+        let reflects = info.term == LightTerm::Specular && info.side == Side::Reflection;
+        let below = Boundary::of(&lobe.tint).filter(|_| reflects)?;
+        Some(CoatedBoundary { below, coat: self.ior.clone(), alpha: self.alpha })
+    }
+
     /// What becomes of a lobe below it.
-    fn over(surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
+    fn over(&self, surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
         let is_matte =
             lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection;
         // What comes back to the base from below the coat depends on its colour: where a texture darkens it further,
         // this is a little too bright.
-        let layer =
-            if is_matte { LayerWeight::over_matte(surface) } else { LayerWeight::over_glossy(surface) };
-        let tint = if is_matte { darker(&lobe.tint, surface) } else { lobe.tint.clone() };
+        let boundary = self.boundary(&lobe);
+        let layer = match &boundary {
+            _ if is_matte => LayerWeight::over_matte(surface),
+            Some(_) => LayerWeight::over_boundary(surface),
+            None => LayerWeight::over_glossy(surface),
+        };
+        let tint = match boundary {
+            _ if is_matte => darker(&lobe.tint, surface),
+            Some(boundary) => Tint::Coated(Arc::new(boundary)),
+            None => lobe.tint.clone(),
+        };
         Lobe { tint, absorption: absorption.clone(), ..lobe }.under(layer)
     }
 }
@@ -90,7 +107,7 @@ impl Material {
             if coat.weight < 1.0 {
                 lobes.push(lobe.clone().under(LayerWeight::Constant(1.0 - coat.weight)));
             }
-            let covered = Coat::over(&surface, lobe, &absorption);
+            let covered = coat.over(&surface, lobe, &absorption);
             lobes.push(if coat.weight < 1.0 {
                 covered.under(LayerWeight::Constant(coat.weight))
             } else {

@@ -2,6 +2,7 @@
 
 mod classic;
 mod coat;
+mod coated_boundary;
 mod lobe;
 mod pane;
 mod parameters;
@@ -13,6 +14,7 @@ mod transmittance;
 
 pub use classic::ClassicMaterial;
 pub use coat::Coat;
+pub use coated_boundary::{Boundary, CoatedBoundary};
 pub use lobe::{Absorption, Lobe, Metalness};
 pub use pane::Pane;
 pub use parameters::ParameterError;

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 use crate::names::names;
-use crate::{Film, Pane};
+use crate::{CoatedBoundary, Film, Pane};
 use glanz_color::{Ior, Reradiation, Rgb, Spectrum, photometry, rgb_spectra};
 
 /// Sources of less luminous efficacy, in lm/W between 300 and 780 nm, are measured by their power: their
@@ -135,6 +135,8 @@ pub enum Tint {
     Film(Arc<Film>),
     /// What both sides of a pane reflect.
     Pane(Arc<Pane>),
+    /// What a boundary below a coat reflects.
+    Coated(Arc<CoatedBoundary>),
 }
 
 names! {
@@ -166,6 +168,7 @@ impl Tint {
             Self::Schlick(at_normal) => at_normal.is_finite(),
             Self::Film(film) => film.is_finite(),
             Self::Pane(pane) => pane.is_finite(),
+            Self::Coated(boundary) => boundary.is_finite(),
         }
     }
 

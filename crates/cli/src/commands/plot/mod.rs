@@ -5,11 +5,12 @@ mod lights;
 
 use clap::{Args, ValueEnum};
 use glanz_plot::figure::VectorDrawing;
-use glanz_plot::{Factor, Figure, FresnelPlot, Lang, LobePlot, Medium};
+use glanz_plot::{Factor, Figure, FresnelPlot, Lang, LobePlot};
 
 use self::kind::Kind;
 use crate::args::{self, PlotOutputArgs};
 use crate::input::lobes::{FactorArgs, SetArgs, UnitName, model_names, wavelength};
+use crate::input::media;
 use crate::input::spectra::words;
 use crate::print::failure::Failure;
 
@@ -95,8 +96,9 @@ pub(crate) struct PlotArgs {
     #[arg(long, value_name = "THETA,PHI", value_parser = args::angles, allow_hyphen_values = true)]
     wi: Option<[f64; 2]>,
 
-    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list metals`, or a refractive
-    /// index); for terms the medium of F, for fresnel the media, between commas [default of both: 1.5]
+    /// Multiply with the Fresnel reflectance of a medium (a name from `glanz color list metals`, a refractive index, n and k
+    /// as in 0.2+3i, or a file of n and k); for terms the medium of F, for fresnel the media, between commas [default of
+    /// both: 1.5]
     #[arg(long, value_name = "NAME", help_heading = "Tint")]
     ior: Option<String>,
 
@@ -147,7 +149,7 @@ impl PlotArgs {
             Kind::Slice => Box::new(self.plot(lang)?.slice()?),
             Kind::Terms => {
                 let plot = self.plot(lang)?;
-                let medium = Medium::named(self.ior.as_deref().unwrap_or("1.5"), plot.lambda_nm)?;
+                let medium = media::medium(self.ior.as_deref().unwrap_or("1.5"), plot.lambda_nm)?;
                 Box::new(plot.terms(&medium)?)
             }
             Kind::Fresnel => self.fresnel(lang)?,
@@ -195,7 +197,7 @@ impl PlotArgs {
         let lambda_nm = self.factor().nm();
         let words = words(self.ior.as_deref().unwrap_or("1.5"));
         let words = words.map_err(|message| Failure::Usage(format!("--ior: {message}")))?;
-        let media: Result<Vec<_>, _> = words.iter().map(|word| Medium::named(word, lambda_nm)).collect();
+        let media: Result<Vec<_>, _> = words.iter().map(|word| media::medium(word, lambda_nm)).collect();
         let plot = FresnelPlot { media: media?, lambda_nm, log: self.log, polarized: self.polarised, lang };
         Ok(Box::new(plot.chart()?))
     }

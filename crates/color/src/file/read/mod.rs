@@ -7,6 +7,7 @@
 //! | JCAMP-DX `.jdx` | [`read_spectra`] | – |
 //! | CGATS.17 `.txt` | [`read_cgats`] | – |
 //! | CxF3 `.cxf` | [`read_cxf`] | – |
+//! | n and k: text tables, `.spd` pairs, refractiveindex.info YAML | [`read_ior`] | – |
 //! | Labsphere BFC-450 `.BFC` | [`read_bfc`] | – |
 //! | text tables of re-radiation | [`read_matrix_csv`] | [`write_matrix_csv`](crate::write::write_matrix_csv) |
 //! | spectral OpenEXR, with the feature `exr` | module [`exr`](crate::exr) | module `exr` |
@@ -34,6 +35,7 @@ mod bfc;
 mod cgats;
 mod cxf;
 pub(crate) mod error;
+mod ior;
 mod jcamp;
 mod matrix;
 pub(crate) mod named;
@@ -52,6 +54,7 @@ pub use bfc::read_bfc;
 pub use cgats::read_cgats;
 pub use cxf::read_cxf;
 pub use error::{Place, ReadError, excerpt};
+pub use ior::{NamedIor, ior_partner, read_ior, read_ior_pair};
 pub use matrix::read_matrix_csv;
 pub use named::{NamedSpectrum, Quantity};
 pub use power::{PowerUnit, Radiometry};
@@ -64,7 +67,8 @@ pub use units::Scale;
 /// The beginning of a file in which its format shows.
 const SNIFFED: usize = 4096;
 
-/// Reads spectra in whichever format the bytes are: `.spdx`, CxF3, CGATS, JCAMP-DX or a text table.
+/// Reads spectra in whichever format the bytes are: `.spdx`, CxF3, CGATS, JCAMP-DX, a text table, or a spectral OpenEXR picture
+/// (with the feature `exr`), of which a pixel is taken.
 ///
 /// # Errors
 ///
@@ -83,6 +87,9 @@ pub fn read_spectra_with(
     file: &str,
     options: &ReadOptions,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
+    if bytes.starts_with(&EXR_MAGIC) {
+        return read_pixel(bytes, file, options);
+    }
     let text = text::decode(bytes, file)?;
     let mut spectra = match format(&text, file)? {
         Format::Spdx => spdx::parse(&text, file),
@@ -160,8 +167,42 @@ pub fn is_bfc(bytes: &[u8]) -> bool {
 /// How an OpenEXR file begins.
 const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 
-/// The most bytes that a bispectral picture may take in memory.
+/// The most bytes that a spectral picture may take in memory.
 const MAX_MATRIX_PICTURE: u64 = 1 << 30;
+
+/// The spectra of a pixel of a spectral picture: the light that it sends, and what it reflects.
+fn read_pixel(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let image = crate::file::exr::read_spectral_exr(bytes, file, MAX_MATRIX_PICTURE)?;
+    let wrong = |expected: &str, found: &str| ReadError::malformed(file, Place::File, expected, found);
+    let (x, y) = options.pixel.unwrap_or((image.width / 2, image.height / 2));
+    if x >= image.width || y >= image.height {
+        let size = format!("a picture of {}x{} pixels", image.width, image.height);
+        return Err(wrong(&format!("a pixel {x}, {y}"), &size));
+    }
+    let mut spectra: Vec<_> =
+        [image.light_at(x, y), image.reflectance_at(x, y)].into_iter().flatten().collect();
+    if spectra.is_empty() {
+        let (expected, found) = match image.reradiation.is_empty() {
+            false => (
+                "channels of light or reflectance (a re-radiation matrix has no single spectrum)",
+                "those of re-radiation",
+            ),
+            true => ("channels of a spectrum, such as S0.550,000000nm", "a picture without them"),
+        };
+        return Err(wrong(expected, found));
+    }
+    let is_one = spectra.len() == 1;
+    for spectrum in &mut spectra {
+        let kind = if spectrum.quantity == Quantity::Light { " light" } else { " reflectance" };
+        spectrum.name = table::stem(file) + if is_one { "" } else { kind };
+        let (width, height) = (image.width, image.height);
+        spectrum.notes.push(format!("the pixel {x}, {y} of {width}x{height} is taken"));
+        if let Some(quantity) = options.quantity {
+            spectrum.quantity = quantity;
+        }
+    }
+    Ok(spectra)
+}
 
 /// The matrix of the pixel in the middle of a bispectral picture.
 fn read_middle(bytes: &[u8], file: &str) -> Result<NamedReradiation, ReadError> {

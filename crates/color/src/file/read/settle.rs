@@ -31,6 +31,8 @@ pub struct ReadOptions {
     pub unit: Option<Scale>,
     /// The scale of the values, whatever the file says.
     pub scale: Option<ValueScale>,
+    /// Of a spectral picture, the column and row of the pixel, from 0 at the top left; that in the middle if it is `None`.
+    pub pixel: Option<(usize, usize)>,
 }
 
 /// On which scale values are.

@@ -13,6 +13,12 @@ use crate::spectra::Spectrum;
 
 pub use dispersion::Dispersion;
 
+/// The source of a number.
+const GIVEN: &str = "given as a number";
+
+/// The greatest n and k of a complex number.
+const MOST: f64 = 50.0;
+
 /// A complex refractive index η + i k over the grid; k > 0 absorbs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ior {
@@ -65,10 +71,16 @@ pub struct IorInfo {
 /// # Ok::<_, glanz_color::UnknownName>(())
 /// ```
 ///
+/// A complex number is one of all wavelengths: `1.5+3i` is n = 1.5, k = 3, as `1.5-3i` is in the other convention.
+///
 /// # Errors
 ///
 /// [`UnknownName`] suggests near names.
 pub fn ior(name: &str) -> Result<Ior, UnknownName> {
+    if let Some((eta, k)) = complex(name) {
+        let (eta, k) = (Spectrum::constant(eta), Spectrum::constant(k));
+        return Ok(Ior { name: name.trim().to_owned(), eta, k, source: GIVEN.to_owned() });
+    }
     let wanted = plain(name);
     let is_it = |info: &&IorInfo| plain(info.name) == wanted || plain(info.title) == wanted;
     let info = iors().iter().find(is_it).ok_or_else(|| {
@@ -80,6 +92,18 @@ pub fn ior(name: &str) -> Result<Ior, UnknownName> {
         IorKind::Dielectric => (media::formula(info.name).spectrum(), Spectrum::ZERO),
     };
     Ok(Ior { name: info.name.to_owned(), eta, k, source: info.source.to_owned() })
+}
+
+/// The real part and the extinction coefficient of a number such as `1.5+3i`, where n is above 0 and both at most 50.
+fn complex(text: &str) -> Option<(f64, f64)> {
+    let text = text.trim().strip_suffix(['i', 'j'])?;
+    // The sign between both parts, not one of an exponent.
+    let is_sign =
+        |(at, c): &(usize, char)| *at > 0 && matches!(c, '+' | '-') && !text[..*at].ends_with(['e', 'E']);
+    let (at, _) = text.char_indices().rfind(is_sign)?;
+    let eta: f64 = text[..at].trim().parse().ok()?;
+    let k: f64 = text[at + 1..].trim().parse().ok()?;
+    (eta > 0.0 && eta <= MOST && (0.0..=MOST).contains(&k)).then_some((eta, k))
 }
 
 /// All refractive indices by name: metals, then transparent media.
@@ -95,7 +119,7 @@ impl Ior {
             name: format!("{eta}"),
             eta: Spectrum::constant(eta),
             k: Spectrum::ZERO,
-            source: "given as a number".to_owned(),
+            source: GIVEN.to_owned(),
         }
     }
 

@@ -80,3 +80,15 @@ fn tables_of_metals_are_those_published() {
         assert!((at(&found.eta) - eta).abs() < 0.02 && (at(&found.k) - k).abs() < 0.02, "{name}");
     }
 }
+
+#[test]
+fn a_complex_number_is_an_index_of_all_wavelengths() {
+    let metal = ior("0.27+2.8i").unwrap();
+    assert_eq!((metal.eta.at(400.0), metal.k.at(700.0)), (0.27, 2.8));
+    for same in ["0.27-2.8i", " 0.27 + 2.8j", "2.7e-1+2.8e0i"] {
+        assert_eq!(ior(same).unwrap().k, metal.k, "{same}");
+    }
+    for wrong in ["1.5", "3i", "-1+2i", "1.5+i", "nan+1i", "1+99i"] {
+        assert!(ior(wrong).is_err(), "{wrong}");
+    }
+}

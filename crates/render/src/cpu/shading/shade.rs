@@ -9,6 +9,7 @@ use crate::cpu::frame::FrameView;
 use crate::cpu::lighting::point::{Reflected, ShadingPoint, mixed};
 use crate::cpu::lighting::reflect::reflect_lanes;
 use crate::cpu::lighting::shade_material::ShadeMaterial;
+use crate::cpu::probe;
 use crate::cpu::shading::shade_block::{Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetups};
 use crate::cpu::shading::{debug_view, texturing};
@@ -70,7 +71,7 @@ impl<S: Simd> ShadeBlock<'_, S> {
         values[0] = self.attribute(0, &place);
         let layout = &self.object.layout;
         let material = &self.frame.materials[self.object.material];
-        if self.object.is_simple(self.frame.options.show) {
+        if self.frame.record.is_none() && self.object.is_simple(self.frame.options.show) {
             let lights = &self.frame.lights;
             let light =
                 |point: &ShadingPoint<Lanes<S>>| reflect_lanes(self.simd, lights, material, point, None);
@@ -155,6 +156,12 @@ impl<S: Simd> ShadeBlock<'_, S> {
         }
         let mut rgb = with_emission(material, extra, textured, plain);
         let mut alpha = self.px.lit(f64::from(material.alpha)) * extra.alpha;
+        if let Some(record) = self.frame.record {
+            let rgb = probe::replace(record, self, place, (&point, alpha), extra);
+            let alpha = self.px.one();
+            let transmittance = [self.px.zero(); 3];
+            return Shaded { rgb, alpha, transmittance, distance: place.distance, normal: point.normal };
+        }
         debug_view::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
         let transmittance = self.transmittance(material, place, point.normal);
         Shaded { rgb, alpha, transmittance, distance: place.distance, normal: point.normal }

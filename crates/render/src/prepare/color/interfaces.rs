@@ -3,8 +3,9 @@
 use glanz_bsdf::terms::{
     fresnel_conductor, fresnel_dielectric, fresnel_film, fresnel_polarized, fresnel_slab,
 };
+use glanz_bsdf::{coat_reflectance, coated_reflectance};
 use glanz_color::{Ior, Spectrum, lambda_nm};
-use glanz_scene::{Film, Pane, Polarization};
+use glanz_scene::{Boundary, CoatedBoundary, Film, Pane, Polarization};
 
 use crate::prepare::data::tint_coordinate::cosine_inside;
 
@@ -30,6 +31,43 @@ pub(crate) fn film(film: &Film, cosine: f64) -> Spectrum {
     Spectrum(core::array::from_fn(|i| {
         fresnel_film(cosine, lambda_nm(i), film.film.eta[i], film.thickness_nm, base(i))
     }))
+}
+
+/// What a boundary below a coat reflects, without what the coat itself reflects; `left` is what absorption in the coat leaves
+/// on the way down and up. Inside of the coat indices count relative to the coat's, and so does a film's thickness, by which
+/// the phase is as in air.
+pub(crate) fn coated(boundary: &CoatedBoundary, cosine: f64, left: &Spectrum) -> Spectrum {
+    let on_top = coat_reflectance(boundary.eta(), boundary.alpha, cosine);
+    let coat = &boundary.coat.eta;
+    let relative = |ior: &Ior| {
+        let over = |part: &Spectrum| Spectrum(core::array::from_fn(|i| part[i] / coat[i]));
+        (over(&ior.eta), over(&ior.k))
+    };
+    let inside = |i: usize| cosine_inside(cosine, coat[i]);
+    let below = match &boundary.below {
+        Boundary::Medium(ior) => {
+            let (eta, k) = relative(ior);
+            Spectrum(core::array::from_fn(|i| match k[i] {
+                0.0 => fresnel_dielectric(inside(i), eta[i]),
+                k => fresnel_conductor(inside(i), eta[i], k),
+            }))
+        }
+        Boundary::Polarized(ior, polarization) => {
+            let (eta, k) = relative(ior);
+            Spectrum(core::array::from_fn(|i| {
+                let (s, p) = fresnel_polarized(inside(i), eta[i], k[i]);
+                if *polarization == Polarization::S { s } else { p }
+            }))
+        }
+        Boundary::Film(film) => {
+            let ((eta, _), (base, k)) = (relative(&film.film), relative(&film.base));
+            Spectrum(core::array::from_fn(|i| {
+                let thickness = film.thickness_nm * coat[i];
+                fresnel_film(inside(i), lambda_nm(i), eta[i], thickness, (base[i], k[i]))
+            }))
+        }
+    };
+    Spectrum(core::array::from_fn(|i| coated_reflectance(on_top, below[i] * left[i])))
 }
 
 /// What a pane reflects and what it lets through.
@@ -66,6 +104,53 @@ mod tests {
         let left = libm::exp(-0.4);
         let expected = 0.96 * 0.96 * left / (1.0 - 0.04 * 0.04 * left * left);
         assert!((pane(&glass, 1.0).1[50] - expected).abs() < 1e-12);
+    }
+
+    /// Copper in air reflects 0.5383, 0.6235 and 0.9352 at 450, 550 and 650 nm.
+    #[test]
+    fn a_metal_under_a_coat_meets_the_coat() {
+        let below = Boundary::Medium(glanz_color::ior("Cu").expect("copper is known"));
+        let boundary = CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
+        let got = coated(&boundary, 1.0, &Spectrum::ONE);
+        // F + (1 − F)² R / (1 − F R), R = |(1.5 − n − i k) / (1.5 + n + i k)|²: the coat's own 0.04 lies on top.
+        for (nm, expected) in [(450.0, 0.4506), (550.0, 0.5426), (650.0, 0.9121)] {
+            assert!((got.at(nm) + 0.04 - expected).abs() < 2e-4, "{nm}: {}", got.at(nm));
+        }
+        // What absorbs takes its part of every way down and up.
+        let half = coated(&boundary, 1.0, &Spectrum::constant(0.5)).at(650.0);
+        let below = (0.9121 - 0.04) / (0.96 * 0.96 + 0.04 * (0.9121 - 0.04));
+        assert!((half - 0.96 * 0.96 * 0.5 * below / (1.0 - 0.04 * 0.5 * below)).abs() < 2e-4, "{half}");
+    }
+
+    #[test]
+    fn what_is_as_the_coat_reflects_nothing_below_it() {
+        let glass = Boundary::Medium(Ior::constant(1.5));
+        let oil = Film { thickness_nm: 400.0, film: Ior::constant(1.5), base: Ior::constant(1.5) };
+        for below in [glass, Boundary::Film(oil)] {
+            let boundary = CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
+            for cosine in [1.0, 0.5, 0.1] {
+                assert!(coated(&boundary, cosine, &Spectrum::ONE).max() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn a_film_below_a_coat_is_one_between_both() {
+        // A film whose ends have the same index as the coat and the base is the boundary of both.
+        let base = glanz_color::ior("Al").expect("aluminium is known");
+        let film = Film { thickness_nm: 500.0, film: Ior::constant(1.5), base: base.clone() };
+        let under = |below| CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
+        for cosine in [1.0, 0.6, 0.2] {
+            let with = coated(&under(Boundary::Film(film.clone())), cosine, &Spectrum::ONE);
+            let bare = coated(&under(Boundary::Medium(base.clone())), cosine, &Spectrum::ONE);
+            for i in 0..glanz_color::SAMPLES {
+                assert!((with[i] - bare[i]).abs() < 1e-9, "{cosine}: {} {}", with[i], bare[i]);
+            }
+        }
+        let (s, p) = (Polarization::S, Polarization::P);
+        let polarized =
+            |way| coated(&under(Boundary::Polarized(base.clone(), way)), 0.3, &Spectrum::ONE).at(550.0);
+        assert!(polarized(s) > polarized(p));
     }
 
     #[test]

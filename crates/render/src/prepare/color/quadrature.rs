@@ -7,7 +7,7 @@
 use glanz_bsdf::terms::fresnel_schlick;
 use glanz_color::meyer::{self, MeyerSamples, NODES_NM};
 use glanz_color::{Reradiation, SAMPLES, STEP_NM, Spectrum, lambda_nm, rgb_spectra};
-use glanz_scene::{ColorMode, LightColor, Tint, Transmittance};
+use glanz_scene::{CoatedBoundary, ColorMode, LightColor, Tint, Transmittance};
 
 use crate::prepare::color::interfaces;
 use crate::prepare::color::observation::Observation;
@@ -168,9 +168,15 @@ impl Sampling {
             }
             Tint::Film(film) => Surface::Reflectance(self.reflectance(&interfaces::film(film, cosine))),
             Tint::Pane(pane) => Surface::Reflectance(self.reflectance(&interfaces::pane(pane, cosine).0)),
+            Tint::Coated(boundary) => self.coated(boundary, cosine, &Spectrum::ONE),
             Tint::Schlick(at_normal) => self.surface(at_normal, 1.0).map(|f0| fresnel_schlick(cosine, f0)),
             Tint::Reradiation(matrix) => self.reradiation(matrix),
         }
+    }
+
+    /// A boundary below a coat, of whose absorption so much is left.
+    pub(crate) fn coated(&self, boundary: &CoatedBoundary, cosine: f64, left: &Spectrum) -> Surface {
+        Surface::Reflectance(self.reflectance(&interfaces::coated(boundary, cosine, left)))
     }
 
     /// The transmittance of a surface at the nodes, along a line of sight of this cosine.

@@ -1,8 +1,9 @@
 //! Which coordinate the tint of a lobe has, and what the tint is there.
 
 use glanz_bsdf::{LightTerm, Side};
-use glanz_scene::Lobe;
+use glanz_scene::{Lobe, Tint};
 
+use crate::prepare::color::interfaces;
 use crate::prepare::color::quadrature::{Sampling, Surface};
 use crate::prepare::data::tint_coordinate::{TintCoordinate, cosine_inside, longest};
 
@@ -30,6 +31,10 @@ fn path(coordinate: TintCoordinate, at: f64, eta: f64) -> f64 {
 /// A lobe's tint at the nodes of a colour mode, at a coordinate.
 pub(crate) fn surface(sampling: &Sampling, lobe: &Lobe, coordinate: TintCoordinate, at: f64) -> Surface {
     let cosine = if coordinate == TintCoordinate::HalfAngle { at } else { 1.0 };
+    if let (Tint::Coated(boundary), Some(coat)) = (&lobe.tint, &lobe.absorption) {
+        let left = interfaces::left(&coat.depth, path(coordinate, at, coat.eta));
+        return sampling.coated(boundary, cosine, &left);
+    }
     let mut surface = sampling.surface(&lobe.tint, cosine);
     if lobe.shape.info().side == Side::Transmission && lobe.tint.depends_on_angle() {
         surface = surface.complement();

@@ -18,7 +18,7 @@ mod tests {
     use std::sync::Arc;
 
     use glanz_color::{Ior, ior, iors, light};
-    use glanz_scene::{ColorMode, Tint};
+    use glanz_scene::{Boundary, CoatedBoundary, ColorMode, Tint};
 
     use super::*;
     use crate::prepare::Observation;
@@ -55,6 +55,34 @@ mod tests {
         }
         assert!(worst.0 < RELATIVE, "{worst:?}");
         assert!(worst.0 > 1e-8, "{worst:?}: f32 is not as good as that");
+    }
+
+    /// What a series may be off by where a metal lies under a coat, in parts of all light.
+    const COATED: f64 = 2e-4;
+
+    #[test]
+    fn every_metal_under_a_coat_keeps_its_reflection_at_every_angle() {
+        let sampling = Sampling::new(&Observation::new(ColorMode::Spectral, None).unwrap(), 0);
+        let white = light("E").unwrap().0.to_vec();
+        let all = sampling
+            .response(&sampling.surface(&Tint::Spectrum(Arc::new(glanz_color::Spectrum::ONE)), 1.0), None);
+        let scale = all.under(&white)[1];
+        let mut worst: (f64, String) = (0.0, String::new());
+        for (info, coat) in iors().iter().flat_map(|info| [1.05, 1.5, 2.4].map(|coat| (info, coat))) {
+            let below = Boundary::Medium(ior(info.name).unwrap());
+            let boundary = CoatedBoundary { below, coat: Ior::constant(coat), alpha: 0.03 };
+            let tint = Tint::Coated(Arc::new(boundary));
+            let at = |cosine: f64| sampling.response(&sampling.surface(&tint, cosine), None).under(&white);
+            let series = TintSeries::fit(&nodes().map(at).collect::<Vec<_>>());
+            for step in 0..=60 {
+                let cosine = f64::from(step) / 60.0;
+                let error = (f64::from(series.at(cosine as f32)[1]) - at(cosine)[1]).abs() / scale;
+                if error > worst.0 {
+                    worst = (error, format!("{} under {coat} at cosθ = {cosine}", info.name));
+                }
+            }
+        }
+        assert!(worst.0 < COATED, "{worst:?}");
     }
 
     #[test]

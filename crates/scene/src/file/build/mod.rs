@@ -6,9 +6,10 @@ mod camera;
 mod files;
 mod geometry;
 mod lights;
+mod media;
 mod scene;
 mod spectra;
 mod units;
 
 pub(super) use builder::Builder;
-pub(super) use spectra::air;
+pub(super) use media::air;

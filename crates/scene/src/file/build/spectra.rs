@@ -9,14 +9,11 @@ use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectr
 use super::builder::Builder;
 use super::units::for_luminance;
 use crate::file::error::Problem;
-use crate::file::tables::colors::{ColorValue, IorValue, SpectralTable, SpectrumValue};
+use crate::file::tables::colors::{ColorValue, SpectralTable, SpectrumValue};
 use crate::file::tables::sampled::{ObserverValue, Sampled};
 use crate::file::tables::spectra_files::{AxisUnit, Column, FileQuantity, FileScale, ScaleValue};
 use crate::file::tables::values::{At, Number};
-use crate::{Film, LightColor, Pane, Tint};
-
-/// The thickest film: near 400 nm its fringes are as narrow as the spectral grid of 5 nm.
-const THICKEST_FILM_NM: f64 = 1e4;
+use crate::{LightColor, Pane, Tint};
 
 /// What a function of wavelength stands for.
 enum Function {
@@ -98,12 +95,12 @@ impl Builder {
             return Ok(Tint::Schlick(Box::new(self.tint(at_normal)?)));
         }
         if let Some(pane) = &table.pane {
-            let ior = medium(&At { value: pane.ior.clone(), span: pane.span.clone() })?;
+            let ior = self.medium(&At { value: pane.ior.clone(), span: pane.span.clone() })?;
             let absorption = pane.absorption.as_ref().map_or(Spectrum::ZERO, |samples| samples.0);
             return Ok(Tint::Pane(Arc::new(Pane { ior, thickness: pane.thickness_m.0, absorption })));
         }
-        if let Some(film) = film(table)? {
-            return Ok(Tint::Film(Arc::new(film)));
+        if let Some(film) = self.film(table)? {
+            return self.film_tint(film, table);
         }
         let scale = table.scale.as_ref().map_or(1.0, |scale| scale.factor());
         Ok(match self.function(table, &value.span, false)? {
@@ -122,7 +119,7 @@ impl Builder {
             }
             Function::Reradiation(matrix) if scale == 1.0 => Tint::Reradiation(matrix),
             Function::Reradiation(matrix) => Tint::Reradiation(Arc::new(matrix.scaled(scale))),
-            Function::Ior(ior) => fresnel(ior, table)?,
+            Function::Ior(ior) => self.fresnel(ior, table)?,
         })
     }
 
@@ -173,7 +170,7 @@ impl Builder {
             ["samples"] => Ok(Function::Either(table.samples.as_ref().expect("it is given").0)),
             ["matrix"] => matrix(table.matrix.as_ref().expect("it is given")),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
-            ["ior"] => ior(table.ior.as_ref().expect("it is given")),
+            ["ior"] => Ok(Function::Ior(Arc::new(self.medium(table.ior.as_ref().expect("it is given"))?))),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
                 .help(
                     "give one of spectrum, blackbody, gaussian, line, file, nm with value, reradiation, ior",
@@ -316,6 +313,9 @@ fn refuse_keys_out_of_place(table: &SpectralTable) -> Result<(), Problem> {
     if let (Some(polarization), None) = (&table.polarization, &table.ior) {
         return Err(Problem::at(&polarization.span, "'polarization' needs 'ior'"));
     }
+    if let (Some(coat), None) = (&table.under_coat, &table.ior) {
+        return Err(Problem::at(&coat.span, "'under_coat' needs 'ior' or 'film_nm'"));
+    }
     let of_files = [
         (table.column.as_ref().map(|v| &v.span), "'column'"),
         (table.quantity.as_ref().map(|v| &v.span), "'as'"),
@@ -329,18 +329,6 @@ fn refuse_keys_out_of_place(table: &SpectralTable) -> Result<(), Problem> {
         Some((span, key)) if table.file.is_none() => Err(Problem::at(span, format!("{key} needs 'file'"))),
         _ => Ok(()),
     }
-}
-
-/// Fresnel reflection at a surface of that index of refraction.
-fn fresnel(ior: Arc<Ior>, table: &SpectralTable) -> Result<Tint, Problem> {
-    if let Some(scale) = &table.scale {
-        return Err(Problem::at(&scale.span, "Fresnel reflection has no 'scale'")
-            .help("the index of refraction says how much is reflected"));
-    }
-    Ok(match &table.polarization {
-        None => Tint::Ior(ior),
-        Some(polarization) => Tint::Polarized(ior, polarization.value),
-    })
 }
 
 fn matrix(rows: &At<Vec<Sampled>>) -> Result<Function, Problem> {
@@ -412,6 +400,7 @@ fn read_options(table: &SpectralTable, light: bool) -> ReadOptions {
             Some(ScaleValue::File(FileScale::Fraction)) => Some(ValueScale::Fraction),
             Some(ScaleValue::Factor(_)) | None => None,
         },
+        pixel: None,
     }
 }
 
@@ -441,69 +430,6 @@ fn choose<'a>(
     })
 }
 
-/// The film that a table describes, if it does.
-fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
-    let Some(thickness) = &table.film_nm else {
-        return match &table.film_ior {
-            Some(medium) => {
-                Err(Problem::at(&medium.span, "'film_ior' needs 'film_nm', the film's thickness"))
-            }
-            None => Ok(None),
-        };
-    };
-    let others = [
-        (table.scale.as_ref().map(|v| &v.span), "scale"),
-        (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
-        (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
-        (table.file.as_ref().map(|v| &v.span), "file"),
-        (table.column.as_ref().map(|v| &v.span), "column"),
-        (table.blackbody.as_ref().map(|v| &v.span), "blackbody"),
-        (table.gaussian.as_ref().map(|v| &v.span), "gaussian"),
-        (table.line.as_ref().map(|v| &v.span), "line"),
-        (table.nm.as_ref().map(|v| &v.span), "nm"),
-        (table.value.as_ref().map(|v| &v.span), "value"),
-        (table.samples.as_ref().map(|v| &v.span), "samples"),
-        (table.matrix.as_ref().map(|v| &v.span), "matrix"),
-        (table.polarization.as_ref().map(|v| &v.span), "polarization"),
-    ];
-    if let Some((span, key)) = others.iter().find_map(|(span, key)| Some((span.as_ref()?, key))) {
-        return Err(Problem::at(
-            span,
-            format!("'{key}' beside 'film_nm': the film says how much is reflected"),
-        ));
-    }
-    if !(0.0..=THICKEST_FILM_NM).contains(&thickness.0) {
-        let message = format!("expected a film of 0 to {THICKEST_FILM_NM} nm, found {}", thickness.0);
-        return Err(Problem::at(&thickness.span, message));
-    }
-    let film = table.film_ior.as_ref().map_or(Ok(Ior::constant(1.33)), medium)?;
-    if let (true, Some(given)) = (film.k.max() > 0.0, &table.film_ior) {
-        return Err(Problem::at(&given.span, "a film must be clear; metals absorb"));
-    }
-    let base = table.ior.as_ref().map_or(Ok(air()), medium)?;
-    Ok(Some(Film { thickness_nm: thickness.0, film, base }))
-}
-
-/// What a film lies on that says nothing else.
-pub(in crate::file) fn air() -> Ior {
-    Ior { name: "air".to_owned(), ..Ior::constant(1.0) }
-}
-
-fn ior(value: &At<IorValue>) -> Result<Function, Problem> {
-    Ok(Function::Ior(Arc::new(medium(value)?)))
-}
-
-/// A medium by its name or its index.
-pub(super) fn medium(value: &At<IorValue>) -> Result<Ior, Problem> {
-    Ok(match &value.value {
-        IorValue::Name(name) => glanz_color::ior(name).map_err(|error| {
-            unknown(&error, &value.span).help("`glanz color list metals` tells the names; or give a number")
-        })?,
-        IorValue::Index(index) => Ior::constant(*index),
-        IorValue::Table(table) => table.ior(),
-    })
-}
-
-fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {
+pub(super) fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {
     Problem::at(span, error.to_string())
 }

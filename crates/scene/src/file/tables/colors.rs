@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use glanz_color::{Ior, Spectrum};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::media::{CoatAbove, IorValue};
 use super::sampled::Sampled;
 use super::spectra_files::{AxisUnit, Column, FileQuantity, ScaleValue};
 use super::values::{Amount, At, Color, Number};
@@ -43,12 +43,14 @@ pub(crate) struct SpectralTable {
     /// The name of a fluorescent material (`glanz color list fluorescent`), or a file with its
     /// re-radiation matrix (BFC, CSV); surfaces only.
     pub reradiation: Option<At<String>>,
-    /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), or an index of
-    /// refraction from 1.05 to 20; surfaces only.
+    /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), an index of refraction from 1.05
+    /// to 20, n and k as "1.5+3i", in numbers or from a file; surfaces only.
     pub ior: Option<At<IorValue>>,
     /// Beside `ior`: Fresnel reflection through a polarising filter: the electric field perpendicular ("s") or
     /// parallel ("p") to the plane of incidence.
     pub polarization: Option<At<Polarization>>,
+    /// Beside `ior` or `film_nm`: a coat above, through which light meets the boundary; highlights only.
+    pub under_coat: Option<At<CoatAbove>>,
     /// Thickness in nm of a thin film, whose colours are those of interference; `ior` is what it lies on,
     /// air if that is missing. Surfaces only.
     pub film_nm: Option<At<Amount>>,
@@ -68,76 +70,6 @@ pub(crate) struct SpectralTable {
     pub scale: Option<At<ScaleValue>>,
     /// For light that a surface sends itself: its luminance in cd/m².
     pub luminance_cd_m2: Option<At<Amount>>,
-}
-
-/// A metal or glass by name, or an index of refraction.
-#[derive(Clone, Debug, JsonSchema)]
-#[schemars(untagged)]
-pub(crate) enum IorValue {
-    /// The name of a medium.
-    Name(String),
-    /// The index of refraction of a medium that does not absorb.
-    Index(f64),
-    /// Its samples.
-    Table(Box<IorTable>),
-}
-
-impl<'de> Deserialize<'de> for IorValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Form;
-        impl<'de> Visitor<'de> for Form {
-            type Value = IorValue;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(
-                    "the name of a metal or glass such as \"Au\", or an index of refraction such as 1.5",
-                )
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<IorValue, E> {
-                Ok(IorValue::Name(name.to_owned()))
-            }
-            fn visit_f64<E: Error>(self, index: f64) -> Result<IorValue, E> {
-                // The series of the tint table holds 1e-4 between these.
-                match (1.05..=20.0).contains(&index) {
-                    true => Ok(IorValue::Index(index)),
-                    false => Err(E::custom(format!(
-                        "expected an index of refraction between 1.05 and 20, found {index}"
-                    ))),
-                }
-            }
-            fn visit_i64<E: Error>(self, index: i64) -> Result<IorValue, E> {
-                self.visit_f64(index as f64)
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<IorValue, A::Error> {
-                let table = IorTable::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(IorValue::Table(Box::new(table)))
-            }
-        }
-        deserializer.deserialize_any(Form)
-    }
-}
-
-/// An index of refraction by its samples.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct IorTable {
-    /// A name for people.
-    #[serde(default)]
-    pub name: String,
-    /// The real part.
-    pub eta: Sampled,
-    /// The extinction coefficient; 0 by default.
-    pub k: Option<Sampled>,
-    /// Where the numbers come from.
-    #[serde(default)]
-    pub source: String,
-}
-
-impl IorTable {
-    /// The index.
-    pub(crate) fn ior(&self) -> Ior {
-        let k = self.k.as_ref().map_or(Spectrum::ZERO, |k| k.0);
-        Ior { name: self.name.clone(), eta: self.eta.0, k, source: self.source.clone() }
-    }
 }
 
 /// A pane by its numbers: what both of its sides reflect, or what it lets through.

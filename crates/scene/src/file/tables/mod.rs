@@ -5,6 +5,7 @@ pub(crate) mod camera;
 pub(crate) mod colors;
 pub(crate) mod geometry;
 pub(crate) mod lights;
+pub(crate) mod media;
 pub(crate) mod profile;
 pub(crate) mod sampled;
 pub(crate) mod scene;

@@ -4,7 +4,7 @@ use glanz_color::{Ior, Rgb, fluorescent, fluorescents};
 
 use super::text::{Table, inline, number, rgb, samples, string, tall_list};
 use crate::file::build::air;
-use crate::{Film, LightColor, Pane, Polarization, Tint, Transmittance};
+use crate::{Boundary, CoatedBoundary, Film, LightColor, Pane, Polarization, Tint, Transmittance};
 
 /// The colour of a light.
 pub(super) fn light(color: &LightColor) -> String {
@@ -34,8 +34,9 @@ pub(super) fn tint(tint: &Tint) -> String {
             inline([("ior", ior(medium)), ("polarization", string(Polarization::name(*polarization)))])
         }
         Tint::Schlick(at_normal) => inline([("schlick", self::tint(at_normal))]),
-        Tint::Film(thin) => film(thin),
+        Tint::Film(thin) => film(thin).inline(),
         Tint::Pane(sheet) => pane(sheet),
+        Tint::Coated(boundary) => coated(boundary),
     }
 }
 
@@ -46,7 +47,7 @@ pub(super) fn transmittance(value: &Transmittance) -> Option<String> {
         Transmittance::Constant(_) => return None,
         Transmittance::Boundary(medium) => inline([("ior", ior(medium))]),
         Transmittance::Pane(sheet) => pane(sheet),
-        Transmittance::Film(thin) => film(thin),
+        Transmittance::Film(thin) => film(thin).inline(),
     })
 }
 
@@ -72,11 +73,28 @@ fn ior(medium: &Ior) -> String {
     table.inline()
 }
 
-fn film(film: &Film) -> String {
+fn film(film: &Film) -> Table {
     let mut table = Table::default();
     table.put("film_nm", number(film.thickness_nm));
     table.put("film_ior", ior(&film.film));
     table.put_unless(film.base == air(), "ior", ior(&film.base));
+    table
+}
+
+fn coated(boundary: &CoatedBoundary) -> String {
+    let mut table = match &boundary.below {
+        Boundary::Film(thin) => film(thin),
+        Boundary::Medium(medium) | Boundary::Polarized(medium, _) => {
+            let mut table = Table::default();
+            table.put("ior", ior(medium));
+            table
+        }
+    };
+    if let Boundary::Polarized(_, polarization) = &boundary.below {
+        table.put("polarization", string(Polarization::name(*polarization)));
+    }
+    let coat = [("ior", ior(&boundary.coat)), ("alpha", number(boundary.alpha))];
+    table.put("under_coat", inline(coat));
     table.inline()
 }
 

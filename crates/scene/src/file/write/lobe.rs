@@ -60,6 +60,9 @@ fn layer(layer: &LayerWeight) -> String {
         LayerWeight::Coat { transmittance, gain } => {
             ("coat", inline([("terms", terms(transmittance)), ("gain", number(*gain))]))
         }
+        LayerWeight::OverBoundary { transmittance } => {
+            ("over_boundary", inline([("terms", terms(transmittance))]))
+        }
         LayerWeight::Sheen { strength, albedo } => {
             ("sheen", inline([("strength", number(*strength)), ("terms", numbers(albedo.series()))]))
         }

@@ -3,18 +3,14 @@
 use std::sync::Arc;
 
 use glanz_bsdf::Shape;
-use glanz_color::{Ior, Rgb, SpectrumKind, ior};
-use glanz_plot::Medium;
+use glanz_color::{Rgb, SpectrumKind};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::stage::LobeStage;
 use glanz_scene::{LightColor, Tint};
 
-use crate::input::spectra;
+use crate::input::{media, spectra};
 use crate::load::{Input, input_of_stage};
 use crate::print::failure::Failure;
-
-/// The wavelength at which words for media are tried, in nm.
-const TRIED_NM: f64 = 550.0;
 
 /// A lobe on a mesh.
 #[derive(Clone, Debug)]
@@ -32,7 +28,7 @@ impl Ball {
         let mut set = Vec::new();
         for (key, text) in values {
             match key.as_str() {
-                "ior" => tint = ior_tint(text)?,
+                "ior" => tint = media::tint(text)?,
                 "tint" => tint = reflectance_tint(text)?,
                 name => match text.parse::<f64>() {
                     Ok(value) => set.push((name, value)),
@@ -57,16 +53,6 @@ impl Ball {
     pub(super) fn input(&self, size: (u32, u32)) -> Result<Input, Failure> {
         self.0.scene(size).map(input_of_stage).map_err(Failure::new)
     }
-}
-
-/// Fresnel's law of a metal, a glass or a number.
-fn ior_tint(text: &str) -> Result<Tint, Failure> {
-    // The words that are no media have their errors there.
-    let known = Medium::named(text, TRIED_NM)?;
-    Ok(Tint::Ior(Arc::new(match ior(text) {
-        Ok(found) => found,
-        Err(_) => Ior::constant(known.eta),
-    })))
 }
 
 /// A reflectance for all wavelengths, or a spectrum of it.

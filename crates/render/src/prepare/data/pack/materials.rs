@@ -90,6 +90,9 @@ impl Packer {
             LayerWeight::Coat { transmittance, gain } => {
                 (3, 0, self.scalar_series(transmittance), [*gain, 0.0])
             }
+            LayerWeight::OverBoundary { transmittance } => {
+                (5, 0, self.scalar_series(transmittance), [0.0; 2])
+            }
             LayerWeight::Sheen { strength, albedo } => {
                 let flattest = libm::sqrt(LEAST_SHEEN_COSINE);
                 let at = |x: f64| {

@@ -7,10 +7,10 @@ use glanz_bsdf::Shape;
 use glanz_color::{Ior, Spectrum, rgb_spectra};
 
 use crate::file::build::builder::Builder;
-use crate::file::build::spectra::medium;
 use crate::file::error::Problem;
 use crate::file::tables::appearance::layers::{CoatTable, PaneTable};
-use crate::file::tables::colors::{ColorValue, IorValue};
+use crate::file::tables::colors::ColorValue;
+use crate::file::tables::media::IorValue;
 use crate::file::tables::values::At;
 use crate::{Coat, Lobe, Material, Pane, Tint, Transmittance};
 
@@ -30,7 +30,7 @@ impl CoatTable {
     ) -> Result<Material, Problem> {
         let default = Coat::default();
         let coat = Coat {
-            ior: clear(self.ior.as_ref())?.unwrap_or(default.ior),
+            ior: clear(self.ior.as_ref(), builder)?.unwrap_or(default.ior),
             alpha: self.alpha.as_ref().map_or(default.alpha, |alpha| alpha.0),
             weight: self.weight.as_ref().map_or(default.weight, |weight| weight.0),
             thickness_mm: self.thickness_mm.as_ref().map_or(default.thickness_mm, |mm| mm.0),
@@ -51,7 +51,7 @@ impl PaneTable {
     ) -> Result<(), Problem> {
         let per_mm = absorption(self.transmittance_1mm.as_ref(), builder)?.unwrap_or(Spectrum::ZERO);
         let pane = Arc::new(Pane {
-            ior: clear(self.ior.as_ref())?.unwrap_or(Ior::constant(1.5)),
+            ior: clear(self.ior.as_ref(), builder)?.unwrap_or(Ior::constant(1.5)),
             thickness: self.thickness_mm.as_ref().map_or(4.0, |mm| mm.0) * 1e-3,
             absorption: per_mm * 1e3,
         });
@@ -102,9 +102,9 @@ pub(in crate::file::build) fn transmittance(
 }
 
 /// A medium that does not absorb.
-fn clear(value: Option<&At<IorValue>>) -> Result<Option<Ior>, Problem> {
+fn clear(value: Option<&At<IorValue>>, builder: &mut Builder) -> Result<Option<Ior>, Problem> {
     let Some(value) = value else { return Ok(None) };
-    let ior = medium(value)?;
+    let ior = builder.medium(value)?;
     match ior.k.max() > 0.0 {
         true => {
             Err(Problem::at(&value.span, format!("light does not pass '{}', which is a metal", ior.name)))

@@ -44,6 +44,8 @@ pub(crate) enum LayerTable {
     Series(SeriesTable),
     /// A clear coat that light crosses on its way in and out.
     Coat(CoatWeightTable),
+    /// A clear coat over a boundary whose tint says what light below it does.
+    OverBoundary(OverBoundaryTable),
     /// What a sheen leaves to the layers below.
     Sheen(SheenTable),
 }
@@ -80,6 +82,14 @@ pub(crate) struct CoatWeightTable {
     pub gain: Number,
 }
 
+/// The weight of a coat over a boundary whose tint is met below it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OverBoundaryTable {
+    /// Coefficients of the coat's transmittance over the cosine, of degree 0 first.
+    pub terms: Vec<Number>,
+}
+
 /// The weight of a sheen.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -107,6 +117,7 @@ impl LayerTable {
             Self::Coat(table) => {
                 LayerWeight::Coat { transmittance: series(&table.terms), gain: table.gain.0 }
             }
+            Self::OverBoundary(table) => LayerWeight::OverBoundary { transmittance: series(&table.terms) },
             Self::Sheen(table) => LayerWeight::Sheen {
                 strength: table.strength.0,
                 albedo: charlie::Albedo::from_series(table.terms.map(|term| term.0)),

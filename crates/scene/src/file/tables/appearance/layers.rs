@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::file::tables::colors::{ColorValue, IorValue};
+use crate::file::tables::colors::ColorValue;
+use crate::file::tables::media::IorValue;
 use crate::file::tables::values::{Amount, At, Fraction};
 
 /// A layer over a material.
