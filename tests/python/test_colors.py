@@ -63,7 +63,7 @@ class Surfaces(unittest.TestCase):
             patch, light, observer = job
             # "white 9.5 (.05 D)" is white-9.5 here: the density is left out.
             name = patch.split(" (")[0].replace(" ", "-")
-            return glanz("color", "spectrum", name, "--under", light, "--observer", observer)["xyz"]
+            return glanz("color", "spectrum", name, "--light", light, "--observer", observer)["xyz"]
 
         with ThreadPoolExecutor(4) as pool:
             found = list(pool.map(compute, jobs))

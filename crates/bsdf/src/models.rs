@@ -19,7 +19,7 @@
 use glanz_math::names::nearest;
 use glanz_math::{Real, Vec3};
 
-use crate::{CustomModel, DirectionPair, Model, ModelInfo, ParamError};
+use crate::{CustomModel, DirectionPair, LightTerm, Model, ModelInfo, ParamError};
 
 /// [`Shape::id`] of a program's own models.
 const CUSTOM: u32 = u32::MAX;
@@ -138,6 +138,16 @@ macro_rules! models {
                 match self {
                     $(Self::$model(model) => model.tint_cosine(pair),)+
                     Self::Custom(model) => model.tint_cosine(pair),
+                }
+            }
+
+            /// The cosine at which pictures take a Fresnel tint of the lobe: [`tint_cosine`](Self::tint_cosine) for
+            /// specular lobes; 1, normal incidence, for matte ones, whose light meets no facet.
+            #[inline(always)]
+            pub fn fresnel_cosine<R: Real>(&self, pair: &DirectionPair<R>) -> R {
+                match self.info().term {
+                    LightTerm::Specular => self.tint_cosine(pair),
+                    _ => pair.cos_o.one(),
                 }
             }
 
@@ -292,6 +302,26 @@ impl Shape {
     pub fn named(name: &str, set: &[(&str, f64)]) -> Result<Self, ParamError> {
         let info = info_named(name)?;
         Ok(Self::build(info.name, &info.values(set)?).expect("a name from the list builds"))
+    }
+
+    /// The shape of another model with the parameters that both have by name; the others have their defaults.
+    ///
+    /// ```
+    /// use glanz_bsdf::Shape;
+    ///
+    /// let phong = Shape::named("phong", &[("shininess", 8.0)])?;
+    /// assert_eq!(phong.as_model("blinn-phong")?.params(), [8.0]);
+    /// # Ok::<(), glanz_bsdf::ParamError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ParamError`] where there is no such model, or a value is out of its range.
+    pub fn as_model(&self, name: &str) -> Result<Self, ParamError> {
+        let target = info_named(name)?;
+        let has = |name: &str| target.params.iter().any(|param| param.name == name);
+        let own = self.info().params.iter().map(|param| param.name).zip(self.params());
+        Self::named(name, &own.filter(|(name, _)| has(name)).collect::<Vec<_>>())
     }
 }
 

@@ -52,7 +52,7 @@ pub(crate) fn input_of_stage(scene: Scene) -> Input {
 }
 
 /// Tells an error of a scene file with the line that it is in.
-fn failure_of_scene(error: FileError) -> Failure {
+pub(crate) fn failure_of_scene(error: FileError) -> Failure {
     let from_set = error.path.as_os_str() == "override";
     let place = if from_set { "--set".to_owned() } else { error.path.display().to_string() };
     let report = match &error.span {

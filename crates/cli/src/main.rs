@@ -6,14 +6,16 @@ mod encode;
 mod frames;
 mod input;
 mod load;
+mod old_names;
 mod pipeline;
 mod print;
 mod progress;
+mod reflow;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser};
+use clap::{Command, CommandFactory, FromArgMatches, Parser};
 
 use crate::print::Format;
 use crate::print::failure::wrong_use;
@@ -39,9 +41,10 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    let words: Vec<_> = std::env::args_os().collect();
+    let words = of_help(std::env::args_os().collect());
     let format = format_of(&words);
-    let cli = match Cli::try_parse_from(&words) {
+    let parsed = root().try_get_matches_from(&words).and_then(|matches| Cli::from_arg_matches(&matches));
+    let cli = match parsed {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return wrong_use(&error, format),
         Err(help) => {
@@ -50,10 +53,27 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     };
-    match cli.command.run(Cli::command) {
+    old_names::tell(&cli.command.path(), &words);
+    match cli.command.run(root) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report::<Cli>(&cli.command.path(), format),
     }
+}
+
+/// The whole command line.
+fn root() -> Command {
+    reflow::reflowed(Cli::command())
+}
+
+/// `help` has no options: what asks for its help asks for `help help`.
+fn of_help(mut words: Vec<OsString>) -> Vec<OsString> {
+    if let [.., command, option] = words.as_mut_slice()
+        && command == "help"
+        && (option == "--help" || option == "-h")
+    {
+        *option = "help".into();
+    }
+    words
 }
 
 /// How errors are told. Found in the words themselves, for command lines that make no sense as a whole.

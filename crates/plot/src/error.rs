@@ -14,7 +14,7 @@ pub enum Error {
     #[error(transparent)]
     Output(#[from] OutputError),
     /// The name of the file ends in nothing that a page can be written as.
-    #[error("the name of a plot must end in .svg or .png")]
+    #[error("the name of a plot must end in .svg, .png, .pdf, .csv or .json")]
     UnknownExtension {
         /// The name.
         path: PathBuf,
@@ -64,8 +64,8 @@ pub enum Error {
         /// The azimuth in degrees.
         phi_deg: f64,
     },
-    /// So many lobes cannot be told apart.
-    #[error("a plot of {found} lobes cannot be read; at most {most} are drawn")]
+    /// So many lobes or laws cannot be told apart.
+    #[error("a plot of {found} curves cannot be read; at most {most} are drawn")]
     TooManyLobes {
         /// How many there are.
         found: usize,
@@ -79,6 +79,14 @@ pub enum Error {
         found: usize,
         /// How many are drawn.
         most: usize,
+    },
+    /// The greatest distance of a plot of attenuation.
+    #[error("the distance is {distance_m} m, but must be above 0 and at most {most_m} m")]
+    Distance {
+        /// The distance in metres.
+        distance_m: f64,
+        /// The greatest that is possible.
+        most_m: f64,
     },
     /// There is no medium of that name.
     #[error(transparent)]

@@ -6,6 +6,7 @@ mod color;
 mod input;
 mod look;
 mod picture;
+mod plot;
 mod target;
 mod values;
 
@@ -14,11 +15,13 @@ pub(crate) use color::ColorArgs;
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
+pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
 pub(crate) use target::{Target, TargetArgs, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};
 
 use clap::Args;
 
+use crate::input::spectra::words;
 use crate::print::failure::Failure;
 
 /// How large the picture is.
@@ -28,6 +31,12 @@ pub(crate) struct SizeArgs {
     /// Width and height in pixels [default: the scene's, else 800x600]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
+}
+
+/// Lights that `--light` names, between commas, in options that may be repeated.
+pub(crate) fn light_words(options: &[String]) -> Result<Vec<String>, Failure> {
+    let words = options.iter().map(|option| words(option)).collect::<Result<Vec<_>, _>>();
+    Ok(words.map_err(|error| Failure::Usage(format!("--light: {error}")))?.concat())
 }
 
 /// How the machine is used.

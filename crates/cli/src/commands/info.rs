@@ -1,8 +1,9 @@
 //! `glanz info`: what is in a scene or a model.
 
 use clap::Args;
+use glanz_bsdf::LightTerm;
 
-use crate::args::InputArgs;
+use crate::args::{InputArgs, choices};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs, Summary};
 
@@ -10,13 +11,19 @@ use crate::print::{self, Format, FormatArgs, Summary};
 pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz info model.glb
-  glanz info scene.toml --format json";
+  glanz info scene.toml --format json
+  glanz info scene.toml --model ward";
 
 /// Options of `glanz info`.
 #[derive(Args, Debug)]
 pub(crate) struct InfoArgs {
     #[command(flatten)]
     input: InputArgs,
+
+    /// Tell of the scene with this model for all highlights, as drawing commands take it
+    #[arg(long, value_name = "MODEL", value_parser = choices::highlight_model(), help_heading = "Picture")]
+    model: Option<String>,
+
     #[command(flatten)]
     format: FormatArgs,
 }
@@ -24,7 +31,13 @@ pub(crate) struct InfoArgs {
 impl InfoArgs {
     /// Tells it.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let input = self.input.load(None, &[])?;
+        let mut input = self.input.load(None, &[])?;
+        if let Some(model) = &self.model {
+            let lobes = input.scene.materials.iter_mut().flat_map(|material| &mut material.lobes);
+            for lobe in lobes.filter(|lobe| lobe.shape.info().term == LightTerm::Specular) {
+                lobe.shape = lobe.shape.as_model(model).map_err(|error| Failure::Usage(error.to_string()))?;
+            }
+        }
         let summary = Summary { input: &input, path: &self.input.input };
         match self.format.format {
             Format::Json => print::json(&summary.document()),

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
@@ -26,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 28] = [
+const SCHEMAS: [Named; 35] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -55,6 +56,13 @@ const SCHEMAS: [Named; 28] = [
     ("color-fluorescence", schema::<color::fluorescence::Document>),
     ("color-list", schema::<color::list::Document>),
     ("color-efficiency", schema::<color::efficiency::Document>),
+    ("plot", schema::<PlotData>),
+    ("color-plot-spectra", schema::<PlotData>),
+    ("color-plot-chromaticity", schema::<PlotData>),
+    ("color-plot-cones", schema::<PlotData>),
+    ("color-plot-meyer", schema::<PlotData>),
+    ("color-plot-matrix", schema::<PlotData>),
+    ("color-plot-efficiency", schema::<PlotData>),
 ];
 
 /// Options of `glanz schema`.

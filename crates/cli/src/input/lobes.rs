@@ -1,11 +1,11 @@
 //! Lobes that a command line names: models with lists of parameters, and what lobes are multiplied with.
 
-use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, ValueEnum};
 use glanz_bsdf::{MODELS, ModelInfo, Shape};
 use glanz_color::{FIRST_NM, LAST_NM, SpectrumKind};
 use glanz_math::names::did_you_mean;
-use glanz_plot::reflection::{DEFAULT_NM, label};
+use glanz_plot::reflection::{DEFAULT_NM, Unit, label};
 use glanz_plot::{Factor, Lobe, Variation, number};
 
 use super::vary::variation;
@@ -140,6 +140,35 @@ pub(crate) struct FactorArgs {
     /// The wavelength at which --ior and --tint are taken, in nm [default: 550]
     #[arg(long, value_name = "NM", value_parser = wavelength)]
     pub lambda_nm: Option<f64>,
+}
+
+/// The unit of values of models.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum UnitName {
+    /// 1/sr: a white Lambert surface has cosθ / π
+    #[default]
+    Sr,
+    /// Values times π, as in the classic lighting equation: the peak of Lambert and Phong is 1
+    Course,
+}
+
+impl UnitName {
+    /// The unit as it stands in documents.
+    pub(crate) fn symbol(self) -> &'static str {
+        match self {
+            Self::Sr => "1/sr",
+            Self::Course => "1/(π sr)",
+        }
+    }
+}
+
+impl From<UnitName> for Unit {
+    fn from(unit: UnitName) -> Self {
+        match unit {
+            UnitName::Sr => Self::PerSr,
+            UnitName::Course => Self::Course,
+        }
+    }
 }
 
 /// A wavelength within the grid of spectra.

@@ -183,6 +183,11 @@ impl From<glanz_plot::Error> for Failure {
         match error {
             Error::Output(error) => error.into(),
             Error::ViewAngle { .. } | Error::Azimuth { .. } => Self::Usage(format!("--{error}")),
+            Error::Distance { .. } => Self::Usage(format!("--distance: {error}")),
+            Error::SingleDirection { .. } => {
+                let help = "--kind fresnel shows its reflectance, --kind vectors its direction, 'glanz bsdf eval' both as numbers";
+                Report::new(error).help(help).wrong_value()
+            }
             Error::EmptyLobe { .. } => Self::new(error),
             Error::NoFacets { .. } => Report::new(error).help("--kind polar shows its lobe").into(),
             Error::SheetSize { .. } => Report::new(error).help("draw smaller pictures, or fewer").into(),

@@ -1,4 +1,4 @@
-//! Files beside a picture: tables of spectra, plots, and what is told of contact sheets.
+//! Files beside a picture: tables of spectra, and what is told of contact sheets.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,30 +6,18 @@ use std::path::Path;
 use glanz_color::Spectrum;
 use glanz_color::write::write_csv;
 use glanz_picture::output::{OutputError, write_atomically};
-use glanz_plot::{Figure, PlotFile};
 use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::Value;
 
 use super::failure::Failure;
 use super::stdout::{self, FormatArgs, note};
-use crate::args::{Target, check_folder};
+use crate::args::Target;
 
 /// Writes spectra as columns, by their names. The file is old or new, but never half.
 pub(crate) fn save_csv(path: &Path, spectra: &[(&str, &Spectrum)]) -> Result<(), Failure> {
     write_atomically(path, |out| write_csv(out, spectra).map_err(OutputError::Stream))?;
     note(format_args!("wrote {}", path.display()));
-    Ok(())
-}
-
-/// That the file of a plot can be written, before any work is done.
-pub(crate) fn check_plot(file: Option<&PlotFile>) -> Result<(), Failure> {
-    file.map_or(Ok(()), |file| check_folder(file.path()))
-}
-
-/// Writes a plot. The file is old or new, but never half.
-pub(crate) fn save_plot(file: &PlotFile, figure: &dyn Figure) -> Result<(), Failure> {
-    file.save(&figure.page())?;
-    note(format_args!("wrote {}", file.path().display()));
     Ok(())
 }
 
@@ -89,6 +77,7 @@ struct CellFacts {
 enum ValueFacts {
     Number(f64),
     Truth(bool),
+    List(Vec<Value>),
     Text(String),
 }
 
@@ -100,7 +89,13 @@ impl ValueFacts {
             (Some(number), _) => Self::Number(number),
             (_, "true") => Self::Truth(true),
             (_, "false") => Self::Truth(false),
-            _ => Self::Text(text.to_owned()),
+            (_, list) if list.starts_with('[') => {
+                serde_json::from_str(list).map_or_else(|_| Self::Text(text.to_owned()), Self::List)
+            }
+            (_, quoted) => {
+                let inner = quoted.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+                Self::Text(inner.unwrap_or(text).to_owned())
+            }
         }
     }
 }

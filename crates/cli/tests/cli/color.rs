@@ -93,7 +93,7 @@ fn a_line_has_its_own_wavelength_and_full_purity() {
 
 #[test]
 fn a_metal_is_told_by_its_reflectance() {
-    insta::assert_snapshot!(Folder::new().glanz(&["color", "spectrum", "gold", "--under", "A"]).text());
+    insta::assert_snapshot!(Folder::new().glanz(&["color", "spectrum", "gold", "--light", "A"]).text());
 }
 
 #[test]
@@ -103,10 +103,10 @@ fn a_light_is_told_in_words() {
 
 #[test]
 fn cones_answer_where_there_is_no_xyz() {
-    let words = ["color", "spectrum", "white-9.5", "--observer", "lms2", "--under", "E"];
+    let words = ["color", "spectrum", "white-9.5", "--observer", "lms2", "--light", "E"];
     let run = Folder::new().glanz(&words);
     assert!(run.text().contains("of the perfect diffuser's"), "{}", run.text());
-    let white = json(&["spectrum", "white-9.5", "--observer", "lms2", "--under", "E"]);
+    let white = json(&["spectrum", "white-9.5", "--observer", "lms2", "--light", "E"]);
     assert!((0.85..0.95).contains(&number(&white["response_L"])));
     assert!(white["xyz"].is_null());
 }
@@ -134,7 +134,7 @@ fn what_a_file_does_not_say_is_asked_for() {
     let run = folder.glanz(&["color", "spectrum", "a.csv", "--as", "light"]);
     assert!(run.text().contains("CCT") && !run.stderr.contains("does not say"), "{}", run.stderr);
     // Where a light is wanted, it is one.
-    assert!(folder.glanz(&["color", "spectrum", "red", "--under", "a.csv"]).text().contains("sample"));
+    assert!(folder.glanz(&["color", "spectrum", "red", "--light", "a.csv"]).text().contains("sample"));
 }
 
 #[test]
@@ -241,7 +241,7 @@ fn a_file_that_says_what_it_is_is_nothing_else() {
     folder.write("paint.csv", "nm,reflectance\n300,0.5\n780,0.5\n");
     folder.write("lamp.csv", "nm,flux (W/nm)\n300,0.5\n780,0.5\n");
     for words in [
-        &["spectrum", "gold", "--under", "paint.csv"][..],
+        &["spectrum", "gold", "--light", "paint.csv"][..],
         &["efficiency", "--set", "lamp.csv"],
         &["metamers", "lamp.csv", "gold"],
         &["spectrum", "D65", "--as", "surface"],
@@ -249,7 +249,7 @@ fn a_file_that_says_what_it_is_is_nothing_else() {
         folder.glanz(&[&["color"], words].concat()).failure();
     }
     folder.write("x.csv", "nm,x\n300,0.5\n780,0.5\n");
-    folder.glanz(&["color", "spectrum", "gold", "--under", "x.csv"]).text();
+    folder.glanz(&["color", "spectrum", "gold", "--light", "x.csv"]).text();
     folder.write("x.csv", "nm,reflectance\n300,0.5\n780,1.5\n");
     let run = folder.glanz(&["color", "spectrum", "x.csv"]);
     assert!(run.stderr.contains("only what glows exceeds 1"), "{}", run.stderr);
@@ -323,7 +323,7 @@ fn a_surface_is_no_metamer_of_itself_and_light_parts_others() {
     }
     let folder = Folder::new();
     folder.write("pair.csv", PAIR);
-    let words = ["color", "metamers", "pair.csv:1", "pair.csv:2", "--under", "D65,A"];
+    let words = ["color", "metamers", "pair.csv:1", "pair.csv:2", "--light", "D65,A"];
     let pair = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
     let rows = pair["lights"].as_array().unwrap();
     assert!(rows[0]["metamerism_index"].is_null(), "the first light is the reference");
@@ -335,7 +335,7 @@ fn a_surface_is_no_metamer_of_itself_and_light_parts_others() {
 fn scaled_copies_have_no_metamerism() {
     let folder = Folder::new();
     folder.write("a.csv", "nm,a reflectance,b reflectance\n300,0.2,0.4\n500,0.3,0.6\n780,0.4,0.8\n");
-    let words = ["color", "metamers", "a.csv:1", "a.csv:2", "--under", "D65,A,FL11", "--format", "json"];
+    let words = ["color", "metamers", "a.csv:1", "a.csv:2", "--light", "D65,A,FL11", "--format", "json"];
     let pair = folder.glanz(&words).json();
     for row in &pair["lights"].as_array().unwrap()[1..] {
         // X, Y, Z have the same ratio under every light, which the correction takes out.
@@ -346,10 +346,10 @@ fn scaled_copies_have_no_metamerism() {
 
 #[test]
 fn a_paper_note_glows() {
-    let words = ["color", "fluorescence", "paper-note-pink", "--under", "D65,A,UV365"];
+    let words = ["color", "fluorescence", "paper-note-pink", "--light", "D65,A,UV365"];
     let run = Folder::new().glanz(&words);
     insta::assert_snapshot!(run.text());
-    let pink = json(&["fluorescence", "paper-note-pink", "--under", "D65"]);
+    let pink = json(&["fluorescence", "paper-note-pink", "--light", "D65"]);
     assert_eq!(pink["energy"]["ok"], true);
     let y = |part: &str| numbers(&pink["lights"][0][part]["xyz"])[1];
     assert!(y("total") > 1.2 * y("reflected"), "{} {}", y("total"), y("reflected"));
@@ -366,7 +366,7 @@ fn a_matrix_without_glow_is_a_reflectance() {
         table += &format!("{nm},{}\n", cells.join(","));
     }
     folder.write("grey.csv", table);
-    let words = ["color", "fluorescence", "grey.csv", "--under", "A", "--format", "json"];
+    let words = ["color", "fluorescence", "grey.csv", "--light", "A", "--format", "json"];
     let grey = folder.glanz(&words).json();
     assert_eq!(grey["lights"][0]["total"], grey["lights"][0]["reflected"]);
     assert_eq!(number(&grey["lights"][0]["de2000"]), 0.0);
@@ -403,7 +403,7 @@ fn every_listed_light_has_numbers() {
 
 #[test]
 fn fewer_samples_err_more() {
-    let found = json(&["efficiency", "--under", "D65,A"]);
+    let found = json(&["efficiency", "--light", "D65,A"]);
     let mean = |way: &str, samples: u64| {
         let ways = found["ways"].as_array().unwrap();
         let of = ways.iter().find(|row| row["way"] == way && row["samples"] == samples).unwrap();
@@ -416,7 +416,7 @@ fn fewer_samples_err_more() {
     assert!(mean("sRGB product", 3)[0] < 1e-2, "the product of sRGB is made for D65");
     let (published, adapted) = (mean("Meyer, published", 4), mean("Meyer, adapted", 4));
     assert!(published[1] > 2.0 * adapted[1], "weights solved for A help under A");
-    insta::assert_snapshot!(Folder::new().glanz(&["color", "efficiency", "--under", "D65,A"]).text());
+    insta::assert_snapshot!(Folder::new().glanz(&["color", "efficiency", "--light", "D65,A"]).text());
 }
 
 /// The commands that draw, without the file.
@@ -427,7 +427,7 @@ const PLOTS: [&[&str]; 8] = [
     &["plot", "cones"],
     &["plot", "meyer"],
     &["plot", "matrix", "paper-note-yellow"],
-    &["plot", "efficiency", "--under", "D65"],
+    &["plot", "efficiency", "--light", "D65"],
     &["plot", "spectra", "line(500)"],
 ];
 
@@ -467,8 +467,8 @@ fn commands_of_numbers_draw_too() {
     for words in [
         &["spectrum", "gold"][..],
         &["metamers", "foliage", "dark-skin"],
-        &["fluorescence", "paper-note-pink", "--under", "D65"],
-        &["efficiency", "--under", "E"],
+        &["fluorescence", "paper-note-pink", "--light", "D65"],
+        &["efficiency", "--light", "E"],
     ] {
         let run = folder.glanz(&[&["color"], words, &["--plot", "a.svg"]].concat());
         assert!(!run.text().is_empty());

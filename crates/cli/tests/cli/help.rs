@@ -104,6 +104,31 @@ fn the_list_of_commands_above_is_complete() {
 }
 
 #[test]
+fn paragraphs_are_wrapped_where_the_terminal_ends() {
+    let folder = Folder::new();
+    for width in [80, 100] {
+        for words in COMMANDS {
+            let run = folder.glanz_with(&[words, &["--help"]].concat(), &[("COLUMNS", &width.to_string())]);
+            let text = run.text().split("\nExample").nth(1).unwrap_or_default().to_owned();
+            for pair in text.lines().collect::<Vec<_>>().windows(2) {
+                let is_paragraph = pair.iter().all(|line| !line.is_empty() && !line.starts_with(' '));
+                let next = pair[1].split(' ').next().unwrap().chars().count();
+                let needed = pair[0].chars().count() + 1 + next;
+                assert!(!is_paragraph || needed > width, "{words:?} at {width}: {pair:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn help_has_help_too() {
+    let folder = Folder::new();
+    for words in [&["help", "--help"][..], &["bsdf", "help", "-h"], &["color", "plot", "help", "--help"]] {
+        assert!(folder.glanz(words).text().contains("help of the given subcommand"), "{words:?}");
+    }
+}
+
+#[test]
 fn the_version_is_that_of_the_package() {
     let run = Folder::new().glanz(&["--version"]);
     assert_eq!(run.text(), format!("glanz {}\n", env!("CARGO_PKG_VERSION")));

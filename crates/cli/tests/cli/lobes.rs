@@ -93,7 +93,7 @@ fn every_kind_of_plot_is_a_picture_in_both_formats() {
 #[test]
 fn every_kind_of_plot_is_drawn_of_ward() {
     let folder = Folder::new();
-    for kind in ["polar", "cartesian", "lobe3d", "albedo", "slice", "fresnel", "terms"] {
+    for kind in ["polar", "cartesian", "lobe3d", "albedo", "slice", "terms"] {
         let file = format!("{kind}.svg");
         folder.glanz(&["plot", "ward", "--set", "alpha=0.05,0.16", "--kind", kind, "-o", &file]).text();
         assert!(folder.names().contains(&file), "{kind}");

@@ -14,5 +14,6 @@ mod lobes;
 mod materials;
 mod models;
 mod pictures;
+mod plots;
 mod schemas;
 mod spectra;

@@ -1,6 +1,35 @@
 //! `glanz bsdf` and `glanz info`: numbers for people and programs.
 
+use std::io::Cursor;
+
 use crate::folder::Folder;
+
+/// A matte plate of glass, seen at 60° from its normal and lit at 60° from the other side.
+const PLATE: &str = r#"
+image = { width = 8, height = 8 }
+render = { tone_map = "none" }
+
+[camera]
+eye = [8.660254, 0, 5]
+target = [0, 0, 0]
+projection = "orthographic"
+height = 0.1
+
+[ambient]
+color = 0
+
+[[lights]]
+kind = "directional"
+direction = [0.8660254, 0, -0.5]
+ambient = 0
+
+[materials.glass]
+lobes = [{ shape = "lambert", tint = { ior = 1.5 } }]
+
+[[objects]]
+mesh = "quad"
+material = "glass"
+"#;
 
 fn number(value: &serde_json::Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
@@ -95,4 +124,57 @@ fn a_model_tells_what_is_added_and_what_is_left_out() {
     assert_eq!(json["triangles"], 2);
     assert_eq!(json["default_lights"], true);
     assert_eq!(json["bounds"]["max"], serde_json::json!([1.0, 1.0, 1.0]));
+}
+
+#[test]
+fn a_mirror_tells_its_direction_and_its_reflectance() {
+    let folder = Folder::new();
+    let words = ["bsdf", "eval", "mirror", "--ior", "1.5", "--wo", "60,0", "--wi", "60,180"];
+    insta::assert_snapshot!(folder.glanz(&words).text());
+    let json = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
+    assert!((number(&json["delta"]["factor"]) - 0.089_187).abs() < 1e-6 && json["delta"]["is_wi"] == true);
+}
+
+#[test]
+fn a_fresnel_tint_of_a_matte_lobe_is_that_of_pictures() {
+    let folder = Folder::new();
+    let words = ["bsdf", "eval", "lambert", "--ior", "1.5", "--wo", "60,0", "--wi", "60,180"];
+    insta::assert_snapshot!(folder.glanz(&words).text());
+    let json = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
+    assert_eq!((number(&json["tint_value"]), number(&json["fresnel_cosine"])), (0.04000000000000001, 1.0));
+    // The same lobe, drawn: π · f_cos is what a light of value 1 gives.
+    folder.write("plate.toml", PLATE);
+    folder.glanz(&["render", "plate.toml", "-o", "plate.png", "--bit-depth", "16"]).text();
+    let mut reader = png::Decoder::new(Cursor::new(folder.read("plate.png"))).read_info().unwrap();
+    let mut data = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut data).unwrap();
+    let middle = info.line_size * 4 + info.line_size / 2;
+    let code = f64::from(u16::from_be_bytes([data[middle], data[middle + 1]])) / 65535.0;
+    let drawn = ((code + 0.055) / 1.055).powf(2.4);
+    let told = number(&json["f_cos"]) * std::f64::consts::PI;
+    assert!((drawn - told).abs() < 1e-4 && (told - 0.02).abs() < 1e-9, "{drawn} {told}");
+}
+
+#[test]
+fn a_scene_is_told_with_another_model_of_highlights() {
+    let folder = Folder::with_scene();
+    let json = folder.glanz(&["info", "scene.toml", "--model", "blinn-phong", "--format", "json"]).json();
+    let lobe = &json["materials"][0]["lobes"][2];
+    assert_eq!((lobe["shape"].as_str(), number(&lobe["params"]["shininess"])), (Some("blinn-phong"), 32.0));
+}
+
+#[test]
+fn old_names_of_options_work_with_a_remark() {
+    let folder = Folder::with_scene();
+    let run = folder.glanz(&["color", "metamers", "gold", "copper", "--under", "D65,A"]);
+    assert_eq!(run.stderr, "note: --under is called --light now\n");
+    let new = folder.glanz(&["color", "metamers", "gold", "copper", "--light", "D65", "--light", "A"]);
+    assert_eq!((new.text(), new.stderr.as_str()), (run.text(), ""));
+    let run = folder.glanz(&["color", "efficiency", "--light", "D65", "--set", "samples"]);
+    assert_eq!(run.stderr, "note: --set is called --surfaces now\n");
+    let run =
+        folder.glanz(&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--cell", "8x8", "-o", "a.png"]);
+    assert_eq!(run.stderr, "note: --cell is called --size now\nwrote a.png\n");
+    let run = folder.glanz(&["material", "sheet", "gold", "--size", "16", "-o", "b.png"]);
+    assert_eq!(run.stderr, "note: --size is WxH now, such as 16x16\nwrote b.png\n");
 }

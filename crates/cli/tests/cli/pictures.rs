@@ -251,7 +251,7 @@ fn a_program_is_told_of_each_frame_of_a_film() {
 fn a_sheet_holds_the_pictures_of_all_values() {
     let folder = Folder::with_scene();
     let words = ["--vary", "materials.ball.shininess=4,64", "--vary", "render.shading=flat,gouraud,phong"];
-    let words = [&["sweep", "scene.toml", "--cell", "48x32", "--format", "json"], &words[..]].concat();
+    let words = [&["sweep", "scene.toml", "--size", "48x32", "--format", "json"], &words[..]].concat();
     let json = folder.glanz(&words).json();
     assert_eq!(json["file"], "scene_sweep.png");
     assert_eq!(json["cells"].as_array().unwrap().len(), 6);
@@ -268,7 +268,7 @@ fn a_sheet_holds_the_pictures_of_all_values() {
 #[test]
 fn one_value_that_varies_makes_rows_of_the_asked_length() {
     let folder = Folder::with_scene();
-    let words = ["sweep", "scene.toml", "--vary", "render.ev=-1:1:5", "--cell", "48x32", "--columns", "2"];
+    let words = ["sweep", "scene.toml", "--vary", "render.ev=-1:1:5", "--size", "48x32", "--columns", "2"];
     let json = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
     assert_eq!(json["width"], 6 + 2 * (48 + 6));
     assert_eq!(json["cells"][4]["values"]["render.ev"], 1.0);

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 26] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 33] = [
     (
         "render",
         &[
@@ -18,7 +18,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 26] = [
     ("render-frames", &[&["render", "scene.toml", "--frames", "0..2", "--turntable", "-o", "f{frame}.png"]]),
     (
         "sweep",
-        &[&["sweep", "scene.toml", "--vary", "render.shading=flat,phong", "--cell", "24x16", "-o", "s.png"]],
+        &[&["sweep", "scene.toml", "--vary", "render.shading=flat,phong", "--size", "24x16", "-o", "s.png"]],
     ),
     ("shade-compare", &[&["shade-compare", "scene.toml", "-o", "s.png"]]),
     ("modes", &[&["modes", "scene.toml", "--modes", "rgb,sampled:4", "-o", "s.png"]]),
@@ -80,7 +80,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 26] = [
         &[
             &["color", "spectrum", "D65"],
             &["color", "spectrum", "UV365"],
-            &["color", "spectrum", "gold", "--under", "A"],
+            &["color", "spectrum", "gold", "--light", "A"],
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
@@ -89,7 +89,21 @@ const DOCUMENTS: [(&str, &[&[&str]]); 26] = [
     ("color-metamers", &[&["color", "metamers", "gold", "copper"]]),
     ("color-fluorescence", &[&["color", "fluorescence", "paper-note-pink"]]),
     ("color-list", &[&["color", "list"], &["color", "list", "models"]]),
-    ("color-efficiency", &[&["color", "efficiency", "--under", "D65"]]),
+    ("color-efficiency", &[&["color", "efficiency", "--light", "D65"]]),
+    (
+        "plot",
+        &[
+            &["plot", "phong", "-o", "-"],
+            &["plot", "cook-torrance", "--kind", "terms", "-o", "-"],
+            &["plot", "--kind", "attenuation", "-o", "-"],
+        ],
+    ),
+    ("color-plot-spectra", &[&["color", "plot", "spectra", "D65", "-o", "-"]]),
+    ("color-plot-chromaticity", &[&["color", "plot", "chromaticity", "-o", "-"]]),
+    ("color-plot-cones", &[&["color", "plot", "cones", "-o", "-"]]),
+    ("color-plot-meyer", &[&["color", "plot", "meyer", "-o", "-"]]),
+    ("color-plot-matrix", &[&["color", "plot", "matrix", "paper-note-pink", "-o", "-"]]),
+    ("color-plot-efficiency", &[&["color", "plot", "efficiency", "--light", "D65", "-o", "-"]]),
 ];
 
 /// One light of each kind.

@@ -149,15 +149,33 @@ impl Axes {
         }
     }
 
+    /// Of how many marks of x one has its number, so that numbers do not touch each other.
+    fn numbered(&self) -> usize {
+        let widest = self.x.ticks.iter().map(|tick| letters::width(&self.x.number(*tick), NUMBER));
+        let widest = widest.fold(0.0, f64::max) + 8.0;
+        let places: Vec<_> = self.x.ticks.iter().map(|tick| self.below(*tick).0).collect();
+        let fits = |every: &usize| {
+            places
+                .iter()
+                .step_by(*every)
+                .zip(places.iter().step_by(*every).skip(1))
+                .all(|(a, b)| b - a >= widest)
+        };
+        (1..=places.len().max(1)).find(fits).unwrap_or(1)
+    }
+
     /// Draws the axes with numbers and labels.
     pub fn frame(&self, page: &mut Page) {
         page.outline(self.rect, GRAY, 1.2);
-        for tick in &self.x.ticks {
+        let every = self.numbered();
+        for (index, tick) in self.x.ticks.iter().enumerate() {
             let (x, bottom) = self.below(*tick);
             let bottom = bottom + self.gap;
             page.line([(x, bottom), (x, bottom + MARK)], GRAY, 1.2);
             let at = (x, bottom + MARK + NUMBER + 2.0);
-            page.text(self.x.number(*tick), at, Anchor::Middle, NUMBER, GRAY);
+            if index % every == 0 {
+                page.text(self.x.number(*tick), at, Anchor::Middle, NUMBER, GRAY);
+            }
         }
         for tick in &self.y.ticks {
             let (_, y) = self.at(self.x.range.0, *tick);
@@ -188,6 +206,21 @@ mod tests {
         assert_eq!(axis.number(axis.ticks[0]), "–0.2");
         assert_eq!(axis.number(axis.ticks[1]), "0.0");
         assert_eq!(Axis::round("steps of a quarter", (0.0, 1.0), 4).number(0.25), "0.25");
+    }
+
+    #[test]
+    fn numbers_of_a_narrow_axis_do_not_touch() {
+        let numbers = |width: f64| {
+            let rect = Rect { x: 50.0, y: 10.0, width, height: 50.0 };
+            let x = Axis::exact("", (-90.0, 90.0), 12);
+            let axes =
+                Axes { rect, x: Axis { decimals: 0, ..x }, y: Axis::exact("", (0.0, 1.0), 1), gap: 0.0 };
+            let mut page = Page::new(900, 100);
+            axes.frame(&mut page);
+            page.texts().filter(|text| text.anchor == Anchor::Middle && !text.text.is_empty()).count()
+        };
+        let (wide, narrow) = (numbers(800.0), numbers(150.0));
+        assert!(narrow >= 3 && wide > narrow, "{wide} {narrow}");
     }
 
     #[test]

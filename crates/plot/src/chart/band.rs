@@ -8,6 +8,7 @@ use glanz_color::{FIRST_NM, LAST_NM, cie1931_by_1_nm};
 use super::axes::Axes;
 use crate::page::style::{GRAY, NUMBER, Rgb8, WHITE};
 use crate::page::{Anchor, Page, Rect};
+use crate::words::{Lang, Word};
 
 /// How high a band is, in points.
 pub(crate) const HEIGHT: f64 = 16.0;
@@ -48,7 +49,7 @@ fn of_nm(nm: f64) -> Rgb8 {
 }
 
 /// Draws the band below axes whose x are wavelengths in nm.
-pub(crate) fn below(page: &mut Page, axes: &Axes) {
+pub(crate) fn below(page: &mut Page, axes: &Axes, lang: Lang) {
     let (from, to) = axes.x.range;
     let mut nm = from;
     while nm < to {
@@ -62,7 +63,7 @@ pub(crate) fn below(page: &mut Page, axes: &Axes) {
     page.outline(whole, GRAY, 1.2);
     if from < 360.0 {
         let at = (0.5 * (axes.at(from, 0.0).0 + axes.at(380.0, 0.0).0), whole.bottom() - 3.5);
-        page.text("ultraviolet", at, Anchor::Middle, NUMBER - 2.0, WHITE);
+        page.text(lang.say(Word::Ultraviolet, &[]), at, Anchor::Middle, NUMBER - 2.0, WHITE);
     }
 }
 

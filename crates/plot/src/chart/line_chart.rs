@@ -1,14 +1,17 @@
 //! Curves in a pair of axes.
 
 use super::axes::{Axes, Axis};
-use super::curve::{Curve, csv};
+use super::curve::{Curve, panel};
 use super::heading::heading;
 use super::legend;
-use crate::page::style::{GRAY, INK, LABEL, NUMBER, Rgb8};
+use crate::data::{DataPanel, PlotData};
+use crate::page::style::{INK, LABEL, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page, Rect};
 
 /// The size of the area of the values in points.
 const AREA: (f64, f64) = (720.0, 440.0);
+/// The least of it.
+const LEAST: (f64, f64) = (240.0, 160.0);
 /// The same for plots that stand side by side.
 const PANEL: (f64, f64) = (380.0, 360.0);
 /// From the edges of the page to the area: left, top, right and bottom.
@@ -61,25 +64,35 @@ pub struct LineChart {
 }
 
 impl Figure for LineChart {
-    fn page(&self) -> Page {
+    fn layout(&self, size: Option<(f64, f64)>) -> Page {
         let [left, top, right, bottom] = MARGIN;
         let names = legend::width(&self.curves);
-        let height = AREA.1.max(legend::height(&self.curves));
         let beside = if names > 0.0 { names + 28.0 } else { 0.0 };
-        let width = left + AREA.0 + beside + right;
+        let area = size.map_or(AREA, |(width, height)| {
+            ((width - left - beside - right).max(LEAST.0), (height - top - bottom).max(LEAST.1))
+        });
+        let height = area.1.max(legend::height(&self.curves));
+        let width = left + area.0 + beside + right;
         let mut page = Page::new(width.ceil() as u32, (top + height + bottom) as u32);
         heading(&mut page, left, &self.title, &self.subtitle);
-        let rect = Rect { x: left, y: top, width: AREA.0, height };
+        let rect = Rect { x: left, y: top, width: area.0, height };
         self.draw(&mut page, rect);
         legend::draw(&mut page, (rect.right() + 24.0, rect.y + 12.0), &self.curves);
         page
     }
+
+    fn data(&self) -> PlotData {
+        PlotData::new(&self.title, &self.subtitle, vec![self.panel("")])
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
+    }
 }
 
 impl LineChart {
-    /// The curves as a table, one row per point.
-    pub fn csv(&self) -> String {
-        csv(&self.x.label, &self.y.label, &self.curves)
+    fn panel(&self, title: &str) -> DataPanel {
+        panel(title, &self.x.label, &self.y.label, &self.curves)
     }
 
     fn draw(&self, page: &mut Page, rect: Rect) {
@@ -118,24 +131,37 @@ pub struct SideBySide {
 }
 
 impl Figure for SideBySide {
-    fn page(&self) -> Page {
+    fn layout(&self, size: Option<(f64, f64)>) -> Page {
         let [left, top, right, bottom] = MARGIN;
         let top = top + 30.0;
         let names = self.charts.iter().map(|chart| legend::height(&chart.curves)).fold(0.0, f64::max);
-        let step = left + PANEL.0 + 16.0;
+        let count = self.charts.len().max(1) as f64;
+        let panel = size.map_or(PANEL, |(width, height)| {
+            let (width, height) =
+                ((width - right) / count - left - 16.0, height - top - bottom - names - 20.0);
+            // Below this, the labels of the axes would touch each other.
+            (width.max(PANEL.0), height.max(LEAST.1))
+        });
+        let step = left + panel.0 + 16.0;
         let width = step * self.charts.len() as f64 + right;
-        let mut page = Page::new(width as u32, (top + PANEL.1 + bottom + names + 20.0) as u32);
+        let mut page = Page::new(width as u32, (top + panel.1 + bottom + names + 20.0) as u32);
         heading(&mut page, left, &self.title, &self.subtitle);
         for (index, chart) in self.charts.iter().enumerate() {
-            let rect = Rect { x: left + step * index as f64, y: top, width: PANEL.0, height: PANEL.1 };
+            let rect = Rect { x: left + step * index as f64, y: top, width: panel.0, height: panel.1 };
             page.text(&chart.title, (rect.x, rect.y - 12.0), Anchor::Start, LABEL, INK);
             chart.draw(&mut page, rect);
             legend::draw(&mut page, (rect.x, rect.bottom() + bottom + 4.0), &chart.curves);
         }
-        if self.charts.is_empty() {
-            page.text("nothing", (left, top), Anchor::Start, LABEL, GRAY);
-        }
         page
+    }
+
+    fn data(&self) -> PlotData {
+        let panels = self.charts.iter().map(|chart| chart.panel(&chart.title)).collect();
+        PlotData::new(&self.title, &self.subtitle, panels)
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
     }
 }
 

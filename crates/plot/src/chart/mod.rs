@@ -25,7 +25,7 @@ mod wavelength_chart;
 pub use axes::{Axes, Axis};
 pub use band::color as wavelength_color;
 pub use color_scale::magma;
-pub use curve::{Curve, csv};
+pub use curve::{Curve, panel};
 pub use line_chart::{LineChart, LineMark, SideBySide};
 pub use sample::sampled;
 pub use wavelength_chart::{Marked, WavelengthChart};

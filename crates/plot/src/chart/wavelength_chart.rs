@@ -1,15 +1,19 @@
-//! WavelengthChart over wavelength: what spectra, cones and basis functions have in common.
+//! Charts over wavelength: what spectra, cones and basis functions have in common.
 
 use super::axes::{Axes, Axis};
 use super::band;
-use super::curve::{Curve, csv, extent};
+use super::curve::{Curve, extent, panel};
 use super::heading::heading;
 use super::legend;
+use crate::data::PlotData;
 use crate::page::style::{GRAY, INK, NUMBER};
 use crate::page::{Anchor, Figure, Page, Rect};
+use crate::words::{Lang, Word};
 
 /// The size of the page in points.
 const SIZE: (u32, u32) = (1040, 620);
+/// The least width of the values, and height of the page.
+const LEAST: (f64, f64) = (240.0, 320.0);
 /// The width of a column of names to the right of the curves.
 const LEGEND: f64 = 200.0;
 /// From one name to the next below it.
@@ -41,23 +45,26 @@ pub struct WavelengthChart {
     pub curves: Vec<Curve>,
     /// Wavelengths that are marked.
     pub marked: Vec<Marked>,
+    /// The language of the axis of wavelengths.
+    pub lang: Lang,
 }
 
 impl Figure for WavelengthChart {
-    fn page(&self) -> Page {
-        // Names of many curves need more height.
-        let height = f64::from(SIZE.1).max(150.0 + NAME * self.curves.len() as f64);
-        let mut page = Page::new(SIZE.0, height as u32);
+    fn layout(&self, size: Option<(f64, f64)>) -> Page {
+        let size = size.unwrap_or((f64::from(SIZE.0), f64::from(SIZE.1)));
         let alone = self.curves.len() == 1;
         let legend = if alone { 28.0 } else { LEGEND };
-        let width = f64::from(SIZE.0) - 96.0 - legend;
+        // Names of many curves need more height.
+        let height = size.1.max(LEAST.1).max(150.0 + NAME * self.curves.len() as f64);
+        let width = (size.0 - 96.0 - legend).max(LEAST.0);
+        let mut page = Page::new((width + 96.0 + legend) as u32, height as u32);
         let rect = Rect { x: 96.0, y: 96.0, width, height: height - 96.0 - 84.0 };
         heading(&mut page, rect.x, &self.title, &self.subtitle);
         let axes = self.axes(rect);
         if let ([curve], true) = (self.curves.as_slice(), alone) {
             band::under(&mut page, &axes, |nm| value_at(&curve.points, nm));
         }
-        draw(&mut page, &axes, &self.curves);
+        draw(&mut page, &axes, &self.curves, self.lang);
         for marked in &self.marked {
             let (x, top) = axes.at(marked.nm, axes.y.range.1);
             page.dashes(&[(x, top), (x, rect.bottom())], INK, 1.4, (5.0, 4.0));
@@ -68,28 +75,34 @@ impl Figure for WavelengthChart {
         }
         page
     }
+
+    fn data(&self) -> PlotData {
+        let x = self.lang.say(Word::Wavelength, &[]);
+        PlotData::new(&self.title, &self.subtitle, vec![panel("", &x, &self.label, &self.curves)])
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
+    }
 }
 
 impl WavelengthChart {
-    /// The curves as a table, one row per point.
-    pub fn csv(&self) -> String {
-        csv("wavelength in nm", &self.label, &self.curves)
-    }
-
     fn axes(&self, rect: Rect) -> Axes {
-        let x = Axis::exact("wavelength in nm", self.range_nm, 10);
+        // Numbers of wavelengths need about 60 points each.
+        let about = ((rect.width / 60.0) as usize).clamp(2, 10);
+        let x = Axis::exact(self.lang.say(Word::Wavelength, &[]), self.range_nm, about);
         Axes { rect, x, y: Axis::round(&self.label, extent(&self.curves), 6), gap: band::HEIGHT }
     }
 }
 
 /// Draws curves over wavelength in these axes, with the band of the spectrum.
-pub(crate) fn draw(page: &mut Page, axes: &Axes, curves: &[Curve]) {
+pub(crate) fn draw(page: &mut Page, axes: &Axes, curves: &[Curve], lang: Lang) {
     axes.grid(page);
     if axes.y.range.0 < 0.0 {
         let zero = [axes.at(axes.x.range.0, 0.0), axes.at(axes.x.range.1, 0.0)];
         page.line(zero, GRAY, 1.2);
     }
-    band::below(page, axes);
+    band::below(page, axes, lang);
     for curve in curves {
         let shown = curve.points.iter().filter(|(nm, _)| (axes.x.range.0..=axes.x.range.1).contains(nm));
         let points: Vec<_> = shown.map(|(nm, value)| axes.at(*nm, *value)).collect();

@@ -66,6 +66,23 @@ impl Lettering {
     }
 }
 
+impl Lettering {
+    /// `text` in lines that are no wider than `width`, broken after blanks and commas; a piece that is wider by itself
+    /// has its middle left out.
+    pub fn lines(self, text: &str, width: usize) -> Vec<String> {
+        let mut lines = vec![String::new()];
+        for piece in text.split_inclusive([' ', ',']) {
+            let line = lines.last_mut().expect("begins with one line");
+            if self.width(format!("{line}{piece}").trim_end()) <= width || line.is_empty() {
+                line.push_str(piece);
+            } else {
+                lines.push(piece.to_owned());
+            }
+        }
+        lines.iter().map(|line| self.fit(line.trim_end(), width)).collect()
+    }
+}
+
 impl Canvas {
     /// A canvas of one colour.
     pub fn new(width: usize, height: usize, color: [u8; 3]) -> Self {
@@ -133,6 +150,18 @@ mod tests {
         let inked = |x: usize| (0..20).any(|y| canvas.rgba[4 * (y * 100 + x)] > 0);
         assert!((10..right).any(inked));
         assert!(!(0..10).any(inked) && !(right..100).any(inked));
+    }
+
+    #[test]
+    fn a_long_text_is_broken_after_commas_and_blanks() {
+        let letter = Lettering::SMALL.width("x");
+        let lines = |text: &str, letters: usize| Lettering::SMALL.lines(text, letters * letter);
+        assert_eq!(
+            lines("fade = {constant=1,quadratic=0.1}", 16),
+            ["fade =", "{constant=1,", "quadratic=0.1}"]
+        );
+        assert_eq!(lines("a = 1", 16), ["a = 1"]);
+        assert_eq!(lines("materials_of_the_ball", 9), ["mate..all"]);
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Grids: a picture for every combination of values, in rows and columns.
 
 use super::sheet::ContactSheet;
-use crate::Error;
+use crate::{Error, number};
 
+/// Names that say little without what they are of.
+const GENERIC: [&str; 6] = ["color", "spectrum", "intensity", "file", "name", "size"];
 /// The most pictures on a sheet.
 const MAX_PICTURES: usize = 10_000;
 
@@ -76,7 +78,12 @@ impl Grid<'_> {
     pub fn sheet(&self, count: usize) -> ContactSheet {
         let paths: Vec<_> = self.variations.iter().map(|variation| variation.path.as_str()).collect();
         let names = short_names(&paths);
-        let label = |which: usize, value: &str| format!("{} = {value}", names[which]);
+        let shown: Vec<_> = self.variations.iter().map(|variation| short_values(&variation.values)).collect();
+        let label = |which: usize, value: &str| {
+            let place = self.variations[which].values.iter().position(|own| own == value);
+            let value = place.map_or(value, |place| shown[which][place].as_str());
+            format!("{} = {value}", names[which])
+        };
         let cell = (self.cell.0 as usize, self.cell.1 as usize);
         if let [variation] = self.variations {
             let captions = variation.values.iter().map(|value| vec![label(0, value)]).collect();
@@ -110,7 +117,37 @@ fn short_names(paths: &[&str]) -> Vec<String> {
         ends.windows(2).all(|pair| pair[0] != pair[1])
     };
     let parts = (1..=longest).find(distinct).unwrap_or(longest);
-    paths.iter().map(|path| end(path, parts)).collect()
+    paths.iter().map(|path| end(path, parts.max(least_parts(path)))).collect()
+}
+
+/// How many of its last parts a path needs to be understood: a colour or a number is one of something.
+fn least_parts(path: &str) -> usize {
+    let parts: Vec<_> = path.split('.').rev().collect();
+    let says_little = |part: &&str| GENERIC.contains(part) || part.parse::<usize>().is_ok();
+    let generic = parts.iter().take_while(|part| says_little(part)).count();
+    (generic + 1).min(parts.len())
+}
+
+/// Values as labels have them: numbers in as few digits as tell them apart, but not less than three.
+fn short_values(values: &[String]) -> Vec<String> {
+    let rounded = |digits: usize| -> Vec<String> {
+        let short = |text: &String| match text.parse::<f64>() {
+            Ok(value) if value.is_finite() && text.len() > 6 => shortened(value, digits),
+            _ => text.clone(),
+        };
+        values.iter().map(short).collect()
+    };
+    let distinct = |texts: &[String]| {
+        let of = |texts: &[String]| texts.iter().cloned().collect::<std::collections::BTreeSet<_>>().len();
+        of(texts) == of(values)
+    };
+    (3..=5).map(rounded).find(|texts| distinct(texts)).unwrap_or_else(|| values.to_vec())
+}
+
+/// A number in so many significant digits, without zeros at its end.
+fn shortened(value: f64, digits: usize) -> String {
+    let scale = libm::exp10(digits as f64 - 1.0 - libm::floor(libm::log10(value.abs().max(1e-300))));
+    number((value * scale).round() / scale)
 }
 
 #[cfg(test)]
@@ -123,5 +160,21 @@ mod tests {
         assert_eq!(short_names(&["m.a.n", "m.b.n"]), ["a.n", "b.n"]);
         assert_eq!(short_names(&["n", "m.n"]), ["n", "m.n"]);
         assert_eq!(short_names(&["same.n", "same.n"]), ["same.n", "same.n"]);
+    }
+
+    #[test]
+    fn a_name_that_says_little_has_what_it_is_of() {
+        assert_eq!(short_names(&["ambient.color"]), ["ambient.color"]);
+        assert_eq!(short_names(&["lights.0.direction.1"]), ["direction.1"]);
+        assert_eq!(short_names(&["lights.0.color", "m.ball.shininess"]), ["lights.0.color", "shininess"]);
+    }
+
+    #[test]
+    fn numbers_in_labels_are_short_but_not_the_same() {
+        let short =
+            |values: &[&str]| short_values(&values.iter().map(|v| (*v).to_owned()).collect::<Vec<_>>());
+        assert_eq!(short(&["0", "0.333333", "0.666667", "1"]), ["0", "0.333", "0.667", "1"]);
+        assert_eq!(short(&["0.123412", "0.123456"]), ["0.1234", "0.1235"]);
+        assert_eq!(short(&["[1, 0.333333, 0]", "phong"]), ["[1, 0.333333, 0]", "phong"]);
     }
 }

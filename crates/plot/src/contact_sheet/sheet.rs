@@ -78,7 +78,9 @@ impl ContactSheet {
         }
         for (column, label) in self.columns.iter().enumerate() {
             let (x, y) = self.corner(&layout, 0, column);
-            centered(&mut canvas, (x, y - GAP / 2 - lettering.height()), self.cell.0, label, lettering);
+            let lines = lettering.lines(label, self.cell.0);
+            let top = y - GAP / 2 - lettering.height() * lines.len();
+            centered(&mut canvas, (x, top), self.cell.0, &lines, lettering);
         }
         for (row, label) in self.rows.iter().enumerate() {
             let (_, y) = self.corner(&layout, row, 0);
@@ -96,10 +98,14 @@ impl ContactSheet {
         let (x, y) = self.corner(&layout, index / self.per_row, index % self.per_row);
         canvas.put(x, y, picture);
         let caption = self.captions.get(index).map(Vec::as_slice).unwrap_or_default();
-        for (line, text) in caption.iter().enumerate() {
-            let top = y + self.cell.1 + GAP / 2 + line * layout.lettering.height();
-            centered(canvas, (x, top), self.cell.0, text, layout.lettering);
-        }
+        let lines = self.caption_lines(caption, layout.lettering);
+        let top = y + self.cell.1 + GAP / 2;
+        centered(canvas, (x, top), self.cell.0, &lines, layout.lettering);
+    }
+
+    /// A caption in lines that fit below its picture.
+    fn caption_lines(&self, caption: &[String], lettering: Lettering) -> Vec<String> {
+        caption.iter().flat_map(|text| lettering.lines(text, self.cell.0)).collect()
     }
 
     fn row_count(&self) -> usize {
@@ -113,8 +119,11 @@ impl ContactSheet {
             self.rows.iter().flat_map(|label| label.split('\n')).map(|text| lettering.width(text));
         let left = GAP + row_label.max().map_or(0, |width| width + GAP);
         let title = if self.title.is_empty() { 0 } else { line + GAP };
-        let top = GAP + title + if self.columns.is_empty() { 0 } else { line };
-        let caption_lines = self.captions.iter().map(Vec::len).max().unwrap_or(0);
+        let over = self.columns.iter().map(|label| lettering.lines(label, self.cell.0).len()).max();
+        let over = over.map_or(0, |lines| lines * lettering.height() + GAP / 2);
+        let top = GAP + title + over;
+        let caption_lines = self.captions.iter().map(|caption| self.caption_lines(caption, lettering).len());
+        let caption_lines = caption_lines.max().unwrap_or(0);
         let caption = if caption_lines == 0 { 0 } else { caption_lines * lettering.height() + GAP / 2 };
         let width = left + self.per_row * (self.cell.0 + GAP);
         let height = top + self.row_count() * (self.cell.1 + caption + GAP);
@@ -133,11 +142,18 @@ fn lines(text: &str) -> usize {
     text.split('\n').count()
 }
 
-/// Writes `text` in the middle of `width` pixels from (x, y) on, shortened if it is too wide.
-fn centered(canvas: &mut Canvas, (x, y): (usize, usize), width: usize, text: &str, lettering: Lettering) {
-    let text = lettering.fit(text, width);
-    let indent = width.saturating_sub(lettering.width(&text)) / 2;
-    canvas.write(x + indent, y, &text, lettering, INK);
+/// Writes lines in the middle of `width` pixels from (x, y) on.
+fn centered(
+    canvas: &mut Canvas,
+    (x, y): (usize, usize),
+    width: usize,
+    lines: &[String],
+    lettering: Lettering,
+) {
+    for (index, text) in lines.iter().enumerate() {
+        let indent = width.saturating_sub(lettering.width(text)) / 2;
+        canvas.write(x + indent, y + index * lettering.height(), text, lettering, INK);
+    }
 }
 
 #[cfg(test)]

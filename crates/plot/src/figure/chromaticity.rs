@@ -6,8 +6,10 @@ use glanz_color::models::RgbSpace;
 use glanz_color::temperature::planckian;
 
 use crate::chart::{Axes, Axis, heading};
+use crate::data::{DataCurve, DataPanel, PlotData};
 use crate::page::style::{GRAY, INK, NUMBER, Rgb8, WHITE};
 use crate::page::{Anchor, Figure, Page, Raster, Rect, letters};
+use crate::words::{Lang, Word};
 
 /// The size of the page in points; values of x and y have the same scale.
 const SIZE: (u32, u32) = (860, 920);
@@ -53,20 +55,36 @@ const TEMPERATURES_K: [f64; 5] = [2000.0, 3000.0, 4000.0, 6500.0, 10_000.0];
 /// assert!(diagram.svg()?.contains("Chromaticity, CIE 1931"));
 /// # Ok::<(), glanz_plot::Error>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ChromaticityDiagram {
+    /// What is seen.
+    pub title: String,
     /// The colours that are marked.
     pub marks: Vec<Mark>,
+    /// The language of the words.
+    pub lang: Lang,
+}
+
+impl Default for ChromaticityDiagram {
+    fn default() -> Self {
+        Self::new(Vec::new(), Lang::En)
+    }
+}
+
+impl ChromaticityDiagram {
+    /// The diagram with these colours marked.
+    pub fn new(marks: Vec<Mark>, lang: Lang) -> Self {
+        Self { title: lang.say(Word::Chromaticity, &[]), marks, lang }
+    }
 }
 
 impl Figure for ChromaticityDiagram {
-    fn page(&self) -> Page {
+    fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let mut page = Page::new(SIZE.0, SIZE.1);
         let (x, y) = RANGE;
         let rect = Rect { x: 84.0, y: 88.0, width: 720.0, height: 720.0 * (y.1 - y.0) / (x.1 - x.0) };
         let axes = Axes { rect, x: Axis::exact("x", x, 9), y: Axis::exact("y", y, 9), gap: 0.0 };
-        let subtitle = "Spectral colours by wavelength in nm, black bodies by temperature in K";
-        heading(&mut page, rect.x, "Chromaticity, CIE 1931", subtitle);
+        heading(&mut page, rect.x, &self.title, &self.lang.say(Word::ChromaticityAxes, &[]));
         page.rasters.push(colors(&axes));
         axes.grid(&mut page);
         border(&mut page, &axes);
@@ -85,6 +103,56 @@ impl Figure for ChromaticityDiagram {
         axes.frame(&mut page);
         page
     }
+
+    fn data(&self) -> PlotData {
+        let panels =
+            vec![locus_data(self.lang), black_body_data(self.lang), gamut_data(self.lang), self.marked()];
+        PlotData::new(&self.title, self.lang.say(Word::ChromaticityAxes, &[]), panels)
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
+    }
+}
+
+impl ChromaticityDiagram {
+    fn marked(&self) -> DataPanel {
+        let mark = |mark: &Mark| DataCurve::of_pairs(&mark.name, [(mark.xy.x, mark.xy.y)]);
+        let curves = self.marks.iter().map(mark).collect();
+        DataPanel {
+            title: self.lang.say(Word::Marks, &[]),
+            columns: vec!["x".to_owned(), "y".to_owned()],
+            curves,
+        }
+    }
+}
+
+/// A panel of one curve of chromaticities over something.
+fn one_curve(title: String, over: String, points: impl Iterator<Item = (f64, Chromaticity)>) -> DataPanel {
+    let points = points.map(|(value, xy)| vec![value, xy.x, xy.y]).collect();
+    let curves = vec![DataCurve { name: title.clone(), points }];
+    DataPanel { title, columns: vec![over, "x".to_owned(), "y".to_owned()], curves }
+}
+
+fn locus_data(lang: Lang) -> DataPanel {
+    let points = locus().iter().enumerate().map(|(index, xy)| ((LOCUS_FROM_NM + index) as f64, *xy));
+    one_curve(lang.say(Word::Locus, &[]), lang.say(Word::Wavelength, &[]), points)
+}
+
+fn black_body_data(lang: Lang) -> DataPanel {
+    let points = kelvins().filter_map(|kelvin| Some((kelvin, planckian(kelvin)?)));
+    one_curve(lang.say(Word::BlackBodies, &[]), lang.say(Word::Temperature, &[]), points)
+}
+
+fn gamut_data(lang: Lang) -> DataPanel {
+    let curve = |gamut: &Gamut| DataCurve::of_pairs(gamut.name, gamut.space.primaries.map(|[x, y]| (x, y)));
+    let columns = vec!["x".to_owned(), "y".to_owned()];
+    DataPanel { title: lang.say(Word::Gamuts, &[]), columns, curves: GAMUTS.iter().map(curve).collect() }
+}
+
+/// Temperatures in K by even steps of the reciprocal, for the curve runs evenly along it: 1000 K to 1e6 K.
+fn kelvins() -> impl Iterator<Item = f64> {
+    (0..=120).map(|i| 1e6 / (1.0 + 999.0 * (1.0 - f64::from(i) / 120.0)))
 }
 
 /// The colours within the border, as bright as a screen can; to those that it cannot show white is added
@@ -175,9 +243,7 @@ fn gamuts(page: &mut Page, axes: &Axes) {
 }
 
 fn black_bodies(page: &mut Page, axes: &Axes, taken: &mut Vec<Rect>) {
-    // Even steps of the reciprocal, for the curve runs evenly along it: 1000 K to 1e6 K.
-    let kelvin = (0..=120).map(|i| 1e6 / (1.0 + 999.0 * (1.0 - f64::from(i) / 120.0)));
-    let curve = kelvin.filter_map(planckian).map(|xy| axes.at(xy.x, xy.y));
+    let curve = kelvins().filter_map(planckian).map(|xy| axes.at(xy.x, xy.y));
     page.line(curve, INK, 1.6);
     for kelvin in TEMPERATURES_K {
         let Some(xy) = planckian(kelvin) else { continue };

@@ -1,8 +1,10 @@
 //! The efficiency of representations: the error of colour over the number of samples.
 
 use crate::chart::{Axes, Axis, heading};
+use crate::data::{DataCurve, DataPanel, PlotData};
 use crate::page::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page, Rect, letters};
+use crate::words::{Lang, Word};
 
 /// Panels beside each other.
 const COLUMNS: usize = 3;
@@ -38,14 +40,18 @@ pub struct EfficiencyPanel {
 /// The error of colour over the number of samples, with a panel for each light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EfficiencyChart {
+    /// What is seen.
+    pub title: String,
     /// What the errors are means of, in one line.
     pub subtitle: String,
     /// The panels.
     pub lights: Vec<EfficiencyPanel>,
+    /// The language of the axes.
+    pub lang: Lang,
 }
 
 impl Figure for EfficiencyChart {
-    fn page(&self) -> Page {
+    fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let columns = self.lights.len().clamp(1, COLUMNS);
         let rows = self.lights.len().div_ceil(columns).max(1);
         let width = 60.0 + columns.max(2) as f64 * PANEL.0;
@@ -54,7 +60,7 @@ impl Figure for EfficiencyChart {
         let top = 156.0 + lines;
         let height = top + rows as f64 * PANEL.1;
         let mut page = Page::new(width as u32, height as u32);
-        heading(&mut page, LEFT, "Efficiency of representations", &self.subtitle);
+        heading(&mut page, LEFT, &self.title, &self.subtitle);
         legend(&mut page, &self.lights, &places);
         for (index, light) in self.lights.iter().enumerate() {
             let (column, row) = (index % columns, index / columns);
@@ -64,9 +70,28 @@ impl Figure for EfficiencyChart {
                 width: PANEL.0 - 80.0,
                 height: PANEL.1 - 88.0,
             };
-            panel(&mut page, rect, light);
+            panel(&mut page, rect, light, self.lang);
         }
         page
+    }
+
+    fn data(&self) -> PlotData {
+        let columns =
+            || [Word::SampleCount, Word::MeanDifference].map(|word| self.lang.say(word, &[])).to_vec();
+        let curve = |line: &EfficiencyLine| {
+            let points = line.points.iter().map(|(count, error)| (*count as f64, *error));
+            DataCurve::of_pairs(&line.name, points)
+        };
+        let panel = |light: &EfficiencyPanel| DataPanel {
+            title: light.light.clone(),
+            columns: columns(),
+            curves: light.lines.iter().map(curve).collect(),
+        };
+        PlotData::new(&self.title, &self.subtitle, self.lights.iter().map(panel).collect())
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
     }
 }
 
@@ -101,9 +126,14 @@ fn legend(page: &mut Page, lights: &[EfficiencyPanel], places: &[(f64, f64)]) {
     }
 }
 
-fn panel(page: &mut Page, rect: Rect, light: &EfficiencyPanel) {
-    let x = Axis::log("number of samples", SAMPLES, &[3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0]);
-    let y = Axis::log("mean ΔE₀₀", ERRORS, &[0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
+fn panel(page: &mut Page, rect: Rect, light: &EfficiencyPanel, lang: Lang) {
+    let x =
+        Axis::log(lang.say(Word::SampleCount, &[]), SAMPLES, &[3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0]);
+    let y = Axis::log(
+        lang.say(Word::MeanDifference, &[]),
+        ERRORS,
+        &[0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0],
+    );
     let axes = Axes { rect, x, y, gap: 0.0 };
     page.text(&light.light, (rect.x, rect.y - 9.0), Anchor::Start, LABEL, INK);
     axes.grid(page);

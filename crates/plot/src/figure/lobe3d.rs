@@ -1,8 +1,11 @@
 //! A lobe as a body in space: in each direction as far out as it is strong.
 
+use super::projection::Projection;
 use crate::chart::heading;
-use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
+use crate::data::{DataCurve, DataPanel, PlotData};
+use crate::page::style::{GRAY, INK, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page};
+use crate::words::{Lang, Word};
 
 /// The width of a panel in points.
 const PANEL: f64 = 440.0;
@@ -34,6 +37,8 @@ pub struct LobeBody {
     pub caption: String,
     /// The points, row by row, x along the plane of incidence, z along the normal; the greatest length is 1.
     pub points: Vec<[f64; 3]>,
+    /// What each point stands for: the direction of the light and the value there.
+    pub values: Vec<([f64; 3], f64)>,
     /// How many points a row has.
     pub columns: usize,
     /// The direction to the viewer of the surface.
@@ -51,10 +56,14 @@ pub struct LobeBodies {
     pub subtitle: String,
     /// The bodies.
     pub bodies: Vec<LobeBody>,
+    /// What the values are, with their unit.
+    pub label: String,
+    /// The language of the names of directions.
+    pub lang: Lang,
 }
 
 impl Figure for LobeBodies {
-    fn page(&self) -> Page {
+    fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let columns = self.bodies.len().clamp(1, COLUMNS);
         let rows = self.bodies.len().div_ceil(columns);
         let width = (PANEL * columns as f64 + 40.0).max(640.0);
@@ -67,38 +76,27 @@ impl Figure for LobeBodies {
             let (row, column) = (index / columns, index % columns);
             let left = 20.0 + PANEL * column as f64;
             let top = TOP + (panel.0 + CAPTION) * row as f64;
-            surface.draw(&mut page, (left, top), panel);
+            surface.draw(&mut page, (left, top), panel, self.lang);
         }
         page
     }
-}
 
-/// Where the middle of the surface lies in a panel, and how points of space come to the page.
-#[derive(Clone, Copy, Debug)]
-struct Projection {
-    center: (f64, f64),
-    elevation: (f64, f64),
-    around: (f64, f64),
-}
-
-impl Projection {
-    fn new(center: (f64, f64)) -> Self {
-        let (elevation, around) = SEEN_FROM;
-        Self {
-            center,
-            elevation: libm::sincos(elevation.to_radians()),
-            around: libm::sincos(around.to_radians()),
-        }
+    fn data(&self) -> PlotData {
+        let columns = ["x", "y", "z"].map(|axis| self.lang.say(Word::Direction, &[axis]));
+        let curve = |body: &LobeBody| DataCurve {
+            name: body.caption.clone(),
+            points: body.values.iter().map(|([x, y, z], value)| vec![*x, *y, *z, *value]).collect(),
+        };
+        let panel = DataPanel {
+            title: String::new(),
+            columns: columns.into_iter().chain([self.label.clone()]).collect(),
+            curves: self.bodies.iter().map(curve).collect(),
+        };
+        PlotData::new(&self.title, &self.subtitle, vec![panel])
     }
 
-    /// The point of the page, and how near to the eye it is.
-    fn apply(&self, [x, y, z]: [f64; 3]) -> ((f64, f64), f64) {
-        let (sine, cosine) = self.around;
-        let (right, towards) = (-x * sine + y * cosine, x * cosine + y * sine);
-        let (up_sine, up_cosine) = self.elevation;
-        let up = z * up_cosine - towards * up_sine;
-        let near = towards * up_cosine + z * up_sine;
-        ((self.center.0 + RADIUS * right, self.center.1 - RADIUS * up), near)
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
     }
 }
 
@@ -115,16 +113,16 @@ impl LobeBody {
         self.points.iter().any(|point| point[2] < -1e-9)
     }
 
-    fn draw(&self, page: &mut Page, (left, top): (f64, f64), (height, middle): (f64, f64)) {
+    fn draw(&self, page: &mut Page, (left, top): (f64, f64), (height, middle): (f64, f64), lang: Lang) {
         let below = self.is_below();
-        let projection = Projection::new((left + 0.5 * PANEL, top + middle));
+        let projection = Projection::new((left + 0.5 * PANEL, top + middle), RADIUS, SEEN_FROM);
         let mut faces = self.faces(projection);
         faces.sort_by(|a, b| a.near.total_cmp(&b.near));
         // Seen from above, all that is below the surface lies behind it.
         if below {
             faces.iter().for_each(|face| paint(page, face));
         }
-        ground(page, projection);
+        projection.ground(page);
         let arrow = |page: &mut Page, to: [f64; 3], label: &str, dash: Option<(f64, f64)>| {
             let (from, _) = projection.apply([0.0; 3]);
             let (end, _) = projection.apply(to.map(|v| 1.12 * v));
@@ -137,9 +135,9 @@ impl LobeBody {
             let aside = if end.0 < from.0 { -8.0 } else { 8.0 };
             page.text(label, (end.0 + aside, end.1 + 4.0), anchor, NUMBER, INK);
         };
-        arrow(page, self.view, "viewer", None);
+        arrow(page, self.view, &lang.say(Word::Viewer, &[]), None);
         if let Some(mirror) = self.mirror {
-            arrow(page, mirror, "mirror", Some((4.0, 4.0)));
+            arrow(page, mirror, &lang.say(Word::Mirror, &[]), Some((4.0, 4.0)));
         }
         if !below {
             faces.iter().for_each(|face| paint(page, face));
@@ -198,38 +196,4 @@ fn shade(corners: [[f64; 3]; 4]) -> Rgb8 {
     let outwards = if dot(normal, corners[0]) < 0.0 { -1.0 } else { 1.0 };
     let light = (outwards * dot(normal, LIGHT) / length).max(0.0);
     BODY.map(|code| (code * (SHADE + (1.0 - SHADE) * light) * 1.1).round().clamp(0.0, 255.0) as u8)
-}
-
-/// The surface as circles and lines.
-fn ground(page: &mut Page, projection: Projection) {
-    let circle = |radius: f64| {
-        (0..=120).map(move |i| {
-            let (sine, cosine) = libm::sincos(f64::from(i) * 3_f64.to_radians());
-            projection.apply([radius * cosine, radius * sine, 0.0]).0
-        })
-    };
-    for radius in [0.25, 0.5, 0.75] {
-        page.line(circle(radius), GRID, 1.2);
-    }
-    for spoke in 0..6 {
-        let (sine, cosine) = libm::sincos(f64::from(spoke) * 30_f64.to_radians());
-        let ends = [-1.0, 1.0].map(|side| projection.apply([side * cosine, side * sine, 0.0]).0);
-        page.line(ends, GRID, 1.2);
-    }
-    page.line(circle(1.0), GRAY, 1.2);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn up_is_up_and_what_is_in_front_is_near() {
-        let projection = Projection::new((0.0, 0.0));
-        let ((x, y), _) = projection.apply([0.0, 0.0, 1.0]);
-        assert!(x.abs() < 1e-12 && y < -100.0);
-        let (sine, cosine) = libm::sincos(SEEN_FROM.1.to_radians());
-        let near = |k: f64| projection.apply([k * cosine, k * sine, 0.0]).1;
-        assert!(near(1.0) > 0.5 && near(-1.0) < -0.5);
-    }
 }

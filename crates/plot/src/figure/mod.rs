@@ -17,8 +17,10 @@ mod lobe3d;
 mod matrix;
 mod meyer;
 mod polar;
+mod projection;
 mod slices;
 mod spectra;
+mod vectors;
 
 pub use chromaticity::{ChromaticityDiagram, Mark};
 pub use cones::cones;
@@ -29,3 +31,4 @@ pub use meyer::meyer;
 pub use polar::{PolarChart, Ray};
 pub use slices::{CELLS, Slice, SliceMaps};
 pub use spectra::{NamedSpectrum, spectra};
+pub use vectors::{Arc, Arrow, VectorDrawing};

@@ -1,8 +1,10 @@
 //! Lobes about a point of a surface, in the plane of incidence.
 
-use crate::chart::{Axis, Curve, csv, heading, legend};
+use crate::chart::{Axis, Curve, heading, legend, panel};
+use crate::data::PlotData;
 use crate::page::style::{GRAY, GRID, INK, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page};
+use crate::words::{Lang, Word};
 
 /// The radius of the outermost circle in points.
 const RADIUS: f64 = 330.0;
@@ -41,10 +43,12 @@ pub struct PolarChart {
     pub rays: Vec<Ray>,
     /// Whether what is below the surface is shown too.
     pub whole: bool,
+    /// The language of the words about the surface.
+    pub lang: Lang,
 }
 
 impl Figure for PolarChart {
-    fn page(&self) -> Page {
+    fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let names = legend::width(&self.curves);
         let width = 2.0 * (RADIUS + RIM) + if names > 0.0 { names + 30.0 } else { 0.0 };
         let below = if self.whole { RADIUS + RIM } else { BOTTOM };
@@ -68,13 +72,18 @@ impl Figure for PolarChart {
         legend::draw(&mut page, (center.0 + RADIUS + RIM + 10.0, TOP + 40.0), &self.curves);
         page
     }
+
+    fn data(&self) -> PlotData {
+        let x = self.lang.say(Word::AngleOfLight, &[]);
+        PlotData::new(&self.title, &self.subtitle, vec![panel("", &x, &self.radius.label, &self.curves)])
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
+    }
 }
 
 impl PolarChart {
-    /// The curves as a table, one row per point.
-    pub fn csv(&self) -> String {
-        csv("angle from the normal in °", &self.radius.label, &self.curves)
-    }
     /// How far out a value is; none is in the middle.
     fn part(&self, value: f64) -> f64 {
         if value <= 0.0 { 0.0 } else { self.radius.part(value) }
@@ -100,7 +109,13 @@ impl PolarChart {
         }
         let (left, right) = (center.0 - RADIUS - 14.0, center.0 + RADIUS + 14.0);
         page.line([(left, center.1), (right, center.1)], INK, 3.0);
-        page.text("surface", (left, center.1 + 1.4 * NUMBER), Anchor::Start, NUMBER, INK);
+        page.text(
+            self.lang.say(Word::Surface, &[]),
+            (left, center.1 + 1.4 * NUMBER),
+            Anchor::Start,
+            NUMBER,
+            INK,
+        );
         let at = (center.0, center.1 + if self.whole { 1.4 * NUMBER } else { 3.2 * NUMBER });
         if !self.whole {
             page.text(&self.radius.label, at, Anchor::Middle, NUMBER, INK);

@@ -1,8 +1,10 @@
 //! Values over half and difference angle in false colours.
 
 use crate::chart::{Axes, Axis, bar, heading, magma};
+use crate::data::{DataCurve, DataPanel, PlotData};
 use crate::page::style::{INK, LABEL, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page, Raster, Rect};
+use crate::words::{Lang, Word};
 
 /// The side of a page in points.
 const SIDE: f64 = 330.0;
@@ -27,7 +29,7 @@ pub struct Slice {
     pub values: Vec<f64>,
 }
 
-/// SliceMaps with one scale.
+/// Slices with one scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SliceMaps {
     /// What is seen.
@@ -38,10 +40,12 @@ pub struct SliceMaps {
     pub scale: Axis,
     /// The slices.
     pub slices: Vec<Slice>,
+    /// The language of the axes.
+    pub lang: Lang,
 }
 
 impl Figure for SliceMaps {
-    fn page(&self) -> Page {
+    fn layout(&self, _size: Option<(f64, f64)>) -> Page {
         let columns = self.slices.len().clamp(1, COLUMNS);
         let rows = self.slices.len().div_ceil(columns);
         let width = CORNER.0 + STEP.0 * columns as f64 + 90.0;
@@ -59,6 +63,28 @@ impl Figure for SliceMaps {
         page.text(&self.scale.label, (x, CORNER.1 - 12.0), Anchor::Start, NUMBER, INK);
         page
     }
+
+    fn data(&self) -> PlotData {
+        let angle = |index: usize| 90.0 * (index as f64 + 0.5) / CELLS as f64;
+        let cell = |(index, value): (usize, &f64)| {
+            vec![angle(index % CELLS), angle(CELLS - 1 - index / CELLS), *value]
+        };
+        let curve = |slice: &Slice| DataCurve {
+            name: slice.caption.clone(),
+            points: slice.values.iter().enumerate().map(cell).collect(),
+        };
+        let columns = [Word::HalfAngle, Word::DifferenceAngle].map(|word| self.lang.say(word, &[]));
+        let panel = DataPanel {
+            title: String::new(),
+            columns: columns.into_iter().chain([self.scale.label.clone()]).collect(),
+            curves: self.slices.iter().map(curve).collect(),
+        };
+        PlotData::new(&self.title, &self.subtitle, vec![panel])
+    }
+
+    fn title_mut(&mut self) -> &mut String {
+        &mut self.title
+    }
 }
 
 impl SliceMaps {
@@ -66,9 +92,8 @@ impl SliceMaps {
         let color = |value: &f64| if value.is_nan() { NOTHING } else { magma(self.scale.part(*value)) };
         let rgb = slice.values.iter().flat_map(color).collect();
         page.rasters.push(Raster { rect, columns: CELLS, rows: CELLS, rgb });
-        let axis = |label: &str| Axis::exact(label, (0.0, 90.0), 6);
-        let (x, y) =
-            (axis("θh, half vector from the normal, in °"), axis("θd, light from the half vector, in °"));
+        let axis = |label: Word| Axis::exact(self.lang.say(label, &[]), (0.0, 90.0), 6);
+        let (x, y) = (axis(Word::HalfAngle), axis(Word::DifferenceAngle));
         let axes = Axes { rect, x: stepped(x), y: stepped(y), gap: 0.0 };
         axes.frame(page);
         page.text(&slice.caption, (rect.x, rect.y - 12.0), Anchor::Start, LABEL, INK);

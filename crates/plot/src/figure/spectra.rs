@@ -4,6 +4,7 @@ use glanz_color::Spectrum;
 
 use crate::chart::{Curve, WavelengthChart};
 use crate::page::{curve_color, curve_dash};
+use crate::words::Lang;
 
 /// A spectrum and what it is called.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,5 +39,6 @@ pub fn spectra(title: &str, subtitle: &str, label: &str, spectra: &[NamedSpectru
         range_nm: (glanz_color::FIRST_NM, glanz_color::LAST_NM),
         curves: curves.collect(),
         marked: Vec::new(),
+        lang: Lang::En,
     }
 }

@@ -6,11 +6,12 @@ use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
 
 use super::shapes::{Anchor, Text};
 
+/// The font's file.
+pub(crate) const FILE: &[u8] = include_bytes!("font/NotoSans-Subset.ttf");
+
 /// Noto Sans, with the letters that plots need: Latin, Greek, digits above and below the line.
-static FONT: LazyLock<FontRef<'static>> = LazyLock::new(|| {
-    FontRef::try_from_slice(include_bytes!("font/NotoSans-Subset.ttf"))
-        .expect("the font compiled into this command is whole")
-});
+static FONT: LazyLock<FontRef<'static>> =
+    LazyLock::new(|| FontRef::try_from_slice(FILE).expect("the font compiled into this command is whole"));
 
 /// The scale at which letters are so many pixels per em.
 fn scale(em: f64) -> PxScale {
@@ -22,6 +23,25 @@ fn scale(em: f64) -> PxScale {
 pub(crate) fn width(text: &str, size: f64) -> f64 {
     let font = FONT.as_scaled(scale(size));
     text.chars().map(|c| f64::from(font.h_advance(font.glyph_id(c)))).sum()
+}
+
+/// The number of a letter's glyph; 0 for a letter that the font does not have.
+pub(crate) fn glyph(letter: char) -> u16 {
+    FONT.glyph_id(letter).0
+}
+
+/// The letters of a text that the font does not have, each once.
+pub fn missing(text: &str) -> Vec<char> {
+    let mut missing: Vec<_> = text.chars().filter(|letter| glyph(*letter) == 0).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    missing
+}
+
+/// How far letters reach above and below the line, in thousandths of 1 em.
+pub(crate) fn metrics() -> (f32, f32) {
+    let units = FONT.units_per_em().unwrap_or(1000.0) / 1000.0;
+    (FONT.ascent_unscaled() / units, FONT.descent_unscaled() / units)
 }
 
 /// Gives every pixel that a text covers, and how much of it, for points of `pixels` pixels.

@@ -10,14 +10,17 @@ use super::paint::paint;
 use super::shapes::{Page, Raster};
 use super::style::Rgb8;
 
-/// Pixels of the file per point, so that plots are sharp on fine screens and in print.
-const PIXELS: usize = 2;
-/// Pixels drawn per pixel of the file, each way; they are averaged, which smooths every edge.
-const SMOOTH: usize = 2;
+/// Pixels drawn per point, each way; those of a pixel of the file are averaged, which smooths every edge.
+const DRAWN: usize = 4;
+/// The same for pages of more points than this, which would take much memory.
+const COARSE: (usize, usize) = (2, 6_000_000);
 
 /// Writes the page as PNG.
 pub(super) fn write(page: &Page, out: impl Write) -> Result<(), OutputError> {
-    let scale = PIXELS * SMOOTH;
+    let density = page.density.clamp(1, 2) as usize;
+    let points = page.width as usize * page.height as usize;
+    let scale = if points > COARSE.1 { COARSE.0 } else { DRAWN };
+    let smooth = scale / density;
     let (width, height) = (page.width as usize * scale, page.height as usize * scale);
     let mut rgb = vec![0xff; width * height * 3];
     for raster in &page.rasters {
@@ -33,8 +36,8 @@ pub(super) fn write(page: &Page, out: impl Write) -> Result<(), OutputError> {
             blend(&mut rgb, (width, height), (x, y), text.color, part)
         });
     }
-    let rgba = averaged(&rgb, width);
-    write_png8(out, (width / SMOOTH, height / SMOOTH), &rgba, Effort::Best, &Metadata::default())
+    let rgba = averaged(&rgb, width, smooth);
+    write_png8(out, (width / smooth, height / smooth), &rgba, Effort::Best, &Metadata::default())
 }
 
 /// Paints the cells of a raster, without smoothing between them.
@@ -67,14 +70,14 @@ fn blend(rgb: &mut [u8], (width, height): (usize, usize), (x, y): (i32, i32), co
 }
 
 /// The mean of each square of drawn pixels, opaque.
-fn averaged(rgb: &[u8], width: usize) -> Vec<u8> {
-    let samples = (SMOOTH * SMOOTH) as u32;
-    let mut rgba = Vec::with_capacity(rgb.len() / 3 / SMOOTH / SMOOTH * 4);
-    for rows in rgb.chunks_exact(3 * width * SMOOTH) {
-        for x in 0..width / SMOOTH {
+fn averaged(rgb: &[u8], width: usize, smooth: usize) -> Vec<u8> {
+    let samples = (smooth * smooth) as u32;
+    let mut rgba = Vec::with_capacity(rgb.len() / 3 / smooth / smooth * 4);
+    for rows in rgb.chunks_exact(3 * width * smooth) {
+        for x in 0..width / smooth {
             for channel in 0..3 {
-                let at = |dx: usize, dy: usize| u32::from(rows[3 * (dy * width + x * SMOOTH + dx) + channel]);
-                let sum: u32 = (0..SMOOTH).flat_map(|dy| (0..SMOOTH).map(move |dx| at(dx, dy))).sum();
+                let at = |dx: usize, dy: usize| u32::from(rows[3 * (dy * width + x * smooth + dx) + channel]);
+                let sum: u32 = (0..smooth).flat_map(|dy| (0..smooth).map(move |dx| at(dx, dy))).sum();
                 rgba.push(((sum + samples / 2) / samples) as u8);
             }
             rgba.push(0xff);

@@ -107,6 +107,9 @@ pub struct Page {
     pub width: u32,
     /// The height in points.
     pub height: u32,
+    /// Pixels of a PNG per point, each way: 2, so that plots are sharp on fine screens and in print, or 1 for a page
+    /// whose size in pixels was asked for.
+    pub density: u32,
     /// What lies behind the shapes.
     pub rasters: Vec<Raster>,
     /// The shapes, the lowest first.
@@ -116,7 +119,7 @@ pub struct Page {
 impl Page {
     /// A white page of this size in points.
     pub fn new(width: u32, height: u32) -> Self {
-        Self { width, height, rasters: Vec::new(), shapes: Vec::new() }
+        Self { width, height, density: 2, rasters: Vec::new(), shapes: Vec::new() }
     }
 
     /// Adds a line.

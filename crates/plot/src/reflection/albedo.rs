@@ -7,6 +7,7 @@ use super::plot::{LobePlot, MOST_CURVES};
 use crate::Error;
 use crate::chart::{Axis, Curve, LineChart};
 use crate::page::{curve_color, curve_dash};
+use crate::words::Word;
 
 /// The view angles, in degrees: every 2°, and closer where lobes begin to leave the surface.
 const NEAR_HORIZON: [f64; 6] = [85.0, 87.0, 88.5, 89.0, 89.4, 89.8];
@@ -42,16 +43,16 @@ impl LobePlot {
         let values = || points().map(|(_, value)| value);
         let clear = points().filter(|(theta, value)| *theta <= CLEAR && value.is_finite());
         let most = clear.map(|(_, value)| value).fold(0.0, f64::max);
-        const LABEL: &str = "part of the light that leaves";
+        let label = self.lang.say(Word::PartThatLeaves, &[]);
         let y = match self.log {
-            true => Axis::decades_over(LABEL, values(), most),
+            true => Axis::decades_over(label, values(), most),
             // An albedo that is nearly 1 has 1 on its axis.
-            false => Axis::round(LABEL, (0.0, if most > 0.6 { most.max(1.0) } else { most }), 6),
+            false => Axis::round(label, (0.0, if most > 0.6 { most.max(1.0) } else { most }), 6),
         };
-        let x = Axis::quarter_turn("angle of the viewer from the normal in °");
+        let x = Axis::quarter_turn(self.lang.say(Word::AngleOfViewer, &[]));
         Ok(LineChart {
-            title: format!("Directional albedo: {}", self.title("several models")),
-            subtitle: self.subtitle("under light of 1 from all around"),
+            title: self.lang.say(Word::Albedo, &[&self.title(Word::SeveralModels)]),
+            subtitle: self.subtitle(&self.lang.say(Word::UnderFurnace, &[])),
             x,
             y,
             curves,

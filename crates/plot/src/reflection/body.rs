@@ -6,6 +6,7 @@ use glanz_math::{Frame, Vec3};
 use super::lobe::Lobe;
 use super::plot::{LobePlot, MOST_PANELS};
 use crate::figure::{LobeBodies, LobeBody};
+use crate::words::Word;
 use crate::{Error, number};
 
 /// Rings about the axis of a lobe, closer together towards it.
@@ -30,11 +31,17 @@ impl LobePlot {
                 bodies.push(self.body(lobe, *theta)?);
             }
         }
-        let log = if self.log { " (logarithmic, 4 decades)" } else { "" };
+        let label = self.quantity_name();
+        let shown = match self.log {
+            true => self.lang.say(Word::Logarithmic, &[&label, &number(DECADES)]),
+            false => label.clone(),
+        };
         Ok(LobeBodies {
-            title: self.title("Lobes"),
-            subtitle: self.subtitle(&format!("{}{log} by the direction of the light", self.quantity_name())),
+            title: self.title(Word::Lobes),
+            subtitle: self.subtitle_of_values(&self.lang.say(Word::ByLight, &[&shown])),
             bodies,
+            label,
+            lang: self.lang,
         })
     }
 
@@ -71,7 +78,8 @@ impl LobePlot {
             .zip(&values)
             .map(|(wi, value)| array(*wi * if value.is_finite() { length(*value) } else { 1.0 }));
         Ok(LobeBody {
-            caption: format!("{view}: up to {}", number(most)),
+            caption: self.lang.say(Word::UpTo, &[&view, &number(most)]),
+            values: directions.iter().zip(&values).map(|(wi, value)| ([wi.x, wi.y, wi.z], *value)).collect(),
             points: points.collect(),
             columns: AROUND,
             view: array(wo),

@@ -1,6 +1,7 @@
 //! Plots of lobes and of Fresnel reflectance.
 //!
 //! ```
+//! use glanz_plot::Figure;
 //! use glanz_plot::reflection::{FresnelPlot, Lobe, LobePlot, Medium};
 //!
 //! let plot = LobePlot::new(vec![Lobe::named("ggx", &[("alpha", 0.2)])?]);
@@ -27,4 +28,4 @@ pub use factor::Factor;
 pub use fresnel::FresnelPlot;
 pub use lobe::{Lobe, label};
 pub use medium::Medium;
-pub use plot::{DEFAULT_NM, LobePlot, Quantity, lobe};
+pub use plot::{DEFAULT_NM, LobePlot, Quantity, Unit, lobe};

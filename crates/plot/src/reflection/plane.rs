@@ -7,6 +7,7 @@ use super::plot::{LobePlot, MOST_CURVES, Quantity};
 use crate::chart::{Axis, Curve, LineChart, LineMark, sampled};
 use crate::figure::{PolarChart, Ray};
 use crate::page::{Rgb8, curve_color, dash};
+use crate::words::Word;
 use crate::{Error, number};
 
 /// How near to the horizon, in degrees, values of f do not decide on the scale.
@@ -30,20 +31,21 @@ impl LobePlot {
         let named = self.theta_deg.iter().copied().fold(0.0, f64::max);
         let rays = self.theta_deg.iter().enumerate().flat_map(|(index, theta)| {
             let color = if several { RAY } else { curve_color(index) };
-            let label = if *theta == named { "viewer" } else { "" };
-            let viewer = Ray { degrees: -theta, label: label.to_owned(), color, dashed: false };
-            let label = if *theta == named { "mirror" } else { "" };
-            let mirror = Ray { degrees: *theta, label: label.to_owned(), color, dashed: true };
+            let label = if *theta == named { self.lang.say(Word::Viewer, &[]) } else { String::new() };
+            let viewer = Ray { degrees: -theta, label, color, dashed: false };
+            let label = if *theta == named { self.lang.say(Word::Mirror, &[]) } else { String::new() };
+            let mirror = Ray { degrees: *theta, label, color, dashed: true };
             // Seen from above, both are the normal.
             if *theta == 0.0 || !self.reflects() { vec![viewer] } else { vec![viewer, mirror] }
         });
         Ok(PolarChart {
-            title: self.title("Lobes in the plane of incidence"),
-            subtitle: self.subtitle(&format!("{} by the direction of the light", self.quantity_name())),
+            title: self.title(Word::LobesInPlane),
+            subtitle: self.subtitle_of_values(&self.lang.say(Word::ByLight, &[&self.quantity_name()])),
             radius,
             rays: rays.collect(),
             curves,
             whole,
+            lang: self.lang,
         })
     }
 
@@ -59,16 +61,16 @@ impl LobePlot {
         let several = self.lobes.len() > 1;
         let mark = |(index, theta): (usize, &f64)| LineMark {
             x: *theta,
-            label: format!("mirror {}°", number(*theta)),
+            label: self.lang.say(Word::MirrorAt, &[&number(*theta)]),
             color: if several { RAY } else { curve_color(index) },
         };
         let ticks = (-12..=12)
             .map(|i| 15.0 * f64::from(i))
             .filter(|tick: &f64| tick.abs() <= reach && (reach < 100.0 || tick % 30.0 == 0.0));
-        let x = Axis::exact("angle of the light from the normal in °", (-reach, reach), 12);
+        let x = Axis::exact(self.lang.say(Word::AngleOfLight, &[]), (-reach, reach), 12);
         Ok(LineChart {
-            title: self.title("Lobes in the plane of incidence"),
-            subtitle: self.subtitle("negative angles are on the viewer's side of the normal"),
+            title: self.title(Word::LobesInPlane),
+            subtitle: self.subtitle_of_values(&self.lang.say(Word::ViewerSide, &[])),
             x: Axis { ticks: ticks.collect(), decimals: 0, ..x },
             y,
             marks: if self.theta_deg.len() <= 4 && self.reflects() {

@@ -6,6 +6,7 @@ use glanz_math::Vec3;
 use super::factor::Factor;
 use super::lobe::Lobe;
 use crate::page::Figure;
+use crate::words::{Lang, Word};
 use crate::{Error, number};
 
 /// The most curves of a plot.
@@ -23,6 +24,30 @@ pub enum Quantity {
     /// The BSDF times the incident cosine, in 1/sr.
     #[default]
     FCos,
+}
+
+/// Models whose `f_cos` is at most 1/π, and 1 in the course's unit.
+const CLASSIC: [&str; 3] = ["lambert", "phong", "blinn-phong"];
+
+/// The unit of values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unit {
+    /// Per steradian.
+    #[default]
+    PerSr,
+    /// That of the classic lighting equation, in which the greatest value of Lambert's and Phong's models is 1: π times
+    /// the value per steradian.
+    Course,
+}
+
+impl Unit {
+    /// What values per steradian are multiplied with.
+    pub fn scale(self) -> f64 {
+        match self {
+            Self::PerSr => 1.0,
+            Self::Course => std::f64::consts::PI,
+        }
+    }
 }
 
 /// Lobes to plot. Each kind of plot is a method that gives a figure: [`polar`](Self::polar),
@@ -46,6 +71,10 @@ pub struct LobePlot {
     pub factor: Factor,
     /// The wavelength of the factor in nm.
     pub lambda_nm: f64,
+    /// The unit of the values.
+    pub unit: Unit,
+    /// The language of the words.
+    pub lang: Lang,
 }
 
 /// Plots lobes with the viewer at 30° from the normal.
@@ -72,6 +101,8 @@ impl LobePlot {
             log: false,
             factor: Factor::One,
             lambda_nm: DEFAULT_NM,
+            unit: Unit::PerSr,
+            lang: Lang::En,
         }
     }
 
@@ -100,10 +131,15 @@ impl LobePlot {
 
     /// The same for plots in which each view has a place of its own.
     pub(super) fn check_views(&self, most: usize) -> Result<(), Error> {
-        if let Some(wrong) = self.theta_deg.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
-            return Err(Error::ViewAngle { theta_deg: *wrong });
-        }
+        self.check_angles()?;
         self.check_lobes(self.theta_deg.len(), most)
+    }
+
+    pub(super) fn check_angles(&self) -> Result<(), Error> {
+        match self.theta_deg.iter().find(|theta| !(0.0..90.0).contains(*theta)) {
+            Some(wrong) => Err(Error::ViewAngle { theta_deg: *wrong }),
+            None => Ok(()),
+        }
     }
 
     pub(super) fn check_count(&self, views: usize, most: usize) -> Result<(), Error> {
@@ -117,11 +153,12 @@ impl LobePlot {
     /// The value for two directions.
     pub(super) fn value(&self, lobe: &Lobe, wo: Vec3<f64>, wi: Vec3<f64>) -> f64 {
         let f_cos = self.factor.f_cos(&lobe.shape, &DirectionPair::new(wo, wi));
-        match self.quantity {
+        let value = match self.quantity {
             Quantity::FCos => f_cos,
             Quantity::F if f_cos == 0.0 => 0.0,
             Quantity::F => f_cos / wi.z.abs().max(1e-12),
-        }
+        };
+        value * self.unit.scale()
     }
 
     /// The direction to the viewer.
@@ -135,39 +172,60 @@ impl LobePlot {
     }
 
     /// The name of what is plotted.
-    pub(super) fn quantity_name(&self) -> &'static str {
-        match self.quantity {
-            Quantity::F => "f in 1/sr",
-            Quantity::FCos => "f · cosθi in 1/sr",
+    pub(super) fn quantity_name(&self) -> String {
+        let word = match (self.quantity, self.unit) {
+            (Quantity::F, Unit::PerSr) => Word::F,
+            (Quantity::FCos, Unit::PerSr) => Word::FCos,
+            (Quantity::F, Unit::Course) => Word::CourseF,
+            (Quantity::FCos, Unit::Course) => Word::CourseFCos,
+        };
+        self.lang.say(word, &[])
+    }
+
+    /// Where the peak of the classic models lies in the unit of the plot, for the subtitle; nothing for others.
+    pub(super) fn peak(&self) -> String {
+        let classic = |lobe: &Lobe| CLASSIC.contains(&lobe.shape.info().name);
+        let shown = self.quantity == Quantity::FCos && self.factor == Factor::One;
+        match (shown && self.lobes.iter().any(classic), self.unit) {
+            (true, Unit::PerSr) => self.lang.say(Word::PeakOverPi, &[]),
+            (true, Unit::Course) => self.lang.say(Word::PeakOne, &[]),
+            (false, _) => String::new(),
         }
+    }
+
+    /// The same, with where the peak of classic models lies.
+    pub(super) fn subtitle_of_values(&self, more: &str) -> String {
+        let peak = self.peak();
+        let parts = [more.to_owned(), peak];
+        let parts: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        self.subtitle(&self.lang.join(&parts))
     }
 
     /// Models, azimuth and factor in one line, for below the title.
     pub(super) fn subtitle(&self, more: &str) -> String {
         let mut parts = vec![more.to_owned()];
         if self.lobes.iter().any(|lobe| lobe.shape.info().anisotropic) {
-            parts.push(format!("viewer at φ = {}°", number(self.phi_deg)));
+            parts.push(self.lang.say(Word::ViewerAtPhi, &[&number(self.phi_deg)]));
         }
         match &self.factor {
             Factor::One => {}
             Factor::Reflectance(name, _) => {
-                parts.push(format!("times {name} at {} nm", number(self.lambda_nm)));
+                parts.push(self.lang.say(Word::TimesReflectance, &[name, &number(self.lambda_nm)]));
             }
             Factor::Fresnel(medium) => {
-                let nm = number(self.lambda_nm);
-                parts.push(format!("times the reflectance of {} at {nm} nm", medium.name));
+                parts.push(self.lang.say(Word::TimesFresnel, &[&medium.name, &number(self.lambda_nm)]));
             }
         }
         parts.retain(|part| !part.is_empty());
-        parts.join("; ")
+        self.lang.join(&parts)
     }
 
     /// The title: the model's, if there is one only.
-    pub(super) fn title(&self, several: &str) -> String {
+    pub(super) fn title(&self, several: Word) -> String {
         let first = self.lobes.first().map_or("", |lobe| lobe.shape.info().title);
         match self.lobes.iter().all(|lobe| lobe.shape.info().title == first) {
-            true => first.to_owned(),
-            false => several.to_owned(),
+            true => self.lang.name(first).to_owned(),
+            false => self.lang.say(several, &[]),
         }
     }
 

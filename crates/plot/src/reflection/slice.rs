@@ -8,6 +8,7 @@ use super::plot::{LobePlot, MOST_PANELS};
 use crate::Error;
 use crate::chart::Axis;
 use crate::figure::{CELLS, Slice, SliceMaps};
+use crate::words::Word;
 
 /// The least cosine of directions that decide on the scale: 5° above the horizon.
 const CLEAR: f64 = 0.087;
@@ -36,8 +37,14 @@ impl LobePlot {
             true => Axis::decades_over(self.quantity_name(), values(), most),
             false => Axis::round(self.quantity_name(), (0.0, most), 6),
         };
-        let below = "half vector across, difference angle up, φd = 90°; grey is below the surface, and black holds all that is more";
-        Ok(SliceMaps { title: self.title("BRDF slices"), subtitle: self.subtitle(below), scale, slices })
+        let below = self.lang.say(Word::SliceAxes, &[]);
+        Ok(SliceMaps {
+            title: self.title(Word::Slices),
+            subtitle: self.subtitle_of_values(&below),
+            scale,
+            slices,
+            lang: self.lang,
+        })
     }
 
     /// The greatest value of a slice that is not seen or lit at grazing angles, where f may grow without bound.

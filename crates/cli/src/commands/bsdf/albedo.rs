@@ -78,6 +78,12 @@ impl AlbedoArgs {
             )));
         }
         self.check()?;
+        if !self.phi.is_empty() && !info.anisotropic {
+            let name = info.name;
+            return Err(Failure::Usage(format!(
+                "--phi has no effect on {name}: its values do not depend on the azimuth"
+            )));
+        }
         let factor = self.factor.factor()?;
         let azimuths = if self.phi.is_empty() { &[0.0][..] } else { &self.phi };
         let row = |theta: f64, phi: f64| {

@@ -7,13 +7,15 @@ use clap::{Args, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape, Side};
 use glanz_math::Vec3;
 use glanz_plot::Factor;
+use glanz_plot::reflection::Unit;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::delta::DeltaFacts;
 use super::model::{ModelArgs, TintFacts, params};
 use super::table;
 use crate::args;
-use crate::input::lobes::FactorArgs;
+use crate::input::lobes::{FactorArgs, UnitName};
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
 
@@ -22,11 +24,15 @@ pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz bsdf eval phong --set shininess=32 --wo 30,0 --wi 45,180
   glanz bsdf eval blinn-phong --ior Cu --lambda-nm 600 --wo 30,0 --wi 45,180
+  glanz bsdf eval lambert --wo 0,0 --wi 60,0 --unit course
+  glanz bsdf eval mirror --ior 1.5 --wo 60,0 --wi 60,180
   glanz bsdf eval phong --directions dirs.csv -o values.csv
 
 The columns of --directions are found by their names in the first line: theta_o_deg, phi_o_deg,
 theta_i_deg and phi_i_deg, or wo_x, wo_y, wo_z, wi_x, wi_y and wi_z. All columns come back, with
-f_cos and f behind them.";
+f_cos and f behind them; in --unit course they are π times that, called pi_f_cos and pi_f. A Fresnel
+tint is that of pictures: of highlights at the half vector, of matte lobes along the normal. Delta
+lobes (mirror, refraction) have a direction and a factor in place of a value.";
 
 /// The least cosine by which a value is divided.
 const LEAST_COSINE: f64 = 1e-12;
@@ -56,6 +62,10 @@ pub(crate) struct EvalArgs {
           help_heading = "Output")]
     output: Option<PathBuf>,
 
+    /// The unit of the values
+    #[arg(long, value_enum, value_name = "UNIT", default_value_t)]
+    unit: UnitName,
+
     #[command(flatten)]
     factor: FactorArgs,
     #[command(flatten)]
@@ -72,7 +82,11 @@ impl EvalArgs {
                 let message = "--directions gives CSV; --format json is for one pair of directions";
                 return Err(Failure::Usage(message.to_owned()));
             }
-            return table::run(directions, self.output.as_deref(), |wo, wi| values(&shape, &factor, wo, wi));
+            let names = if self.unit == UnitName::Course { ["pi_f_cos", "pi_f"] } else { ["f_cos", "f"] };
+            let unit = self.unit.into();
+            return table::run(directions, self.output.as_deref(), names, |wo, wi| {
+                values(&shape, &factor, unit, wo, wi)
+            });
         }
         let (Some(wo), Some(wi)) = (self.wo, self.wi) else {
             return Err(Failure::Usage("--wo and --wi are both needed".to_owned()));
@@ -88,27 +102,44 @@ impl EvalArgs {
 
     fn print(&self, shape: &Shape, factor: &Factor, wo: [f64; 2], wi: [f64; 2]) -> Result<(), Failure> {
         let direction = |[theta, phi]: [f64; 2]| Vec3::from_angles(theta.to_radians(), phi.to_radians());
-        let cos_i = direction(wi).z;
-        let (f_cos, f) = values(shape, factor, direction(wo), direction(wi));
+        let (to_viewer, to_light) = (direction(wo), direction(wi));
+        let (f_cos, f) = values(shape, factor, self.unit.into(), to_viewer, to_light);
+        let pair = DirectionPair::new(to_viewer, to_light);
+        let tint = TintFacts::of_pair(factor, self.factor.nm(), shape, &pair);
+        let delta = DeltaFacts::of(shape, factor, to_viewer, to_light);
         if self.format.is_json() {
             return print::json(&Document {
                 model: shape.info().name,
                 params: params(shape),
-                unit: "1/sr",
+                unit: self.unit.symbol(),
                 wo_deg: wo,
                 wi_deg: wi,
-                cos_i,
+                cos_i: to_light.z,
                 f_cos,
                 f,
-                tint: TintFacts::of(factor, self.factor.nm()),
+                delta,
+                tint,
             });
+        }
+        if let Some(delta) = delta {
+            return print::text(&delta.text());
         }
         let side = if shape.info().side == Side::Transmission { "below" } else { "above" };
         let f = match f {
-            Some(f) => format!("{} 1/sr", number(f)),
+            Some(f) => self.value(f),
             None => format!("- (the light is not {side} the surface)"),
         };
-        print::text(&format!("f_cos  {} 1/sr\nf      {f}\n", number(f_cos)))
+        print::text(&format!("f_cos  {}\nf      {f}\n{}", self.value(f_cos), tint.text(shape)))
+    }
+
+    /// A value for people, in both units.
+    fn value(&self, value: f64) -> String {
+        use std::f64::consts::PI;
+        match self.unit {
+            _ if value == 0.0 => format!("0 {}", self.unit.symbol()),
+            UnitName::Sr => format!("{} 1/sr = {} / π", number(value), number(value * PI)),
+            UnitName::Course => format!("{} / (π sr) = {} 1/sr", number(value), number(value / PI)),
+        }
     }
 }
 
@@ -126,17 +157,20 @@ pub(crate) struct Document {
     wi_deg: [f64; 2],
     /// The cosine of the light's angle from the normal
     cos_i: f64,
-    /// The BSDF times the cosine
+    /// The BSDF times the cosine; 0 for delta lobes
     f_cos: f64,
     /// The BSDF; null where the light is on the wrong side
     f: Option<f64>,
+    /// Of a delta lobe, which has no values: where its light comes from, and how much of it arrives
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta: Option<DeltaFacts>,
     #[serde(flatten)]
     tint: TintFacts,
 }
 
 /// BSDF times cosine, and the BSDF where the light is on its side.
-fn values(shape: &Shape, factor: &Factor, wo: Vec3<f64>, wi: Vec3<f64>) -> (f64, Option<f64>) {
-    let f_cos = factor.f_cos(shape, &DirectionPair::new(wo, wi));
+fn values(shape: &Shape, factor: &Factor, unit: Unit, wo: Vec3<f64>, wi: Vec3<f64>) -> (f64, Option<f64>) {
+    let f_cos = unit.scale() * factor.f_cos(shape, &DirectionPair::new(wo, wi));
     let cosine = if shape.info().side == Side::Transmission { -wi.z } else { wi.z };
     (f_cos, (cosine > LEAST_COSINE).then(|| f_cos / cosine))
 }

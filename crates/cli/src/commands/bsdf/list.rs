@@ -6,7 +6,7 @@ use glanz_bsdf::{Law, LightTerm, MODELS, ModelInfo, ParamInfo, Side};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::lobes::model_names;
+use crate::input::lobes::{UnitName, model_names};
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs, finite, line, number};
 
@@ -16,6 +16,9 @@ pub(crate) struct ShowArgs {
     /// The model's name, from `glanz bsdf list`
     #[arg(value_name = "NAME", value_parser = model_names())]
     name: String,
+    /// The unit of the formula
+    #[arg(long, value_enum, value_name = "UNIT", default_value_t)]
+    unit: UnitName,
     #[command(flatten)]
     format: FormatArgs,
 }
@@ -25,11 +28,20 @@ impl ShowArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let info = info_named(&self.name).map_err(|error| Failure::Usage(error.to_string()))?;
         if self.format.format == Format::Json {
-            return print::json(&ModelFacts::of(info));
+            return print::json(&ModelFacts::of(info, self.unit));
         }
         let mut text = String::new();
         line(&mut text, format_args!("{}: {}", info.name, info.title));
-        line(&mut text, format_args!("  f_cos    {}", info.formula));
+        let name = if self.unit == UnitName::Course { "π · f_cos " } else { "f_cos    " };
+        line(&mut text, format_args!("  {name}{}", formula(info, self.unit)));
+        if info.formula.contains('π') && !info.delta && self.unit == UnitName::Sr {
+            line(
+                &mut text,
+                format_args!(
+                    "  unit     1/sr; --unit course shows π · f_cos, whose peak for Lambert and Phong is 1, as in pictures"
+                ),
+            );
+        }
         line(&mut text, format_args!("  part     {}", term_name(info.term)));
         for (is, what) in kinds(info) {
             if is {
@@ -63,6 +75,17 @@ impl ShowArgs {
     }
 }
 
+/// The formula in a unit: without the 1/π of the classic models in that of the course.
+fn formula(info: &ModelInfo, unit: UnitName) -> String {
+    let pis = info.formula.matches('π').count();
+    match unit {
+        UnitName::Sr => info.formula.to_owned(),
+        UnitName::Course if info.delta => info.formula.to_owned(),
+        UnitName::Course if pis == 1 && info.formula.contains(" / π") => info.formula.replace(" / π", ""),
+        UnitName::Course => format!("π · ({})", info.formula),
+    }
+}
+
 fn term_name(term: LightTerm) -> &'static str {
     match term {
         LightTerm::Ambient => "ambient",
@@ -75,7 +98,9 @@ fn term_name(term: LightTerm) -> &'static str {
 /// Prints all models.
 pub(crate) fn run(format: FormatArgs) -> Result<(), Failure> {
     if format.format == Format::Json {
-        return print::json(&ListDocument { models: MODELS.iter().map(ModelFacts::of).collect() });
+        return print::json(&ListDocument {
+            models: MODELS.iter().map(|info| ModelFacts::of(info, UnitName::Sr)).collect(),
+        });
     }
     let mut text = format!("{:<24} {:<9} {:<12} {}\n", "name", "part", "parameters", "title");
     for info in MODELS {
@@ -113,7 +138,9 @@ pub(crate) struct ModelFacts {
     /// The term of the light that it answers: ambient, diffuse, specular or emission
     part: &'static str,
     /// f_cos, the BSDF times the cosine of the light
-    formula: &'static str,
+    formula: String,
+    /// The unit of the formula
+    unit: &'static str,
     source: &'static str,
     /// Whether light passes through the surface
     transmission: bool,
@@ -149,7 +176,7 @@ struct ExemptFacts {
 }
 
 impl ModelFacts {
-    fn of(info: &'static ModelInfo) -> Self {
+    fn of(info: &'static ModelInfo, unit: UnitName) -> Self {
         let param = |param: &'static ParamInfo| ParamFacts {
             name: param.name,
             symbol: param.symbol,
@@ -162,7 +189,8 @@ impl ModelFacts {
             name: info.name,
             title: info.title,
             part: term_name(info.term),
-            formula: info.formula,
+            formula: formula(info, unit),
+            unit: unit.symbol(),
             source: info.source,
             transmission: info.side == Side::Transmission,
             anisotropic: info.anisotropic,

@@ -1,6 +1,7 @@
 //! `glanz bsdf`: the models of reflection, and their numbers.
 
 pub(super) mod albedo;
+mod delta;
 mod directions;
 pub(super) mod eval;
 pub(super) mod list;

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use clap::Args;
-use glanz_bsdf::Shape;
+use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
 use glanz_math::names::did_you_mean;
-use glanz_plot::Factor;
+use glanz_plot::{Factor, number};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -61,6 +61,12 @@ pub(super) struct TintFacts {
     /// The wavelength at which that is taken
     #[serde(skip_serializing_if = "Option::is_none")]
     lambda_nm: Option<f64>,
+    /// What that is for the pair of directions
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tint_value: Option<f64>,
+    /// The cosine at which a Fresnel tint is taken: towards the half vector, or 1 for matte lobes
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fresnel_cosine: Option<f64>,
 }
 
 impl TintFacts {
@@ -69,7 +75,45 @@ impl TintFacts {
         let name = factor.name();
         match name.is_empty() {
             true => Self::default(),
-            false => Self { tint: Some(name.to_owned()), lambda_nm: Some(nm) },
+            false => Self { tint: Some(name.to_owned()), lambda_nm: Some(nm), ..Self::default() },
         }
+    }
+
+    /// The same with the factor's value for two directions.
+    pub(super) fn of_pair(factor: &Factor, nm: f64, shape: &Shape, pair: &DirectionPair<f64>) -> Self {
+        let facts = Self::of(factor, nm);
+        if facts.tint.is_none() {
+            return facts;
+        }
+        let cosine = matches!(factor, Factor::Fresnel(_)).then(|| shape.fresnel_cosine(pair));
+        Self { tint_value: Some(factor.value(shape, pair)), fresnel_cosine: cosine, ..facts }
+    }
+
+    /// A line for people that says what the value was multiplied with; nothing where it was not.
+    pub(super) fn text(&self, shape: &Shape) -> String {
+        let (Some(name), Some(nm), Some(value)) = (&self.tint, self.lambda_nm, self.tint_value) else {
+            return String::new();
+        };
+        let (value, nm) = (number(value), number(nm));
+        let kind = if shape.info().side == Side::Transmission { "transmittance" } else { "reflectance" };
+        let Some(cosine) = self.fresnel_cosine else {
+            return format!(
+                "tint   {value} is in both: {name} at {nm} nm
+"
+            );
+        };
+        let place = match shape.info().term {
+            LightTerm::Specular => {
+                format!(
+                    "at {}° from its facets",
+                    number((libm::acos(cosine).to_degrees() * 1e4).round() / 1e4)
+                )
+            }
+            _ => "along the normal, as pictures take it for matte lobes".to_owned(),
+        };
+        format!(
+            "tint   {value} is in both: the Fresnel {kind} of {name} at {nm} nm, {place}
+"
+        )
     }
 }

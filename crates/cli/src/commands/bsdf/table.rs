@@ -15,10 +15,11 @@ use crate::print::failure::{Failure, Report, without_number};
 /// The longest line, in bytes.
 const MAX_LINE: u64 = 1 << 20;
 
-/// Reads directions from a file, or from stdin for `-`, and writes them with `values` of them.
+/// Reads directions from a file, or from stdin for `-`, and writes them with `values` of them in columns of these names.
 pub(super) fn run(
     input: &Path,
     output: Option<&Path>,
+    names: [&str; 2],
     values: impl Fn(Vec3<f64>, Vec3<f64>) -> (f64, Option<f64>),
 ) -> Result<(), Failure> {
     let is_stream = |path: &Path| path.as_os_str() == "-";
@@ -31,11 +32,12 @@ pub(super) fn run(
     };
     let Some(output) = output else {
         let mut out = BufWriter::new(io::stdout().lock());
-        return convert(&mut reader, &name, &mut out, &values).and_then(|()| out.flush().map_err(unwritten));
+        return convert(&mut reader, &name, &mut out, names, &values)
+            .and_then(|()| out.flush().map_err(unwritten));
     };
     write_atomically(output, |out| -> Result<(), Wrapped> {
         let mut out = BufWriter::new(out);
-        convert(&mut reader, &name, &mut out, &values).map_err(Wrapped)?;
+        convert(&mut reader, &name, &mut out, names, &values).map_err(Wrapped)?;
         out.flush().map_err(|error| Wrapped(OutputError::Stream(error).into()))
     })
     .map_err(|Wrapped(failure)| failure)?;
@@ -84,6 +86,7 @@ fn convert(
     reader: &mut dyn BufRead,
     name: &str,
     out: &mut impl Write,
+    [first, second]: [&str; 2],
     values: &impl Fn(Vec3<f64>, Vec3<f64>) -> (f64, Option<f64>),
 ) -> Result<(), Failure> {
     let failed = |error: TableError| malformed(name, &error);
@@ -94,7 +97,7 @@ fn convert(
         }
         let Some(known) = &columns else {
             let found = Columns::of_header(&line, number).map_err(failed)?;
-            writeln!(out, "{line}{0}f_cos{0}f", found.separator()).map_err(unwritten)?;
+            writeln!(out, "{line}{0}{first}{0}{second}", found.separator()).map_err(unwritten)?;
             columns = Some(found);
             continue;
         };

@@ -7,20 +7,20 @@ use clap::Args;
 use glanz_color::efficiency::{Errors, Representation};
 use glanz_color::{Spectrum, colorchecker, reflectance, reflectances};
 use glanz_plot::figure::{EfficiencyLine, EfficiencyPanel};
-use glanz_plot::{EfficiencyChart, PlotFile};
+use glanz_plot::{EfficiencyChart, Lang, Word};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::spectra::{light_source, surfaces, words};
+use crate::args::{BesidePlotArgs, light_words};
+use crate::input::spectra::{light_source, surfaces};
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
   glanz color efficiency
-  glanz color efficiency --under D65,A --set samples --plot efficiency.png
-  glanz color efficiency --set patches.csv --format json
+  glanz color efficiency --light D65,A --surfaces samples --plot efficiency.png
+  glanz color efficiency --surfaces patches.csv --format json
 
 Each cell is the mean ΔE00 over the set, and the greatest in brackets, against sums over 300 to
 780 nm by 5 nm. Each way has its own white, the perfect diffuser computed that way. 'uniform,
@@ -41,9 +41,8 @@ pub(crate) struct EfficiencyArgs {
     #[command(flatten)]
     what: WhatArgs,
 
-    /// Draw the errors over the number of samples; .svg or .png
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    plot: Option<PlotFile>,
+    #[command(flatten)]
+    plot: BesidePlotArgs,
 
     #[command(flatten)]
     format: FormatArgs,
@@ -53,12 +52,12 @@ pub(crate) struct EfficiencyArgs {
 #[derive(Args, Debug)]
 pub(crate) struct WhatArgs {
     /// Lights between commas, names or files; all is E,D65,A,FL2,FL11,LED-B3
-    #[arg(long, value_name = "LIGHT,…", default_value = "all")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "all")]
+    light: Vec<String>,
 
     /// The surfaces: colorchecker, samples (those of colour rendering), all (both), or a file
-    #[arg(long, value_name = "SET", default_value = "colorchecker")]
-    set: String,
+    #[arg(long, alias = "set", value_name = "SET", default_value = "colorchecker")]
+    surfaces: String,
 }
 
 /// What was found.
@@ -106,10 +105,10 @@ struct ErrorsFacts {
 impl EfficiencyArgs {
     /// Computes the errors, and draws them.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        check_plot(self.plot.as_ref())?;
+        let plot = self.plot.target()?;
         let found = self.what.find()?;
-        if let Some(file) = &self.plot {
-            save_plot(file, &found.chart())?;
+        if let Some(plot) = plot {
+            plot.save(&mut found.chart(plot.lang()))?;
         }
         match self.format.is_json() {
             true => print::json(&found.document()),
@@ -121,42 +120,44 @@ impl EfficiencyArgs {
 impl WhatArgs {
     /// Computes the errors of all representations under all lights.
     pub(crate) fn find(&self) -> Result<Found, Failure> {
-        let under = if self.under.eq_ignore_ascii_case("all") { ALL } else { &self.under };
-        let under = words(under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
-        let lights = under.iter().map(|word| light_source(word)).collect::<Result<Vec<_>, _>>()?;
+        let light = match self.light.as_slice() {
+            [only] if only.eq_ignore_ascii_case("all") => light_words(&[ALL.to_owned()]),
+            light => light_words(light),
+        }?;
+        let lights = light.iter().map(|word| light_source(word)).collect::<Result<Vec<_>, _>>()?;
         for light in &lights {
             // Errors are relative to the white of each representation.
             if glanz_color::chromaticity::Chromaticity::of_light(&light.spectrum).is_none() {
                 return Err(Failure::Usage(format!("no observer sees the light '{}'", light.name)));
             }
         }
-        let surfaces = self.surfaces()?;
+        let surfaces = self.spectra()?;
         let errors = |representation: Representation| {
             lights.iter().map(|light| representation.errors(&surfaces, &light.spectrum)).collect()
         };
         Ok(Found {
-            set: self.set.clone(),
+            set: self.surfaces.clone(),
             count: surfaces.len(),
             lights: lights.iter().map(|light| light.name.clone()).collect(),
             errors: Representation::all().into_iter().map(|one| (one, errors(one))).collect(),
         })
     }
 
-    fn surfaces(&self) -> Result<Vec<Spectrum>, Failure> {
+    fn spectra(&self) -> Result<Vec<Spectrum>, Failure> {
         let checker = || colorchecker().map(|(_, spectrum)| spectrum);
         let known: Vec<_> = colorchecker().map(|(name, _)| name).collect();
         let samples = || {
             let others = reflectances().iter().filter(|info| !known.contains(&info.name));
             others.filter_map(|info| reflectance(info.name).ok())
         };
-        match self.set.to_lowercase().as_str() {
+        match self.surfaces.to_lowercase().as_str() {
             "colorchecker" => Ok(checker().collect()),
             "samples" => Ok(samples().collect()),
             "all" => Ok(checker().chain(samples()).collect()),
-            _ if Path::new(&self.set).exists() => surfaces(&self.set),
+            _ if Path::new(&self.surfaces).exists() => surfaces(&self.surfaces),
             _ => {
                 let message = "and no file of that name; expected colorchecker, samples, all or a file";
-                Err(Failure::Usage(format!("there is no set '{}', {message}", self.set)))
+                Err(Failure::Usage(format!("there is no set '{}', {message}", self.surfaces)))
             }
         }
     }
@@ -164,7 +165,7 @@ impl WhatArgs {
 
 impl Found {
     /// The plot: a panel for each light.
-    pub(crate) fn chart(&self) -> EfficiencyChart {
+    pub(crate) fn chart(&self, lang: Lang) -> EfficiencyChart {
         let kinds = [
             Representation::Uniform(0),
             Representation::UniformVisible(0),
@@ -179,15 +180,16 @@ impl Found {
                 .map(|kind| {
                     let of_kind = self.errors.iter().filter(|(one, _)| one.name() == kind.name());
                     let points = of_kind.map(|(one, errors)| (one.samples(), errors[index].mean));
-                    EfficiencyLine { name: kind.name().to_owned(), points: points.collect() }
+                    EfficiencyLine { name: lang.name(kind.name()).to_owned(), points: points.collect() }
                 })
                 .collect(),
         };
-        let subtitle = format!(
-            "Mean ΔE₀₀ over the {} surfaces of '{}', against the whole spectrum",
-            self.count, self.set
-        );
-        EfficiencyChart { subtitle, lights: self.lights.iter().enumerate().map(panel).collect() }
+        EfficiencyChart {
+            title: lang.say(Word::Efficiency, &[]),
+            subtitle: lang.say(Word::EfficiencyOver, &[&self.count.to_string(), &self.set]),
+            lights: self.lights.iter().enumerate().map(panel).collect(),
+            lang,
+        }
     }
 
     fn document(&self) -> Document {

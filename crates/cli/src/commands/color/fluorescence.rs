@@ -8,21 +8,19 @@ use glanz_color::chromaticity::Chromaticity;
 use glanz_color::colorimetry::{lab, relative_xyz};
 use glanz_color::difference::ciede2000;
 use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
-use glanz_plot::{NamedSpectrum, PlotFile, ReradiationMap};
+use glanz_plot::{NamedSpectrum, ReradiationMap};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::args::check_folder;
-use crate::input::spectra::{
-    FluorescentSource, Source, fluorescent_source, light_source, observer_source, words,
-};
+use crate::args::{BesidePlotArgs, PlotTarget, check_folder, light_words};
+use crate::input::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source};
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_csv, save_plot};
+use crate::print::files::save_csv;
 use crate::print::{self, FormatArgs, decimals, finite, number};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
-  glanz color fluorescence paper-note-pink --under D65,A,UV365
+  glanz color fluorescence paper-note-pink --light D65,A,UV365
   glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
 
 XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is
@@ -47,16 +45,15 @@ pub(crate) struct FluorescenceArgs {
     material: String,
 
     /// Lights between commas: names or files
-    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,UV365")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "D65,A,UV365")]
+    light: Vec<String>,
 
     /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
     observer: String,
 
-    /// Draw the matrix and the total radiance factors; .svg or .png
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    plot: Option<PlotFile>,
+    #[command(flatten)]
+    plot: BesidePlotArgs,
 
     /// Write the total radiance factor under each light, from 300 to 780 nm by 5 nm
     #[arg(long, value_name = "FILE", help_heading = "Output")]
@@ -86,9 +83,9 @@ struct Stimulus {
 impl FluorescenceArgs {
     /// Tells the colour of the material under each light.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        check_plot(self.plot.as_ref())?;
+        let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let lights = light_words(&self.light)?;
         let material = fluorescent_source(&self.material)?;
         let observer = observer_source(&self.observer)?;
         if observer.kind != ObserverKind::Xyz {
@@ -98,7 +95,7 @@ impl FluorescenceArgs {
             .iter()
             .map(|word| row(&material.matrix, &light_source(word)?, &observer))
             .collect::<Result<Vec<_>, _>>()?;
-        self.write_files(&material, &rows)?;
+        self.write_files(&material, &rows, plot.as_ref())?;
         let energy = material.matrix.energy();
         match self.format.is_json() {
             true => print::json(&document(&material, &observer, &rows, &energy)),
@@ -106,12 +103,17 @@ impl FluorescenceArgs {
         }
     }
 
-    fn write_files(&self, material: &FluorescentSource, rows: &[Row]) -> Result<(), Failure> {
+    fn write_files(
+        &self,
+        material: &FluorescentSource,
+        rows: &[Row],
+        plot: Option<&PlotTarget>,
+    ) -> Result<(), Failure> {
         if let Some(path) = &self.csv {
             let columns: Vec<_> = rows.iter().map(|row| (row.light.as_str(), &row.factor)).collect();
             save_csv(path, &columns)?;
         }
-        let Some(file) = &self.plot else { return Ok(()) };
+        let Some(plot) = plot else { return Ok(()) };
         let (broad, narrow): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.is_broad);
         if !narrow.is_empty() {
             let names: Vec<_> = narrow.iter().map(|row| row.light.as_str()).collect();
@@ -123,7 +125,7 @@ impl FluorescenceArgs {
         let factors: Vec<_> =
             broad.iter().map(|row| NamedSpectrum { name: row.light.clone(), spectrum: row.factor }).collect();
         let (name, matrix) = (material.name.clone(), material.matrix.clone());
-        save_plot(file, &ReradiationMap { name, matrix, factors: Some(factors) })
+        plot.save(&mut ReradiationMap { name, matrix, factors: Some(factors), lang: plot.lang() })
     }
 }
 

@@ -5,18 +5,18 @@ use std::fmt::Write;
 use clap::Args;
 use glanz_color::colorimetry::{DisplayColor, PairDifference, metamerism_index, relative_xyz};
 use glanz_color::{Observer, ObserverKind, SpectrumKind};
-use glanz_plot::{NamedSpectrum, PlotFile, spectra};
+use glanz_plot::{NamedSpectrum, WavelengthChart, Word, spectra};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source, words};
+use crate::args::{BesidePlotArgs, light_words};
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
-  glanz color metamers a.csv b.csv --under D65,A,FL11
+  glanz color metamers a.csv b.csv --light D65,A,FL11
   glanz color metamers pairs.csv:1 pairs.csv:2 --observer cie1964 --format json
 
 The index is the special metamerism index, change of illuminant, of CIE 15: the first light is the
@@ -37,8 +37,8 @@ pub(crate) struct MetamersArgs {
     second: String,
 
     /// Lights between commas, the reference first: names or files
-    #[arg(long, value_name = "LIGHT,…", default_value = "D65,A,FL11")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "D65,A,FL11")]
+    light: Vec<String>,
 
     /// The observer, which must have X, Y and Z
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
@@ -47,9 +47,8 @@ pub(crate) struct MetamersArgs {
     #[command(flatten)]
     table: TableArgs,
 
-    /// Draw both spectra; .svg or .png
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    plot: Option<PlotFile>,
+    #[command(flatten)]
+    plot: BesidePlotArgs,
 
     #[command(flatten)]
     format: FormatArgs,
@@ -67,8 +66,8 @@ struct Row {
 impl MetamersArgs {
     /// Compares the pair under each light.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        check_plot(self.plot.as_ref())?;
-        let lights = words(&self.under).map_err(|error| Failure::Usage(format!("--under: {error}")))?;
+        let plot = self.plot.target()?;
+        let lights = light_words(&self.light)?;
         let mut pair = [surface(&self.first, &self.table)?, surface(&self.second, &self.table)?];
         if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
             pair[0].name = self.first.clone();
@@ -85,11 +84,13 @@ impl MetamersArgs {
             let reference = rows.first().map(|row| row.xyz);
             rows.push(row(&pair, &light, &observer, reference)?);
         }
-        if let Some(file) = &self.plot {
+        if let Some(plot) = &plot {
+            let lang = plot.lang();
             let curves =
                 pair.each_ref().map(|s| NamedSpectrum { name: s.name.clone(), spectrum: s.spectrum });
-            let subtitle = format!("{} and {}", pair[0].name, pair[1].name);
-            save_plot(file, &spectra("Two surfaces", &subtitle, "reflectance", &curves))?;
+            let subtitle = lang.say(Word::And, &[&pair[0].name, &pair[1].name]);
+            let [title, label] = [Word::TwoSurfaces, Word::Reflectance].map(|word| lang.say(word, &[]));
+            plot.save(&mut WavelengthChart { lang, ..spectra(&title, &subtitle, &label, &curves) })?;
         }
         match self.format.is_json() {
             true => print::json(&document(&pair, &observer, &rows)),

@@ -1,20 +1,20 @@
 //! `glanz color plot`: plots of spectra, observers and colour spaces.
 
 use clap::{Args, Subcommand};
-use glanz_color::SpectrumKind;
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::{SpectrumKind, catalog_spectrum};
 use glanz_plot::figure::Mark;
 use glanz_plot::{
-    ChromaticityDiagram, Figure, NamedSpectrum, PlotFile, ReradiationMap, WavelengthChart, cones, meyer,
+    ChromaticityDiagram, Figure, Lang, NamedSpectrum, ReradiationMap, WavelengthChart, Word, cones, meyer,
     spectra,
 };
 
 use super::efficiency::WhatArgs;
+use crate::args::PlotOutputArgs;
 use crate::input::spectra::{
     FluorescentSource, Source, TableArgs, fluorescent_source, light_source, source, words,
 };
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_plot};
 
 /// Shown below the help.
 pub(super) const EXAMPLES: &str = "Examples:
@@ -35,24 +35,16 @@ pub(crate) enum PlotCommand {
     Chromaticity(ChromaticityArgs),
     /// The sensitivities of the cones and the rods
     #[command(after_help = "Example:\n  glanz color plot cones -o cones.svg")]
-    Cones(OutputArgs),
+    Cones(PlotOutputArgs),
     /// Meyer's basis functions A, C1, C2 and his four wavelengths
     #[command(after_help = "Example:\n  glanz color plot meyer -o meyer.svg")]
-    Meyer(OutputArgs),
+    Meyer(PlotOutputArgs),
     /// A re-radiation matrix as a heat map
     #[command(after_help = "Example:\n  glanz color plot matrix paper-note-yellow -o matrix.png")]
     Matrix(MatrixArgs),
     /// The error of colours over the number of samples of the spectrum
-    #[command(after_help = "Example:\n  glanz color plot efficiency --under D65,A,FL11 -o efficiency.svg")]
+    #[command(after_help = "Example:\n  glanz color plot efficiency --light D65,A,FL11 -o efficiency.svg")]
     Efficiency(EfficiencyArgs),
-}
-
-/// Where the plot goes.
-#[derive(Args, Debug)]
-pub(crate) struct OutputArgs {
-    /// The plot's file; .svg or .png
-    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
-    output: PlotFile,
 }
 
 /// Options of `glanz color plot spectra`.
@@ -70,7 +62,7 @@ pub(crate) struct SpectraArgs {
     normalize: bool,
 
     #[command(flatten)]
-    output: OutputArgs,
+    output: PlotOutputArgs,
 }
 
 /// Options of `glanz color plot chromaticity`.
@@ -81,7 +73,7 @@ pub(crate) struct ChromaticityArgs {
     mark: String,
 
     #[command(flatten)]
-    output: OutputArgs,
+    output: PlotOutputArgs,
 }
 
 /// Options of `glanz color plot matrix`.
@@ -92,7 +84,7 @@ pub(crate) struct MatrixArgs {
     material: String,
 
     #[command(flatten)]
-    output: OutputArgs,
+    output: PlotOutputArgs,
 }
 
 /// Options of `glanz color plot efficiency`.
@@ -102,7 +94,7 @@ pub(crate) struct EfficiencyArgs {
     what: WhatArgs,
 
     #[command(flatten)]
-    output: OutputArgs,
+    output: PlotOutputArgs,
 }
 
 impl PlotCommand {
@@ -120,23 +112,23 @@ impl PlotCommand {
 
     /// Draws it.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let file = &self.output().output;
-        check_plot(Some(file))?;
-        let figure: Box<dyn Figure> = match self {
-            Self::Spectra(args) => Box::new(args.chart()?),
-            Self::Chromaticity(args) => Box::new(args.diagram()?),
-            Self::Cones(_) => Box::new(cones().map_err(Failure::new)?),
-            Self::Meyer(_) => Box::new(meyer()),
+        let target = self.output().target()?;
+        let lang = target.lang();
+        let mut figure: Box<dyn Figure> = match self {
+            Self::Spectra(args) => Box::new(args.chart(lang)?),
+            Self::Chromaticity(args) => Box::new(args.diagram(lang)?),
+            Self::Cones(_) => Box::new(cones(lang).map_err(Failure::new)?),
+            Self::Meyer(_) => Box::new(meyer(lang)),
             Self::Matrix(args) => {
                 let FluorescentSource { name, matrix, .. } = fluorescent_source(&args.material)?;
-                Box::new(ReradiationMap { name, matrix, factors: None })
+                Box::new(ReradiationMap { name, matrix, factors: None, lang })
             }
-            Self::Efficiency(args) => Box::new(args.what.find()?.chart()),
+            Self::Efficiency(args) => Box::new(args.what.find()?.chart(lang)),
         };
-        save_plot(file, figure.as_ref())
+        target.save(figure.as_mut())
     }
 
-    fn output(&self) -> &OutputArgs {
+    fn output(&self) -> &PlotOutputArgs {
         match self {
             Self::Spectra(args) => &args.output,
             Self::Chromaticity(args) => &args.output,
@@ -148,25 +140,47 @@ impl PlotCommand {
 }
 
 impl SpectraArgs {
-    fn chart(&self) -> Result<WavelengthChart, Failure> {
+    fn chart(&self, lang: Lang) -> Result<WavelengthChart, Failure> {
+        self.check_table()?;
         let read = |word: &String| source(word, None, &self.table);
         let sources = self.spectra.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let curves: Vec<_> = sources.iter().map(|source| self.curve(source)).collect();
         let surfaces = sources.iter().all(|source| source.kind == SpectrumKind::Surface);
         let lights = sources.iter().all(|source| source.kind == SpectrumKind::Light);
         let label = match (surfaces, lights) {
-            _ if self.normalize => "relative to the greatest value",
-            (true, _) => "reflectance",
-            (_, true) => "relative power per nm",
-            _ => "relative power per nm, or reflectance",
+            _ if self.normalize => Word::Normalized,
+            (true, _) => Word::Reflectance,
+            (_, true) => Word::RelativePower,
+            _ => Word::PowerOrReflectance,
         };
+        let band = || lang.say(Word::Band, &[]);
         let (title, subtitle) = match sources.as_slice() {
             [only] => (only.name.clone(), only.title.clone()),
-            _ if surfaces => ("Reflectances".to_owned(), "300 to 780 nm".to_owned()),
-            _ if lights => ("Lights".to_owned(), "300 to 780 nm".to_owned()),
-            _ => ("Spectra".to_owned(), "300 to 780 nm".to_owned()),
+            _ if surfaces => (lang.say(Word::Reflectances, &[]), band()),
+            _ if lights => (lang.say(Word::Lights, &[]), band()),
+            _ => (lang.say(Word::Spectra, &[]), band()),
         };
-        Ok(spectra(&title, &subtitle, label, &curves))
+        let chart = spectra(&title, &subtitle, &lang.say(label, &[]), &curves);
+        Ok(WavelengthChart { lang, ..chart })
+    }
+
+    /// That there is a file where an option tells how files are read.
+    fn check_table(&self) -> Result<(), Failure> {
+        let table = &self.table;
+        let given = [
+            ("--as", table.kind.is_some()),
+            ("--unit", table.unit.is_some()),
+            ("--scale", table.scale.is_some()),
+            ("--column", table.column.is_some()),
+        ];
+        let given = given.into_iter().find(|(_, is)| *is);
+        match given.filter(|_| self.spectra.iter().all(|word| catalog_spectrum(word).is_ok())) {
+            Some((option, _)) => {
+                let names = self.spectra.join(", ");
+                Err(Failure::Usage(format!("{option} has no effect on {names}; it acts on files")))
+            }
+            None => Ok(()),
+        }
     }
 
     fn curve(&self, source: &Source) -> NamedSpectrum {
@@ -178,7 +192,7 @@ impl SpectraArgs {
 }
 
 impl ChromaticityArgs {
-    fn diagram(&self) -> Result<ChromaticityDiagram, Failure> {
+    fn diagram(&self, lang: Lang) -> Result<ChromaticityDiagram, Failure> {
         let lights = words(&self.mark).map_err(|error| Failure::Usage(format!("--mark: {error}")))?;
         let mut marks = Vec::new();
         for word in &lights {
@@ -187,6 +201,6 @@ impl ChromaticityArgs {
                 .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{word}'")))?;
             marks.push(Mark { name: light.name, xy });
         }
-        Ok(ChromaticityDiagram { marks })
+        Ok(ChromaticityDiagram::new(marks, lang))
     }
 }

@@ -11,25 +11,25 @@ use glanz_color::models::Lab;
 use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
 use glanz_color::temperature::{MOST_DUV, color_temperature};
 use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
-use glanz_plot::{NamedSpectrum, PlotFile, spectra};
+use glanz_plot::{NamedSpectrum, WavelengthChart, Word, spectra};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use crate::args::check_folder;
+use crate::args::{BesidePlotArgs, PlotTarget, check_folder};
 use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
-use crate::print::files::{check_plot, save_csv, save_plot};
+use crate::print::files::save_csv;
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
   glanz color spectrum D65
-  glanz color spectrum gold --under A
+  glanz color spectrum gold --light A
   glanz color spectrum sample.csv --observer cie1964 --plot sample.svg
   glanz color spectrum 'blackbody(2700)' --csv lamp.csv --format json
 
-XYZ are relative: a light, and the perfect diffuser under --under, have Y = 100. Lab of a surface
+XYZ are relative: a light, and the perfect diffuser under --light, have Y = 100. Lab of a surface
 is relative to the light, that of a light to D65. sRGB of a surface is adapted from the light to
 D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
 colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
@@ -47,8 +47,8 @@ pub(crate) struct SpectrumArgs {
     spectrum: String,
 
     /// The light that falls on a surface: a name or a file
-    #[arg(long, value_name = "LIGHT", default_value = "D65")]
-    under: String,
+    #[arg(long, alias = "under", value_name = "LIGHT", default_value = "D65")]
+    light: String,
 
     /// The observer: a name, or a file with a column for each channel of a sensor
     #[arg(long, value_name = "OBSERVER", default_value = "cie1931")]
@@ -57,9 +57,8 @@ pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     table: TableArgs,
 
-    /// Draw the spectrum; .svg or .png
-    #[arg(long, value_name = "FILE", help_heading = "Output")]
-    plot: Option<PlotFile>,
+    #[command(flatten)]
+    plot: BesidePlotArgs,
 
     /// Write the spectrum from 300 to 780 nm by 5 nm, as it is used
     #[arg(long, value_name = "FILE", help_heading = "Output")]
@@ -132,7 +131,7 @@ impl Facts {
 impl SpectrumArgs {
     /// Tells the numbers, and draws and writes what is asked for.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        check_plot(self.plot.as_ref())?;
+        let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let source = source(&self.spectrum, None, &self.table)?;
         if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
@@ -148,12 +147,12 @@ impl SpectrumArgs {
         match source.kind {
             SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
             SpectrumKind::Surface => {
-                surface_facts(&mut facts, &source, &light_source_with(&self.under, &self.table)?, &observer)
+                surface_facts(&mut facts, &source, &light_source_with(&self.light, &self.table)?, &observer)
             }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
         facts.value("values", source.spectrum.0.map(finite).to_vec());
-        self.write_files(&source)?;
+        self.write_files(&source, plot.as_ref())?;
         if self.format.is_json() {
             return print::json(&Document(facts.json));
         }
@@ -164,18 +163,20 @@ impl SpectrumArgs {
         print::text(&text)
     }
 
-    fn write_files(&self, source: &Source) -> Result<(), Failure> {
+    fn write_files(&self, source: &Source, plot: Option<&PlotTarget>) -> Result<(), Failure> {
         if let Some(path) = &self.csv {
             save_csv(path, &[(&source.name, &source.spectrum)])?;
         }
-        let Some(file) = &self.plot else { return Ok(()) };
+        let Some(plot) = plot else { return Ok(()) };
+        let lang = plot.lang();
         let label = match source.kind {
-            SpectrumKind::Light if source.unit.is_empty() => "relative power per nm".to_owned(),
+            SpectrumKind::Light if source.unit.is_empty() => lang.say(Word::RelativePower, &[]),
             SpectrumKind::Light => source.unit.clone(),
-            SpectrumKind::Surface => "reflectance".to_owned(),
+            SpectrumKind::Surface => lang.say(Word::Reflectance, &[]),
         };
         let curve = NamedSpectrum { name: source.name.clone(), spectrum: source.spectrum };
-        save_plot(file, &spectra(&source.name, &source.title, &label, &[curve]))
+        let chart = spectra(&source.name, &source.title, &label, &[curve]);
+        plot.save(&mut WavelengthChart { lang, ..chart })
     }
 }
 

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::side_by_side::SideBySideArgs;
-use crate::args::{InputArgs, LookArgs, Target};
+use crate::args::{InputArgs, LookArgs, Target, light_words};
 use crate::input::spectra::light_source;
 use crate::load::Input;
 use crate::pipeline;
@@ -20,7 +20,7 @@ use crate::progress::Progress;
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
 Examples:
-  glanz relight scene.toml --light A --light D65 --light FL11 --light UV365 -o lights.png
+  glanz relight scene.toml --light A,D65,FL11,UV365 -o lights.png
   glanz relight scene.toml --light A --light D65 --white scene
 
 Every light of the scene keeps its place and its luminance and gets the spectrum that is named; one that the
@@ -34,8 +34,8 @@ pub(crate) struct RelightArgs {
     pub(crate) input: InputArgs,
 
     /// A light source, from `glanz color list lights`, such as A, D50, FL11, D(9300), blackbody(3000),
-    /// gaussian(450,20), or a file with its spectrum; repeated, one for each column
-    #[arg(long, value_name = "NAME", required = true)]
+    /// gaussian(450,20), or a file with its spectrum; several between commas or repeated, one for each column
+    #[arg(long, value_name = "LIGHT,…", required = true)]
     light: Vec<String>,
 
     #[command(flatten)]
@@ -45,14 +45,15 @@ pub(crate) struct RelightArgs {
 impl RelightArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let spectra = self.spectra()?;
+        let names = light_words(&self.light)?;
+        let spectra = spectra(&names)?;
         let (target, mut input) = self.pictures.begin(&self.input, "_lights.png", "a sheet of lights")?;
         let mut look = self.pictures.look.clone();
         if look.color.mode.is_none() && input.scene.render.mode == ColorMode::Rgb {
             look.color.mode = Some(ColorMode::Spectral);
         }
         let mut rows = Vec::new();
-        let looks = self.looks(&mut input, &look, &spectra)?;
+        let looks = self.looks(&mut input, &look, &names, &spectra)?;
         let plain = without_fluorescence(&input.scene.materials);
         let count = spectra.len() * if plain.is_some() { 2 } else { 1 };
         let mut progress = Progress::new(count, "pictures");
@@ -63,16 +64,7 @@ impl RelightArgs {
             pictures.extend(self.row(&mut input, &looks, &spectra, &mut progress)?);
         }
         drop(progress);
-        self.deliver(&target, &input, &spectra, rows, pictures)
-    }
-
-    fn spectra(&self) -> Result<Vec<LightColor>, Failure> {
-        let color = |name: &String| {
-            let spectrum = light_source(name)?.spectrum;
-            LightColor::unit(&spectrum)
-                .ok_or_else(|| Failure::Usage(format!("light '{name}' has no power between 300 and 780 nm")))
-        };
-        self.light.iter().map(color).collect()
+        self.deliver(&target, &input, &names, &spectra, rows, pictures)
     }
 
     /// The look of each picture. An eye cannot take every light for white, black light least of all: such a
@@ -81,11 +73,12 @@ impl RelightArgs {
         &self,
         input: &mut Input,
         look: &LookArgs,
+        names: &[String],
         spectra: &[LightColor],
     ) -> Result<Vec<LookArgs>, Failure> {
         let own = input.scene.lights.clone();
         let mut looks = Vec::with_capacity(spectra.len());
-        for (color, name) in spectra.iter().zip(&self.light) {
+        for (color, name) in spectra.iter().zip(names) {
             relight(&mut input.scene.lights, &own, color);
             let mut daylight = look.clone();
             daylight.color.white = Some(White::D65);
@@ -127,14 +120,15 @@ impl RelightArgs {
         &self,
         target: &Target,
         input: &Input,
+        names: &[String],
         spectra: &[LightColor],
         rows: Vec<String>,
         pictures: Vec<Canvas>,
     ) -> Result<(), Failure> {
         let sheet = ContactSheet {
-            columns: self.light.clone(),
+            columns: names.to_vec(),
             rows,
-            per_row: self.light.len(),
+            per_row: names.len(),
             count: pictures.len(),
             cell: (pictures[0].width, pictures[0].height),
             ..ContactSheet::default()
@@ -146,11 +140,21 @@ impl RelightArgs {
         self.pictures.deliver(canvas, target, input.scene.content_hash())?;
         let Target::File(path) = target else { return Ok(()) };
         if self.pictures.format.is_json() {
-            let lights: Vec<_> = self.light.iter().zip(spectra).map(describe).collect();
+            let lights: Vec<_> = names.iter().zip(spectra).map(describe).collect();
             return print::json(&Document { file: path.display().to_string(), lights });
         }
         Ok(())
     }
+}
+
+/// The spectra of lights by their names.
+fn spectra(names: &[String]) -> Result<Vec<LightColor>, Failure> {
+    let color = |name: &String| {
+        let spectrum = light_source(name)?.spectrum;
+        LightColor::unit(&spectrum)
+            .ok_or_else(|| Failure::Usage(format!("light '{name}' has no power between 300 and 780 nm")))
+    };
+    names.iter().map(color).collect()
 }
 
 /// A scene under several lights.

@@ -24,7 +24,7 @@ Examples:
   glanz shade-compare model.glb --size 400x400 --format json
 
 Only pixels that show a surface count. Linear values are those before exposure and tone mapping,
-codes are the 8-bit values of the picture, ΔE76 is the colour difference of the codes in CIELAB.";
+codes are the 8-bit values of the picture, ΔE00 is the colour difference CIEDE2000 of the codes.";
 
 /// The shadings, from the crudest to the one that the others are compared with.
 const SHADINGS: [(Shading, &str, &str); 3] = [
@@ -104,7 +104,7 @@ struct DifferenceFacts {
     linear: RmseFacts,
     /// Of the 8-bit values of the picture
     codes: RmseFacts,
-    mean_delta_e76: f64,
+    mean_delta_e_00: f64,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -119,7 +119,7 @@ impl DifferenceFacts {
             pixels: difference.pixels,
             linear: RmseFacts { rmse: difference.rmse_linear, max: difference.max_linear },
             codes: RmseFacts { rmse: difference.rmse_codes, max: difference.max_codes.into() },
-            mean_delta_e76: difference.mean_delta_e,
+            mean_delta_e_00: difference.mean_delta_e,
         }
     }
 }
@@ -128,7 +128,7 @@ impl DifferenceFacts {
 fn table(differences: &[Difference]) -> String {
     let pixels = differences.first().map_or(0, |difference| difference.pixels);
     let mut text = format!("difference to Phong shading, over the {pixels} pixels that show a surface\n");
-    text.push_str("          linear RMSE   linear max   codes RMSE   codes max   mean ΔE76\n");
+    text.push_str("          linear RMSE   linear max   codes RMSE   codes max   mean ΔE00\n");
     for ((_, _, title), difference) in SHADINGS.iter().zip(differences) {
         let Difference { rmse_linear, max_linear, rmse_codes, max_codes, mean_delta_e, .. } = difference;
         writeln!(

@@ -18,7 +18,7 @@ Examples:
   glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 -o row.png
   glanz sweep scene.toml --vary materials.ball.shininess=1,4,16,64,256 \\
       --vary materials.ball.specular=0:1:5 -o sheet.png
-  glanz sweep scene.toml --vary render.shading=flat,gouraud,phong --cell 400x300
+  glanz sweep scene.toml --vary render.shading=flat,gouraud,phong --size 400x300
 
 The last --vary runs along the columns, all others along the rows, the first one slowest.";
 
@@ -37,8 +37,8 @@ pub(crate) struct SweepArgs {
     vary: Vec<Variation>,
 
     /// Width and height of each picture, in pixels
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "256x256")]
-    cell: (u32, u32),
+    #[arg(long, alias = "cell", value_name = "WxH", value_parser = size, default_value = "256x256")]
+    size: (u32, u32),
 
     /// Pictures per row where one value alone varies
     #[arg(long, value_name = "N", default_value_t = DEFAULT_COLUMNS as u32,
@@ -74,7 +74,7 @@ impl SweepArgs {
         let mut hash = 0_u64;
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), values)?;
-            let plan = Plan::new(&input, Some(self.cell), &self.look, &self.camera, self.develop)?;
+            let plan = Plan::new(&input, Some(self.size), &self.look, &self.camera, self.develop)?;
             let mut shot = plan.shot(&input.scene)?;
             let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);
@@ -91,6 +91,6 @@ impl SweepArgs {
     }
 
     fn grid(&self) -> Grid<'_> {
-        Grid { variations: &self.vary, columns: self.columns as usize, cell: self.cell }
+        Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size }
     }
 }

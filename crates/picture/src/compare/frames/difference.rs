@@ -1,6 +1,6 @@
 //! How far two pictures of the same scene are apart.
 
-use glanz_color::difference::cie76;
+use glanz_color::difference::ciede2000;
 use glanz_color::models::{ColorModel, Lab, LinearSrgb};
 use glanz_color::srgb_decode_u8;
 
@@ -19,7 +19,7 @@ pub struct Difference {
     pub rmse_codes: f64,
     /// The greatest, in 8-bit codes.
     pub max_codes: u8,
-    /// Mean colour difference ΔE*ab (CIE 1976) of the codes as a screen shows them.
+    /// Mean colour difference ΔE00 (CIEDE2000) of the codes as a screen shows them.
     pub mean_delta_e: f64,
 }
 
@@ -54,7 +54,7 @@ impl Difference {
                 let light = |channel| decode[usize::from(picture.codes[4 * pixel + channel])];
                 LinearSrgb([0, 1, 2].map(light)).to::<Lab>()
             };
-            sum.mean_delta_e += cie76(lab(a), lab(b));
+            sum.mean_delta_e += ciede2000(lab(a), lab(b));
         }
         let values = (3 * sum.pixels).max(1) as f64;
         Self {

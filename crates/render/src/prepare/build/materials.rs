@@ -1,6 +1,6 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{LightTerm, MODELS, ParamError, Shape, Side};
+use glanz_bsdf::{LightTerm, Side};
 use glanz_scene::{Lobe, Material, Tint};
 
 use crate::prepare::PrepareError;
@@ -68,7 +68,7 @@ fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&
 fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
     let term = term_of(lobe);
     let shape = match model {
-        Some(name) if term == LightTerm::Specular => with_model(&lobe.shape, name)?,
+        Some(name) if term == LightTerm::Specular => lobe.shape.as_model(name)?,
         _ => lobe.shape.clone(),
     };
     // A texel has no say in a tint that is a curve.
@@ -138,16 +138,4 @@ fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
 
 fn add(sum: &mut Entry, value: Entry) {
     sum.iter_mut().zip(value).for_each(|(sum, value)| *sum += value);
-}
-
-/// `shape` with its model replaced by the one called `name`, keeping parameters of the same name.
-fn with_model(shape: &Shape, name: &str) -> Result<Shape, ParamError> {
-    let kept = shape.info().params.iter().zip(shape.params());
-    let target = glanz_bsdf::models::info_named(name)?;
-    let set: Vec<(&str, f64)> = kept
-        .filter(|(param, _)| target.params.iter().any(|p| p.name == param.name))
-        .map(|(param, value)| (param.name, value))
-        .collect();
-    debug_assert!(MODELS.iter().any(|info| info.name == target.name));
-    Shape::named(name, &set)
 }
