@@ -1,7 +1,7 @@
 //! Where a plot goes and how it looks: the options that all plots share.
 
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
@@ -152,6 +152,11 @@ impl PlotLookArgs {
 }
 
 impl PlotTarget {
+    /// A plot as it is by itself, in this file.
+    pub(crate) fn of_file(file: &Path) -> Result<Self, Failure> {
+        Self::new(Some(file.to_owned()), PlotFormat::from_path(file)?, &PlotLookArgs::default())
+    }
+
     fn new(file: Option<PathBuf>, format: PlotFormat, look: &PlotLookArgs) -> Result<Self, Failure> {
         let name = format.name();
         if look.size.is_some() && !format.is_page() {

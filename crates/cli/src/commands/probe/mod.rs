@@ -1,14 +1,17 @@
 //! `glanz probe`: one pixel taken apart.
 
 mod document;
+mod drawing;
 mod text;
 
-use clap::Args;
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
 use glanz_plot::number;
 use glanz_render::{Probe, Shot};
 use glanz_scene::{Light, LightKind, Scene};
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, SizeArgs};
+use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, PlotTarget, SizeArgs};
 use crate::pipeline::Plan;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
@@ -21,6 +24,7 @@ Examples:
   glanz probe scene.toml 320,240
   glanz probe scene.toml 320,240 100,80 --format json
   glanz probe scene.toml --object ball --uv 0.5,0.2
+  glanz probe scene.toml 320,240 --plot vectors.svg
 
 Pixels count from 0,0 at the top left. N is the shading normal, L the direction to the light, V that
 to the viewer, R that of mirrored light, H the half vector; all along the world's axes. 'pi f_cos' is
@@ -47,6 +51,14 @@ pub(crate) struct ProbeArgs {
     /// The point's texture coordinates
     #[arg(long, value_name = "U,V", requires = "object", value_parser = uv, allow_hyphen_values = true)]
     uv: Option<[f32; 2]>,
+
+    /// Draw N, L, V, R and H into this file, its format by its ending: .svg, .png, .pdf, .csv or .json
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
+    plot: Option<PathBuf>,
+
+    /// The light whose directions --plot draws, by its number in the scene [default: the first that reaches the point]
+    #[arg(long, value_name = "NUMBER", requires = "plot", help_heading = "Output")]
+    light: Option<usize>,
 
     #[command(flatten)]
     size: SizeArgs,
@@ -76,6 +88,7 @@ fn uv(text: &str) -> Result<[f32; 2], String> {
 impl ProbeArgs {
     /// Takes the pixels apart.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        let target = self.plot.as_deref().map(PlotTarget::of_file).transpose()?;
         let input = self.input.load(Some(&self.camera), &[])?;
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
         let mut shot = plan.shot(&input.scene)?;
@@ -86,6 +99,11 @@ impl ProbeArgs {
         };
         let probes = pixels.iter().map(|(x, y)| Ok(shot.probe(*x, *y)?));
         let probes: Vec<Probe> = probes.collect::<Result<_, Failure>>()?;
+        if let Some(target) = &target {
+            let (x, y) = probes[0].pixel;
+            let title = format!("{} at {x},{y}", self.input.input.display());
+            target.save(&mut drawing::of(&probes[0], &input.scene, self.light, title)?)?;
+        }
         if self.format.is_json() {
             return print::json(&Document::new(&probes, &input.scene, &shot, notes));
         }
