@@ -225,9 +225,9 @@ fn film() -> impl Strategy<Value = Arc<Film>> {
 
 fn coated() -> impl Strategy<Value = Arc<CoatedBoundary>> {
     let below = prop_oneof![
-        medium().prop_map(Boundary::Medium),
-        medium().prop_map(|ior| Boundary::Polarized(ior, Polarization::P)),
-        film().prop_map(|film| Boundary::Film((*film).clone())),
+        medium().prop_map(|ior| Boundary::Medium(Arc::new(ior))),
+        medium().prop_map(|ior| Boundary::Polarized(Arc::new(ior), Polarization::P)),
+        film().prop_map(Boundary::Film),
     ];
     (below, clear(), 0.001..1.0f64)
         .prop_map(|(below, coat, alpha)| Arc::new(CoatedBoundary { below, coat, alpha }))

@@ -84,9 +84,9 @@ pub(super) fn tint_json(tint: &Tint) -> Value {
 /// The tint that a boundary below a coat has in air.
 fn below(boundary: &CoatedBoundary) -> Tint {
     match &boundary.below {
-        Boundary::Medium(ior) => Tint::Ior(Arc::new(ior.clone())),
-        Boundary::Polarized(ior, way) => Tint::Polarized(Arc::new(ior.clone()), *way),
-        Boundary::Film(film) => Tint::Film(Arc::new(film.clone())),
+        Boundary::Medium(ior) => Tint::Ior(Arc::clone(ior)),
+        Boundary::Polarized(ior, way) => Tint::Polarized(Arc::clone(ior), *way),
+        Boundary::Film(film) => Tint::Film(Arc::clone(film)),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Boundaries below a clear coat, which meet the coat's index of refraction instead of air's.
 
+use std::sync::Arc;
+
 use glanz_color::Ior;
 use serde::{Deserialize, Serialize};
 
@@ -21,20 +23,20 @@ pub struct CoatedBoundary {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Boundary {
     /// The boundary to a medium.
-    Medium(Ior),
+    Medium(Arc<Ior>),
     /// The same of light in one polarisation.
-    Polarized(Ior, Polarization),
+    Polarized(Arc<Ior>, Polarization),
     /// A film on a medium.
-    Film(Film),
+    Film(Arc<Film>),
 }
 
 impl Boundary {
     /// The boundary whose reflection in air a tint is; `None` for colours, and for panes, which have two.
     pub fn of(tint: &Tint) -> Option<Self> {
         match tint {
-            Tint::Ior(ior) => Some(Self::Medium((**ior).clone())),
-            Tint::Polarized(ior, polarization) => Some(Self::Polarized((**ior).clone(), *polarization)),
-            Tint::Film(film) => Some(Self::Film((**film).clone())),
+            Tint::Ior(ior) => Some(Self::Medium(Arc::clone(ior))),
+            Tint::Polarized(ior, polarization) => Some(Self::Polarized(Arc::clone(ior), *polarization)),
+            Tint::Film(film) => Some(Self::Film(Arc::clone(film))),
             _ => None,
         }
     }

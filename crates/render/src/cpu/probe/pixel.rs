@@ -93,14 +93,15 @@ impl Looked<'_> {
         let (facet, back) = ((high as u32) << 16 | low as u32, back > 0.0);
         let (relative, wo) = self.frame.camera.unproject(self.at[0], self.at[1], self.distance);
         let position = DVec3::from_array(self.frame.camera.position()) + double(relative);
-        let corners = point::triangle(self.frame, self.object, facet, position)?;
+        let [u, v, _] = self.record(renderer, Record::Place);
+        let corners = point::triangle(self.frame, self.object, facet, (position, [u, v]))?;
         let base = self.record(renderer, Record::Base);
         let emitted = self.record(renderer, Record::Emission);
-        let [u, v, has_uv] = self.record(renderer, Record::Uv);
+        let [s, t, has_uv] = self.record(renderer, Record::Uv);
         let points = match prepared.shading {
             Shading::Phong => vec![self.phong(renderer, (relative, wo), base, position)],
             Shading::Flat => vec![self.flat(facet, back, base)?],
-            Shading::Gouraud => self.gouraud(renderer, &corners, back, base),
+            Shading::Gouraud => self.gouraud([u, v], &corners, back, base),
         };
         let material = &self.frame.materials[prepared.material];
         let emission = match &material.mix {
@@ -122,7 +123,7 @@ impl Looked<'_> {
             facet_normal: (corners.normal * side).to_array(),
             position: position.to_array(),
             distance: self.distance,
-            uv: (has_uv > 0.0).then_some([u, v]),
+            uv: (has_uv > 0.0).then_some([s, t]),
             base,
             points,
             emission,
@@ -172,12 +173,11 @@ impl Looked<'_> {
     /// The corners of the triangle.
     fn gouraud(
         &self,
-        renderer: &mut Renderer,
+        [u, v]: [f32; 2],
         corners: &point::Corners,
         back: bool,
         base: [f32; 3],
     ) -> Vec<ProbedPoint> {
-        let [u, v, _] = self.record(renderer, Record::Place);
         let weights = [1.0 - u - v, u, v];
         let geometry = &self.frame.prepared.geometry;
         let prepared = &self.frame.prepared.objects[self.object];

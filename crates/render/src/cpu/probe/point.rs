@@ -16,8 +16,13 @@ pub(super) struct Corners {
     pub normal: DVec3,
 }
 
-/// The triangle of a facet that a pixel shows: that whose plane's barycentric coordinates of a place are least negative.
-pub(super) fn triangle(frame: &FrameView, object: usize, facet: u32, position: DVec3) -> Option<Corners> {
+/// The triangle of a facet that a pixel shows: that in which the interpolation's coordinates are nearest to its place.
+pub(super) fn triangle(
+    frame: &FrameView,
+    object: usize,
+    facet: u32,
+    (position, [u, v]): (DVec3, [f32; 2]),
+) -> Option<Corners> {
     let geometry = &frame.prepared.geometry;
     let prepared = &frame.prepared.objects[object];
     let at = position - DVec3::from_array(prepared.anchor);
@@ -35,14 +40,12 @@ pub(super) fn triangle(frame: &FrameView, object: usize, facet: u32, position: D
             let vertices = geometry.triangles[number].map(|v| cluster.first_vertex as usize + usize::from(v));
             let [a, b, c] = vertices.map(place);
             let normal = (b - a).cross(c - a);
-            let area2 = normal.length_squared();
-            if area2 == 0.0 {
+            if normal == DVec3::ZERO {
                 continue;
             }
-            let part = |from: DVec3, to: DVec3| (to - from).cross(at - from).dot(normal) / area2;
-            let least = part(a, b).min(part(b, c)).min(part(c, a));
-            if best.as_ref().is_none_or(|(most, _)| least > *most) {
-                best = Some((least, Corners { vertices, normal: normal.normalize() }));
+            let away = (a + (b - a) * f64::from(u) + (c - a) * f64::from(v) - at).length_squared();
+            if best.as_ref().is_none_or(|(least, _)| away < *least) {
+                best = Some((away, Corners { vertices, normal: normal.normalize() }));
             }
         }
     }

@@ -89,6 +89,8 @@ pub(crate) fn left(depth: &Spectrum, path: f64) -> Spectrum {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
 
     #[test]
@@ -115,7 +117,7 @@ mod tests {
     #[test]
     fn a_metal_under_a_coat_meets_the_coat() {
         let copper = glanz_color::ior("Cu").expect("copper is known");
-        let below = Boundary::Medium(copper.clone());
+        let below = Boundary::Medium(Arc::new(copper.clone()));
         let boundary = CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
         let got = coated(&boundary, 1.0, &Spectrum::ONE);
         let half = coated(&boundary, 1.0, &Spectrum::constant(0.5));
@@ -133,9 +135,9 @@ mod tests {
 
     #[test]
     fn what_is_as_the_coat_reflects_nothing_below_it() {
-        let glass = Boundary::Medium(Ior::constant(1.5));
+        let glass = Boundary::Medium(Arc::new(Ior::constant(1.5)));
         let oil = Film { thickness_nm: 400.0, film: Ior::constant(1.5), base: Ior::constant(1.5) };
-        for below in [glass, Boundary::Film(oil)] {
+        for below in [glass, Boundary::Film(Arc::new(oil))] {
             let boundary = CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
             for cosine in [1.0, 0.5, 0.1] {
                 assert!(coated(&boundary, cosine, &Spectrum::ONE).max() < 1e-12);
@@ -150,15 +152,16 @@ mod tests {
         let film = Film { thickness_nm: 500.0, film: Ior::constant(1.5), base: base.clone() };
         let under = |below| CoatedBoundary { below, coat: Ior::constant(1.5), alpha: 0.001 };
         for cosine in [1.0, 0.6, 0.2] {
-            let with = coated(&under(Boundary::Film(film.clone())), cosine, &Spectrum::ONE);
-            let bare = coated(&under(Boundary::Medium(base.clone())), cosine, &Spectrum::ONE);
+            let with = coated(&under(Boundary::Film(Arc::new(film.clone()))), cosine, &Spectrum::ONE);
+            let bare = coated(&under(Boundary::Medium(Arc::new(base.clone()))), cosine, &Spectrum::ONE);
             for i in 0..glanz_color::SAMPLES {
                 assert!((with[i] - bare[i]).abs() < 1e-9, "{cosine}: {} {}", with[i], bare[i]);
             }
         }
         let (s, p) = (Polarization::S, Polarization::P);
-        let polarized =
-            |way| coated(&under(Boundary::Polarized(base.clone(), way)), 0.3, &Spectrum::ONE).at(550.0);
+        let polarized = |way| {
+            coated(&under(Boundary::Polarized(Arc::new(base.clone()), way)), 0.3, &Spectrum::ONE).at(550.0)
+        };
         assert!(polarized(s) > polarized(p));
     }
 

@@ -70,7 +70,7 @@ mod tests {
         let scale = all.under(&white)[1];
         let mut worst: (f64, String) = (0.0, String::new());
         for (info, coat) in iors().iter().flat_map(|info| [1.05, 1.5, 2.4].map(|coat| (info, coat))) {
-            let below = Boundary::Medium(ior(info.name).unwrap());
+            let below = Boundary::Medium(Arc::new(ior(info.name).unwrap()));
             let boundary = CoatedBoundary { below, coat: Ior::constant(coat), alpha: 0.03 };
             let tint = Tint::Coated(Arc::new(boundary));
             let at = |cosine: f64| sampling.response(&sampling.surface(&tint, cosine), None).under(&white);
