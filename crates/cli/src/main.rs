@@ -5,6 +5,7 @@ mod commands;
 mod encode;
 mod frames;
 mod input;
+mod interrupt;
 mod load;
 mod pipeline;
 mod print;
@@ -39,6 +40,7 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
+    interrupt::prepare();
     let words: Vec<_> = std::env::args_os().collect();
     let format = format_of(&words);
     let cli = match Cli::try_parse_from(&words) {

@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, material};
+use super::{bsdf, check, color, compare, example, material};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -26,7 +26,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 27] = [
+const SCHEMAS: [Named; 28] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -43,6 +43,7 @@ const SCHEMAS: [Named; 27] = [
     ("bsdf-albedo", schema::<bsdf::albedo::Document>),
     ("sheet", schema::<SheetDocument>),
     ("check", schema::<check::Document>),
+    ("example", schema::<example::Document>),
     ("material-list", schema::<material::list::Document>),
     ("material-show", schema::<material::show::Document>),
     ("material-sheet", schema::<SheetDocument>),

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 26] = [
     (
         "render",
         &[
@@ -45,6 +45,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 25] = [
         "info",
         &[&["info", "scene.toml"], &["info", "lights.toml"], &["info", "tetra.obj"], &["info", "empty.toml"]],
     ),
+    ("example", &[&["example", "list"], &["example", "glass", "-o", "glass.toml"]]),
     ("bsdf-list", &[&["bsdf", "list"]]),
     ("bsdf-show", &[&["bsdf", "show", "phong"], &["bsdf", "show", "ward"]]),
     (

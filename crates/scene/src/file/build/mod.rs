@@ -6,6 +6,7 @@ mod camera;
 mod files;
 mod geometry;
 mod lights;
+mod remarks;
 mod scene;
 mod spectra;
 mod units;

@@ -18,8 +18,8 @@ fn an_unknown_key_is_refused_with_its_table_and_the_nearest_key() {
     assert_eq!(message, "unknown key 'shinines' in [materials.red]; did you mean 'shininess'?");
     assert_eq!(place, "shinines");
     let error = parse(&text).expect_err("unknown key");
-    assert_eq!((error.line, error.column), (48, 1));
-    assert!(error.to_string().starts_with("scene:48:1: unknown key"), "{error}");
+    assert_eq!((error.line, error.column), (51, 1));
+    assert!(error.to_string().starts_with("scene:51:1: unknown key"), "{error}");
 }
 
 /// Texts, the message that they give, and what it points at.
