@@ -233,3 +233,85 @@ impl Model for LongHalfway {
         value.select(zero.lt(pair.cos_i), zero)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat4, DQuat, DVec3};
+    use glanz_color::Rgb;
+
+    use super::*;
+    use crate::{ClassicMaterial, Light};
+
+    fn scene() -> Scene {
+        let block = ClassicMaterial {
+            diffuse: Rgb::gray(0.5).into(),
+            specular: Rgb::gray(0.2).into(),
+            model: "blinn-phong".to_owned(),
+            ..ClassicMaterial::default()
+        };
+        let mut scene = Scene::new()
+            .with_mesh(Mesh::builtin("sphere").unwrap(), block.build("grey").unwrap())
+            .with_light(Light::spot([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], 15.0, [1.0; 3]));
+        scene.objects[0].transform = DMat4::from_scale_rotation_translation(
+            DVec3::new(1.0, 2.0, 3.0),
+            DQuat::from_rotation_y(0.4),
+            DVec3::X,
+        );
+        scene
+    }
+
+    #[test]
+    fn normals_end_where_the_matrix_of_positions_takes_them() {
+        let (right, (wrong, effect)) = (scene(), Mistake::NormalMatrix.apply(&scene()));
+        assert_eq!(effect, Ok(()));
+        let matrix = DMat3::from_mat4(right.objects[0].transform);
+        let normal_matrix = matrix.inverse().transpose();
+        let (before, after) = (&right.meshes[0].normals, &wrong.meshes[wrong.objects[0].mesh].normals);
+        for (before, after) in before.iter().zip(after) {
+            let drawn = (normal_matrix * after.as_dvec3()).normalize();
+            let mistaken = (matrix * before.as_dvec3()).normalize();
+            // Rounding of normals, which are `f32`.
+            assert!((drawn - mistaken).length() < 1e-6, "{drawn} {mistaken}");
+        }
+        assert_eq!(wrong.meshes[0], right.meshes[0], "another object may have it");
+    }
+
+    #[test]
+    fn a_rotation_and_one_factor_are_no_uneven_scale() {
+        let mut scene = scene();
+        scene.objects[0].transform =
+            DMat4::from_scale_rotation_translation(DVec3::splat(2.5), DQuat::from_rotation_z(1.0), DVec3::Y);
+        let (same, effect) = Mistake::NormalMatrix.apply(&scene);
+        assert!(effect.is_err() && same == scene);
+    }
+
+    #[test]
+    fn fifteen_degrees_are_a_cone_of_139() {
+        let (wrong, _) = Mistake::DegreesAsRadians.apply(&scene());
+        let LightKind::Spot { cutoff, .. } = wrong.lights[0].kind else { panic!("a spot") };
+        // cos 15 = −0.7597.
+        assert!((cutoff.to_degrees() - 139.437).abs() < 0.001, "{}", cutoff.to_degrees());
+    }
+
+    #[test]
+    fn the_unclamped_cosine_is_negative_from_behind_and_as_it_was_in_front() {
+        let (wrong, _) = Mistake::Unclamped.apply(&scene());
+        let sum = |cos_i: f64| -> f64 {
+            let pair = DirectionPair::isotropic(1.0, cos_i, cos_i);
+            let matte =
+                wrong.materials[0].lobes.iter().filter(|lobe| lobe.shape.info().term == LightTerm::Diffuse);
+            matte.map(|lobe| lobe.shape.f_cos(&pair)).sum()
+        };
+        for cos_i in [-1.0, -0.25, 0.0, 0.5, 1.0] {
+            assert!((sum(cos_i) - cos_i / PI).abs() < 1e-15, "{cos_i}");
+        }
+    }
+
+    #[test]
+    fn a_long_half_vector_is_the_sum_of_viewer_and_light() {
+        let (wrong, _) = Mistake::HalfwayUnnormalised.apply(&scene());
+        let shiny = wrong.materials[0].lobes.last().unwrap();
+        let value = shiny.shape.f_cos(&DirectionPair::isotropic(0.6, 0.3, 0.1));
+        assert!((value * PI / libm::pow(0.9, 32.0) - 1.0).abs() < 1e-9, "{value}");
+    }
+}

@@ -40,6 +40,11 @@ pub(super) fn indexed(rgba: &[u8], width: usize) -> Indexed {
             return hole.unwrap_or_default();
         }
         // Another phase for each channel: the palette is as coarse across grey as along it.
+        let exact = palette.index_of(&[p[0], p[1], p[2], 255]);
+        if palette.lookup(exact).is_some_and(|color| color[..3] == p[..3]) {
+            // A flat background stays flat.
+            return exact as u8;
+        }
         let (x, y) = (i % width, i / width);
         let shifted = [(p[0], x, y), (p[1], x + 3, y + 5), (p[2], x + 5, y + 2)]
             .map(|(code, x, y)| (f32::from(code) + amplitude * offset(x, y)).round().clamp(0.0, 255.0) as u8);
@@ -75,14 +80,16 @@ fn exact_frame(rgba: &[u8], colors: BTreeSet<[u8; 3]>, has_holes: bool) -> Index
     Indexed { palette, pixels, transparent: hole }
 }
 
-/// How far a channel of the pixels is from that of the nearest colour, on average of a few thousand.
+/// How far a channel of the pixels is from that of the nearest colour, on average of a few thousand that are not of the
+/// palette.
 fn mean_error(palette: &NeuQuant, opaque: &[u8]) -> f32 {
     let step = (opaque.len() / 4 / 4096).max(1);
     let (mut sum, mut count) = (0_u64, 0_u64);
     for pixel in opaque.chunks_exact(4).step_by(step) {
         let near = palette.lookup(palette.index_of(pixel)).unwrap_or_default();
-        sum += pixel.iter().zip(near).take(3).map(|(a, b)| u64::from(a.abs_diff(b))).sum::<u64>();
-        count += 3;
+        let error: u64 = pixel.iter().zip(near).take(3).map(|(a, b)| u64::from(a.abs_diff(b))).sum();
+        sum += error;
+        count += if error > 0 { 3 } else { 0 };
     }
     sum as f32 / count.max(1) as f32
 }
@@ -109,30 +116,33 @@ mod tests {
         (0..WIDTH * WIDTH).flat_map(pixel).collect()
     }
 
-    /// The greatest difference of a channel between the means of blocks of 8×8 pixels.
-    fn worst_block(rgba: &[u8], frame: &Indexed) -> f64 {
-        let mut worst = 0.0_f64;
-        for block in 0..(WIDTH / 8) * (WIDTH / 8) {
+    /// How far a channel is off on average in blocks of 8×8 pixels, whose codes are added before they are compared.
+    fn off_by(rgba: &[u8], shown: impl Fn(usize) -> [u8; 3]) -> f64 {
+        let blocks = (WIDTH / 8) * (WIDTH / 8);
+        let of_block = |block: usize, c: usize| {
             let (left, top) = (block % (WIDTH / 8) * 8, block / (WIDTH / 8) * 8);
-            for c in 0..3 {
-                let places = (0..64).map(|i| (top + i / 8) * WIDTH + left + i % 8);
-                let sum: f64 = places
-                    .map(|at| {
-                        let shown = frame.palette[3 * usize::from(frame.pixels[at]) + c];
-                        f64::from(rgba[4 * at + c]) - f64::from(shown)
-                    })
-                    .sum();
-                worst = worst.max((sum / 64.0).abs());
-            }
-        }
-        worst
+            let places = (0..64).map(|i| (top + i / 8) * WIDTH + left + i % 8);
+            let sum: f64 = places.map(|at| f64::from(rgba[4 * at + c]) - f64::from(shown(at)[c])).sum();
+            (sum / 64.0).abs()
+        };
+        (0..blocks).flat_map(|block| (0..3).map(move |c| of_block(block, c))).sum::<f64>()
+            / (3 * blocks) as f64
     }
 
     #[test]
-    fn a_slope_of_colour_keeps_its_means() {
+    fn dithering_keeps_the_means_of_a_slope_of_colour() {
         let rgba = slope();
-        let worst = worst_block(&rgba, &indexed(&rgba, WIDTH));
-        assert!(worst < 6.0, "{worst}");
+        let frame = indexed(&rgba, WIDTH);
+        let dithered = off_by(&rgba, |at| {
+            let color = &frame.palette[3 * usize::from(frame.pixels[at])..];
+            [color[0], color[1], color[2]]
+        });
+        let palette = NeuQuant::new(EVERY, COLORS, &rgba);
+        let plain = off_by(&rgba, |at| {
+            let color = palette.lookup(palette.index_of(&rgba[4 * at..4 * at + 4])).unwrap();
+            [color[0], color[1], color[2]]
+        });
+        assert!(dithered < 0.8 * plain, "{dithered} with dithering, {plain} without");
     }
 
     #[test]

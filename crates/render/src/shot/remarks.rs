@@ -1,7 +1,6 @@
 //! Remarks on pictures that are hardly what was meant: black, empty, clipped, or wrong on purpose.
 
 use glanz_bsdf::LightTerm;
-use glanz_color::Rgb;
 use glanz_picture::output::PictureData;
 use glanz_picture::{Frame, ToneMap};
 use glanz_scene::{Background, DebugView, Light, LightKind, Material, Scene, Tint};
@@ -115,9 +114,9 @@ impl Shot {
         let factor = (pixels / (f64::from(width) * f64::from(height))).sqrt().min(1.0);
         let side = |length: u32| ((f64::from(length) * factor) as u32).max(1);
         let view = View::new(&self.sight.camera, side(width), side(height))?;
-        let aovs = Aovs { object: true, ..Aovs::default() };
-        // Behind nothing, since pixels on edges show what is behind, too.
-        let (samples, background) = (Samples::One, Background::Color(Rgb::BLACK));
+        let aovs = Aovs::default();
+        // Before nothing, since pixels on edges show what is behind, too.
+        let (samples, background) = (Samples::One, Background::Transparent);
         let options = DrawOptions { aovs, show, samples, background, ..self.sight.draw };
         let frame = draw_observed(&mut *self.backend, &self.prepared, &view, &options, &mut |_| ())?;
         let frame = if on_screen { self.on_screen(frame)? } else { frame };
@@ -198,7 +197,8 @@ impl Shot {
 impl Surfaces {
     fn of(frame: &Frame, gain: f32) -> Self {
         let mut found = Self::default();
-        for (i, _) in frame.object.iter().enumerate().filter(|(_, object)| **object > 0) {
+        // What covers a pixel in part counts, too: panes, and surfaces of little opacity.
+        for (i, _) in frame.alpha.iter().enumerate().filter(|(_, alpha)| **alpha > 0.0) {
             let most = frame.rgb.iter().map(|plane| plane[i] * gain).fold(0.0, f32::max);
             found.pixels += 1;
             found.lit += usize::from(most > 0.0);

@@ -69,7 +69,7 @@ fn errors_say_what_was_expected_and_point_at_the_value() {
             "180",
         ),
         ("camera = 'Eye'".into(), "unknown camera 'Eye'", "'Eye'"),
-        (light("kind = 'lamp'"), "unknown name 'lamp'", "'lamp'"),
+        (light("kind = 'lamp'"), "unknown name 'lamp'; did you mean 'point'?", "'lamp'"),
         (light("direction = [0, 0, 1]"), "'kind' is missing in [lights.0]", "[[lights]]"),
         (
             light("kind = 'spot'\nposition = [0, 0, 1]"),

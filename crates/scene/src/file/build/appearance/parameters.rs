@@ -24,11 +24,9 @@ impl MaterialTable {
                 Err(Problem::at(&old.span, message))
             }
             (None, Some(old)) => {
-                let of_width = models_with("alpha");
                 builder.input.notes.push(format!(
-                    "material '{name}': 'alpha' is taken as opacity, whose key is now 'opacity'; it is a width where \
-                     'model' has one, such as \"{}\"",
-                    of_width.first().expect("several models have a width")
+                    "material '{name}': 'alpha' is taken as opacity, whose key is now 'opacity'; it is a width where the \
+                     'model' has one, such as \"ggx\""
                 ));
                 Ok(Some(old.0))
             }
