@@ -212,10 +212,10 @@ fn facts(scene: &Stored) -> ExampleFacts {
 fn about(text: &str) -> String {
     let comment = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim);
     let words = comment.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
-    let end = words.match_indices(". ").map(|(at, _)| at + 1);
+    let mut ends = words.match_indices(". ").map(|(at, _)| at + 1);
     // "E. Thiel" ends no sentence: the letter before the stop stands alone.
     let is_end = |at: &usize| !words[..at - 1].ends_with(|c: char| c.is_uppercase());
-    let end = end.filter(is_end).next().unwrap_or(words.len());
+    let end = ends.find(is_end).unwrap_or(words.len());
     words[..end].to_owned()
 }
 
