@@ -32,6 +32,11 @@ pub(crate) fn metadata(hash: u64) -> Metadata {
     Metadata { scene_hash: Some(scene_hash(hash)), ..Metadata::default() }
 }
 
+/// What a sheet of pictures tells about its scene, and what is unusual about how they were drawn.
+pub(crate) fn metadata_of_sheet(hash: u64, entries: Vec<(String, String)>) -> Metadata {
+    Metadata { entries, ..metadata(hash) }
+}
+
 /// Brings a picture to where it goes. A file is old or new, but never half.
 pub(crate) fn deliver(picture: PictureData, target: &Target, metadata: &Metadata) -> Result<(), Failure> {
     let format = format(target)?;

@@ -26,33 +26,49 @@ pub(crate) fn range(text: &str) -> Result<Range<u32>, String> {
     }
 }
 
-/// A number of the scene that changes evenly during a film.
+/// A number of the scene, or a list of numbers, that changes evenly during a film.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Motion {
     path: String,
-    from: f64,
-    to: f64,
+    /// One number, or as many as the list has.
+    from: Vec<f64>,
+    to: Vec<f64>,
+    is_list: bool,
 }
 
 impl Motion {
-    /// `PATH=FROM:TO`.
+    /// `PATH=FROM:TO`, where both are numbers or lists of as many numbers.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        const EXPECTED: &str = "expected PATH=FROM:TO, such as camera.fov_deg=20:60";
+        const EXPECTED: &str =
+            "expected PATH=FROM:TO, such as camera.fov_deg=20:60 or lights.0.direction=[0,0,-1]:[8,0,-1]";
         let (path, values) = text.split_once('=').ok_or(EXPECTED)?;
         let (from, to) = values.split_once(':').ok_or(EXPECTED)?;
-        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-        let (from, to) = number(from).zip(number(to)).ok_or(EXPECTED)?;
+        let ((from, is_list), (to, ends_as_list)) = numbers(from).zip(numbers(to)).ok_or(EXPECTED)?;
+        if is_list != ends_as_list || from.len() != to.len() {
+            return Err(format!("'{values}' begins with {} and ends with {} numbers", from.len(), to.len()));
+        }
         match path.trim() {
             "" => Err(EXPECTED.to_owned()),
-            path => Ok(Self { path: path.to_owned(), from, to }),
+            path => Ok(Self { path: path.to_owned(), from, to, is_list }),
         }
     }
 
     /// What to set after a part of the film.
     pub(crate) fn at(&self, part: f64) -> (String, String) {
         // Not more digits than a value that is set by hand would have.
-        (self.path.clone(), number(self.from + (self.to - self.from) * part))
+        let between = self.from.iter().zip(&self.to).map(|(from, to)| number(from + (to - from) * part));
+        let values = between.collect::<Vec<_>>().join(", ");
+        (self.path.clone(), if self.is_list { format!("[{values}]") } else { values })
     }
+}
+
+/// A number, or the numbers of a list, and whether it is a list.
+fn numbers(text: &str) -> Option<(Vec<f64>, bool)> {
+    let text = text.trim();
+    let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+    let numbers = list.unwrap_or(text).split(',').map(number).collect::<Option<Vec<f64>>>()?;
+    (list.is_some() || numbers.len() == 1).then_some((numbers, list.is_some()))
 }
 
 /// A file name with a place for the frame's number: `{frame}`, or `{frame:04}` for four digits.
@@ -106,6 +122,16 @@ mod tests {
         assert_eq!(range("3..=3"), Ok(3..4));
         for wrong in ["", "5", "5..5", "6..5", "-1..3", "0..4294967295", "a..b"] {
             assert!(range(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_motion_is_of_a_number_or_of_a_list() {
+        let at = |text: &str, part: f64| Motion::parse(text).map(|motion| motion.at(part).1);
+        assert_eq!(at("camera.fov_deg=20:60", 0.5).as_deref(), Ok("40"));
+        assert_eq!(at("lights.0.direction=[0,0,-1]:[8, 2,-1]", 0.25).as_deref(), Ok("[2, 0.5, -1]"));
+        for wrong in ["a=1", "a=[1,2]:[1]", "a=[1]:2", "a=1,2:3,4", "=1:2", "a=[]:[]", "a=x:y"] {
+            assert!(Motion::parse(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -1,13 +1,19 @@
 //! Scenes and models from files.
 
 use std::ffi::OsStr;
+use std::io::{self, IsTerminal, Read};
+use std::path::Path;
+use std::sync::OnceLock;
 
 use glanz_scene::file::{FileError, LoadOptions};
 use glanz_scene::read::ReadError;
-use glanz_scene::{OpenError, Opened, Scene, is_scene_file, open};
+use glanz_scene::{OpenError, Opened, Scene, is_scene_file, open, open_str};
 
 use super::args::{CameraArgs, InputArgs};
 use super::print::failure::{Failure, Report, without_number};
+
+/// The path of errors about values of the command line.
+const OVERRIDE: &str = "override";
 
 /// A scene and what belongs to it.
 pub(crate) type Input = Opened;
@@ -23,15 +29,28 @@ impl InputArgs {
         let sets = self.set.iter().chain(more).cloned().collect();
         let mut options = LoadOptions { allow_outside: self.allow_outside, sets };
         // A scene finds a camera of its models itself, if its own `camera` is a name.
-        let camera =
-            camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene_file(&self.input));
+        let is_scene = self.is_stdin() || is_scene_file(&self.input);
+        let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
         options.sets.extend(camera.map(|name| ("camera".to_owned(), format!("{name:?}"))));
-        let mut input = open(&self.input, &options).map_err(|error| match error {
-            OpenError::Scene(error) => failure_of_scene(error),
+        let opened = match self.is_stdin() {
+            true => open_str(stdin_text()?, Path::new(""), &options),
+            false => open(&self.input, &options),
+        };
+        let mut input = opened.map_err(|error| match error {
+            OpenError::Scene(error) => failure_of_scene(self.under_its_name(error)),
             OpenError::Model(error) => self.failure_of_model(&error),
         })?;
         input.cameras.extend(camera.map(str::to_owned).zip(input.scene.camera));
         Ok(input)
+    }
+
+    /// An error of a scene from stdin, which has no file.
+    fn under_its_name(&self, error: FileError) -> FileError {
+        let from_set = error.path == Path::new(OVERRIDE);
+        match self.is_stdin() && !from_set {
+            true => FileError { path: self.name().to_owned(), ..error },
+            false => error,
+        }
     }
 
     fn failure_of_model(&self, error: &ReadError) -> Failure {
@@ -46,6 +65,24 @@ impl InputArgs {
     }
 }
 
+/// The text on stdin. A scene that is drawn several times is read once.
+fn stdin_text() -> Result<&'static str, Failure> {
+    static TEXT: OnceLock<String> = OnceLock::new();
+    if let Some(text) = TEXT.get() {
+        return Ok(text);
+    }
+    if io::stdin().is_terminal() {
+        let message = "stdin is a terminal; pipe a scene into it, such as `glanz render - < scene.toml`";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let mut text = String::new();
+    let limit = glanz_scene::file::MAX_BYTES + 1;
+    io::stdin().lock().take(limit).read_to_string(&mut text).map_err(|error| {
+        Failure::new(format_args!("cannot read a scene from stdin: {}", without_number(&error.to_string())))
+    })?;
+    Ok(TEXT.get_or_init(|| text))
+}
+
 /// The input that a scene made in code is.
 pub(crate) fn input_of_stage(scene: Scene) -> Input {
     Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true }
@@ -53,7 +90,7 @@ pub(crate) fn input_of_stage(scene: Scene) -> Input {
 
 /// Tells an error of a scene file with the line that it is in.
 pub(crate) fn failure_of_scene(error: FileError) -> Failure {
-    let from_set = error.path.as_os_str() == "override";
+    let from_set = error.path == Path::new(OVERRIDE);
     let place = if from_set { "--set".to_owned() } else { error.path.display().to_string() };
     let report = match &error.span {
         Some(span) => Report::new(&error.message).source(&place, error.text.to_string(), span.clone()),

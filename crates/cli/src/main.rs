@@ -5,6 +5,7 @@ mod commands;
 mod encode;
 mod frames;
 mod input;
+mod interrupt;
 mod load;
 mod old_names;
 mod pipeline;
@@ -41,6 +42,7 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
+    interrupt::prepare();
     let words = of_help(std::env::args_os().collect());
     let format = format_of(&words);
     let parsed = root().try_get_matches_from(&words).and_then(|matches| Cli::from_arg_matches(&matches));

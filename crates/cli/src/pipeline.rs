@@ -44,10 +44,12 @@ impl Plan {
             draw,
             ev: develop.ev,
             tone_map: develop.tone_map,
+            encoding: develop.encoding,
             dither: develop.dither,
             white: seen.white,
             size: (image.width, image.height),
             camera,
+            mistake: look.mistake.or(input.scene.render.mistake),
         };
         // What cannot be seen is told before anything is prepared.
         if options.draw.show.is_light() {

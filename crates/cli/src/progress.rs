@@ -46,7 +46,12 @@ impl Progress {
     }
 
     fn show(&mut self, part: f64) {
-        if self.bar.is_none() && self.start.elapsed() > PATIENCE && io::stderr().is_terminal() {
+        // Of nothing it cannot be told how long the rest takes.
+        if self.bar.is_none()
+            && self.position(part) > 0
+            && self.start.elapsed() > PATIENCE
+            && io::stderr().is_terminal()
+        {
             self.bar = Some(self.new_bar());
         }
         if let Some(bar) = &self.bar {

@@ -39,6 +39,7 @@ mod surfaces;
 
 pub use algebra::Matrix3;
 pub use catalog::{CatalogSpectrum, SpectrumKind, catalog_spectrum};
+pub use display::encoding::Encoding;
 pub use display::mixing;
 pub use display::rgb::Rgb;
 pub use display::srgb::{srgb_decode, srgb_decode_u8, srgb_encode};

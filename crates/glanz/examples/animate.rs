@@ -6,7 +6,7 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use glanz::picture::output::{Animation, write_atomically, write_gif};
+use glanz::picture::output::{Animation, Metadata, write_atomically, write_gif};
 use glanz::{Error, Light, Mesh, Scene, Session, scene::library};
 
 const FRAMES: usize = 12;
@@ -26,7 +26,7 @@ fn main() -> Result<(), Error> {
     });
     let animation = Animation { width: 96, height: 72, frames: FRAMES, delay_ms: 80 };
     let path = folder.join("lamp.gif");
-    write_atomically(&path, |out| write_gif(out, &animation, frames))?;
+    write_atomically(&path, |out| write_gif(out, &animation, frames, &Metadata::default()))?;
     println!("wrote {}", path.display());
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! What needs a feature either works or ends in an error that names it.
 
-use glanz::picture::output::{Animation, Format, write_gif};
+use glanz::picture::output::{Animation, Format, Metadata, write_gif};
 use glanz::{Error, Scene, Shot};
 
 /// An empty scene, drawn into a file of this ending.
@@ -41,7 +41,7 @@ fn features_asked_for_are_on() {
 #[test]
 fn films_are_written_or_the_feature_is_named() {
     let animation = Animation { width: 1, height: 1, frames: 1, delay_ms: 40 };
-    let written = write_gif(Vec::new(), &animation, [Ok::<_, Error>(vec![255; 4])]);
+    let written = write_gif(Vec::new(), &animation, [Ok::<_, Error>(vec![255; 4])], &Metadata::default());
     match Format::Gif.check_feature() {
         Ok(()) => written.expect("the feature is on"),
         Err(_) => assert_eq!(written.expect_err("it is off").to_string(), off("GIF", "gif")),

@@ -27,6 +27,7 @@ pub mod output;
 
 pub use channels::{ChannelError, Channels, Meaning, Scale};
 pub use develop::{
-    Develop, DevelopKernel, ScreenMatrix, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
+    Develop, DevelopKernel, Encoding, ScreenMatrix, ToScreen, ToneMap, develop, develop_with, develop16,
+    develop16_with,
 };
 pub use frame::Frame;

@@ -33,7 +33,8 @@ pub use backend::{Backend, default_backend, draw, draw_rgba8};
 pub use cpu::probe::{Arrival, PointPlace, Probe, ProbedLight, ProbedLobe, ProbedPoint, ProbedSurface};
 pub use glam;
 pub use glanz_picture::{
-    Develop, DevelopKernel, Frame, ToScreen, ToneMap, develop, develop_with, develop16, develop16_with,
+    Develop, DevelopKernel, Encoding, Frame, ToScreen, ToneMap, develop, develop_with, develop16,
+    develop16_with,
 };
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{

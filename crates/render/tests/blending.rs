@@ -14,7 +14,7 @@ const GLASS: Rgb = Rgb([1.0, 0.5, 0.25]);
 
 /// Glowing glass that lets half of what is behind through.
 fn glass() -> Material {
-    Material { alpha: 0.5, alpha_mode: AlphaMode::Blend, ..glow(GLASS) }
+    Material { opacity: 0.5, alpha_mode: AlphaMode::Blend, ..glow(GLASS) }
 }
 
 /// Draws with each number of samples, shaded once per pixel and once per sample.
@@ -136,7 +136,7 @@ fn the_order_of_glass_triangles_does_not_matter() {
             let mut scene = empty(camera(3.0, 50.0));
             scene.lights.push(light(LightKind::Ambient, Rgb::gray(1.0)));
             let tinted =
-                Material { alpha: 0.5, alpha_mode: AlphaMode::Blend, ..ambient_only(Rgb::gray(1.0)) };
+                Material { opacity: 0.5, alpha_mode: AlphaMode::Blend, ..ambient_only(Rgb::gray(1.0)) };
             add(&mut scene, mesh, tinted, DMat4::IDENTITY);
             scene
         });

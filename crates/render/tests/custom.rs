@@ -8,7 +8,7 @@ use common::{picture, transparent};
 use glanz_bsdf::Shape;
 use glanz_picture::Frame;
 use glanz_render::Session;
-use glanz_scene::Scene;
+use glanz_scene::{Light, Lobe, Material, Mesh, Scene};
 
 /// The scene with its general lobes as a program's own models, and how many those are.
 fn with_own_models(scene: &Scene) -> (Scene, usize) {
@@ -39,6 +39,28 @@ fn under_every_light_the_pixels_are_those_of_the_list() {
     assert!(replaced >= 3, "only {replaced} lobes are replaced");
     let drawn = |scene: &Scene| bits(&picture(scene, 90, 60, &transparent()));
     assert!(drawn(&own) == drawn(&listed));
+}
+
+/// The loop of classic materials holds models of the list alone, whatever a model says of its cost.
+#[test]
+fn a_cheap_model_of_a_programs_own_is_not_dark() {
+    let scene = |shapes: [Shape; 2]| {
+        let lobes = shapes.map(|shape| Lobe::new(shape, [0.5; 3])).to_vec();
+        Scene::new()
+            .with_mesh(Mesh::builtin("sphere").unwrap(), Material::of_lobes("own", lobes))
+            .with_light(Light::directional([-1.0, -1.0, -1.0], [1.0; 3]))
+    };
+    let drawn = |shapes| picture(&scene(shapes), 60, 40, &transparent());
+    let (matte, shiny) = (Shape::named("lambert", &[]).unwrap(), Shape::named("blinn-phong", &[]).unwrap());
+    let own = [&matte, &shiny].map(|shape| match shape {
+        Shape::Lambert(model) => Shape::custom(*model),
+        Shape::BlinnPhong(model) => Shape::custom(*model),
+        other => panic!("{other:?}"),
+    });
+    let (own, listed) = (drawn(own), drawn([matte, shiny]));
+    let furthest = own.rgb[0].iter().zip(&listed.rgb[0]).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    // The loop adds in another order.
+    assert!(furthest < 1e-5 && listed.rgb[0].iter().any(|value| *value > 0.5), "{furthest}");
 }
 
 #[test]

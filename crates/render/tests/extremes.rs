@@ -207,9 +207,9 @@ fn huge_and_tiny_coordinates_give_numbers() {
             let mesh = triangles(positions, (0..60).collect());
             add(&mut scene, mesh, shiny("phong", 9.0), DMat4::IDENTITY);
             add_point_light(&mut scene, DVec3::ONE, Attenuation::PHYSICAL);
-            scene.materials[0].alpha = 0.5;
+            scene.materials[0].opacity = 0.5;
             if round % 2 == 1 {
-                scene.materials[0].alpha_mode = AlphaMode::Blend;
+                scene.materials[0].opacity_mode = AlphaMode::Blend;
             }
             assert_sane_in_every_way(scene, &format!("coordinates up to 1e{most}, round {round}"));
         }

@@ -16,8 +16,8 @@ use glanz_math::SimdLevel;
 use glanz_picture::{Meaning, ScreenMatrix};
 use glanz_render::cpu::Renderer;
 use glanz_render::{
-    Aovs, Backend, DebugView, Develop, DrawOptions, Frame, PrepareOptions, Prepared, Samples, ToneMap, View,
-    develop, draw, draw_rgba8, prepare,
+    Aovs, Backend, DebugView, Develop, DrawOptions, Encoding, Frame, PrepareOptions, Prepared, Samples,
+    ToneMap, View, develop, draw, draw_rgba8, prepare,
 };
 use glanz_scene::{
     AlphaMode, Background, Interpolation, LightKind, Lobe, Material, Scene, Shading, TextureUse,
@@ -170,7 +170,8 @@ fn pictures_developed_while_drawing_are_the_bytes_of_developed_frames() {
     let settings = [
         Develop::default(),
         Develop { ev: 0.7, tone_map: ToneMap::Aces, ..Develop::default() },
-        Develop { ev: -0.3, tone_map: ToneMap::Agx, dither: true, to_screen: None },
+        Develop { ev: -0.3, tone_map: ToneMap::Agx, dither: true, ..Develop::default() },
+        Develop { ev: 0.4, encoding: Encoding::Raw, ..Develop::default() },
         Develop {
             ev: 0.2,
             to_screen: Some(ScreenMatrix {

@@ -253,7 +253,7 @@ fn a_mask_keeps_what_is_opaque_enough() {
     {
         let mut material = textured(ambient_only(Rgb([0.5, 0.25, 1.0])));
         material.alpha_mode = AlphaMode::Mask { cutoff };
-        material.alpha = alpha;
+        material.opacity = alpha;
         let holes = Texture { filter: TextureFilter::Nearest, ..texture(4, nearest) };
         for samples in [1, 4] {
             let frame = picture(&filled(8, holes.clone(), material.clone()), 8, 8, &sampled(samples));
@@ -281,7 +281,7 @@ fn what_a_mask_leaves_out_hides_nothing() {
 fn panes_are_laid_over_each_other_from_the_farthest_to_the_nearest() {
     let pane = |gray: f32, alpha: f32| {
         let mut material = ambient_only(Rgb::gray(gray));
-        (material.alpha, material.alpha_mode) = (alpha, AlphaMode::Blend);
+        (material.opacity, material.alpha_mode) = (alpha, AlphaMode::Blend);
         material
     };
     let panes = [(0.0f32, 0.25, 0.5), (1.0, 1.0, 0.25), (2.0, 0.5, 0.75)];
@@ -308,7 +308,7 @@ fn panes_are_laid_over_each_other_from_the_farthest_to_the_nearest() {
 #[test]
 fn vertex_alpha_and_texture_alpha_multiply_the_materials() {
     let mut material = textured(ambient_only(Rgb::gray(1.0)));
-    (material.alpha, material.alpha_mode) = (0.5, AlphaMode::Blend);
+    (material.opacity, material.alpha_mode) = (0.5, AlphaMode::Blend);
     let mut scene = filled(4, texture(1, |_, _| [255, 255, 255, 51]), material);
     scene.meshes[0].colors = vec![Vec4::new(1.0, 1.0, 1.0, 0.5); 4];
     for shading in SHADINGS {

@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod another_scale;
 pub mod builtin;
 mod camera;
 mod color_mode;
@@ -24,6 +25,7 @@ pub mod library;
 mod light;
 mod material;
 mod mesh;
+mod mistake;
 mod names;
 mod open;
 pub mod read;
@@ -31,6 +33,7 @@ mod scene;
 pub mod settings;
 pub mod stage;
 
+pub use another_scale::AnotherScale;
 pub use builtin::{Builtin, BuiltinError};
 pub use camera::{Camera, Projection};
 pub use color_mode::{COLOR_MODES, ColorMode, White};
@@ -45,6 +48,7 @@ pub use material::{
     Wrap,
 };
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
-pub use open::{OpenError, Opened, is_scene_file, open};
+pub use mistake::{Mistake, NoEffect};
+pub use open::{OpenError, Opened, is_scene_file, open, open_str};
 pub use scene::{Key, LookupError, Object, Scene};
-pub use settings::{Background, DebugView, Image, Interpolation, RenderSettings, Shading, ToneMap};
+pub use settings::{Background, DebugView, Encoding, Image, Interpolation, RenderSettings, Shading, ToneMap};

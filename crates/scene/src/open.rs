@@ -65,6 +65,14 @@ pub fn open(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     }
 }
 
+/// Reads a scene from a text, as [`open`] reads one from a scene file. Files that it names are relative to `base`.
+///
+/// # Errors
+/// If the text does not say what it should.
+pub fn open_str(text: &str, base: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
+    Ok(file::parse_str(text, base, options).map(Opened::of_loaded)?)
+}
+
 fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     let sets_material = options.sets.iter().any(|(path, _)| path.starts_with("materials."));
     let text = if sets_material { MODEL_MATERIAL } else { "" };

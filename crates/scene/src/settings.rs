@@ -11,11 +11,11 @@
 //! ```
 
 use glanz_color::Rgb;
-pub use glanz_color::ToneMap;
+pub use glanz_color::{Encoding, ToneMap};
 use serde::{Deserialize, Serialize};
 
 use crate::names::names;
-use crate::{ColorMode, White};
+use crate::{ColorMode, Mistake, White};
 
 names! {
     /// Where the illumination model is evaluated, and what is interpolated.
@@ -127,10 +127,21 @@ pub struct RenderSettings {
     pub tone_map: ToneMap,
     /// Exposure in stops.
     pub ev: f64,
+    /// How light becomes the codes of a picture.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub encoding: Encoding,
     /// How colour is treated.
     pub mode: ColorMode,
     /// The white that becomes the screen's.
     pub white: White,
     /// Whether surfaces stand in each other's light. The classic models know no shadows.
     pub shadows: bool,
+    /// A mistake to be drawn on purpose.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub mistake: Option<Mistake>,
+}
+
+/// For settings that scenes mostly do not have: they leave the hash of others as it is.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }

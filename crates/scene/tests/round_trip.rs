@@ -352,7 +352,7 @@ fn material() -> impl Strategy<Value = Material> {
     let surface = (any::<bool>(), any::<bool>(), -4.0..4.0f64, 0.0..1.0f32, alpha);
     (name(), lobes, maps, proptest::option::of(transmittance()), surface).prop_map(
         |(name, lobes, [base_color, normal_map, emission_map, metal_rough_map], transmittance, surface)| {
-            let (two_sided, cull_back, aniso, alpha, alpha_mode) = surface;
+            let (two_sided, cull_back, aniso, opacity, alpha_mode) = surface;
             Material {
                 name,
                 lobes,
@@ -363,7 +363,7 @@ fn material() -> impl Strategy<Value = Material> {
                 metal_rough_map,
                 aniso,
                 transmittance,
-                alpha,
+                opacity,
                 alpha_mode,
                 cull_back,
             }

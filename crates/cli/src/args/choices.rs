@@ -2,8 +2,8 @@
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glanz_bsdf::{LightTerm, MODELS};
-use glanz_render::{DebugView, ToneMap};
-use glanz_scene::{Interpolation, Shading};
+use glanz_render::{DebugView, Encoding, ToneMap};
+use glanz_scene::{Interpolation, Mistake, Shading};
 
 /// What a name on the command line stands for, the name, and a line of help.
 type Choice<T> = (T, &'static str, &'static str);
@@ -14,6 +14,11 @@ const TONE_MAPS: &[Choice<ToneMap>] = &[
     (ToneMap::Aces, "aces", "Academy, fitted"),
     (ToneMap::Agx, "agx", "AgX"),
     (ToneMap::KhronosNeutral, "khronos-neutral", "Khronos PBR neutral"),
+];
+
+const ENCODINGS: &[Choice<Encoding>] = &[
+    (Encoding::Srgb, "srgb", "by the transfer function of sRGB"),
+    (Encoding::Raw, "raw", "the linear value, clipped, times 255"),
 ];
 
 /// A parser of the names in `choices`.
@@ -49,6 +54,16 @@ pub(crate) fn show() -> impl TypedValueParser<Value = DebugView> {
 /// Parses the name of a tone map.
 pub(crate) fn tone_map() -> impl TypedValueParser<Value = ToneMap> {
     parser(TONE_MAPS)
+}
+
+/// Parses the name of an encoding.
+pub(crate) fn encoding() -> impl TypedValueParser<Value = Encoding> {
+    parser(ENCODINGS)
+}
+
+/// Parses the name of a mistake.
+pub(crate) fn mistake() -> impl TypedValueParser<Value = Mistake> {
+    parser(Mistake::ALL)
 }
 
 /// Parses the name of a model of highlights.

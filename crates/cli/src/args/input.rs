@@ -1,15 +1,19 @@
 //! What is drawn.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 
 use super::values;
 
+/// What stands for stdin in the place of a file.
+pub(crate) const STDIN: &str = "-";
+
 /// The scene or model, and what to change of it.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct InputArgs {
-    /// A scene (.toml) or a model (.glb, .gltf, .obj, .ply, .stl)
+    /// A scene (.toml) or a model (.glb, .gltf, .obj, .ply, .stl); - for a scene from stdin, whose files are relative to
+    /// the current folder
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
     pub input: PathBuf,
 
@@ -21,4 +25,16 @@ pub(crate) struct InputArgs {
     /// Let the scene name files outside its own folder
     #[arg(long, help_heading = "Scene")]
     pub allow_outside: bool,
+}
+
+impl InputArgs {
+    /// Whether the scene comes from stdin.
+    pub(crate) fn is_stdin(&self) -> bool {
+        self.input == Path::new(STDIN)
+    }
+
+    /// What the input is called.
+    pub(crate) fn name(&self) -> &Path {
+        if self.is_stdin() { Path::new("stdin") } else { &self.input }
+    }
 }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions, SamplesError};
-use glanz_scene::{Background, Image, Interpolation, Scene, Shading};
+use glanz_scene::{Background, Image, Interpolation, Mistake, Scene, Shading};
 
 use super::{ColorArgs, choices, values};
 use crate::print::failure::Failure;
@@ -34,6 +34,10 @@ pub(crate) struct LookArgs {
     /// What the picture shows [default: shaded]
     #[arg(long, value_name = "VIEW", value_parser = choices::show())]
     pub show: Option<DebugView>,
+
+    /// A mistake to draw on purpose, for teaching
+    #[arg(long, value_name = "NAME", value_parser = choices::mistake())]
+    pub mistake: Option<Mistake>,
 
     /// The background: #rrggbb, linear r,g,b, or transparent
     #[arg(long, value_name = "COLOR", value_parser = values::background)]

@@ -1,7 +1,7 @@
 //! What becomes of the drawn light.
 
 use clap::{Args, ValueEnum};
-use glanz_render::{Develop, ToneMap};
+use glanz_render::{Develop, Encoding, ToneMap};
 use glanz_scene::RenderSettings;
 
 use super::choices;
@@ -31,6 +31,11 @@ pub(crate) struct DevelopArgs {
     #[arg(long, value_name = "NAME", value_parser = choices::tone_map())]
     pub tone_map: Option<ToneMap>,
 
+    /// How light becomes codes: srgb, or raw, the linear value itself, as a shader's output in OpenGL's framebuffer; not
+    /// for .exr, which holds linear light
+    #[arg(long, value_name = "NAME", value_parser = choices::encoding())]
+    pub encoding: Option<Encoding>,
+
     /// Dither before rounding to 8 bits
     #[arg(long)]
     pub dither: bool,
@@ -47,6 +52,7 @@ impl DevelopArgs {
             ev,
             tone_map: self.tone_map.unwrap_or(settings.tone_map),
             dither: self.dither,
+            encoding: self.encoding.unwrap_or(settings.encoding),
             to_screen: None,
         })
     }

@@ -5,7 +5,9 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
+use glanz_picture::output::is_own;
 
+use super::input::STDIN;
 use crate::print::failure::{Failure, Report};
 
 /// Where the picture goes.
@@ -13,11 +15,11 @@ use crate::print::failure::{Failure, Report};
 #[command(next_help_heading = "Output")]
 pub(crate) struct TargetArgs {
     /// The picture's file, its format by its ending; - for a PNG to stdout [default: beside the
-    /// input, never over an existing file]
+    /// input, over an older picture of Glanz, but never over another file]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
 
-    /// Without -o: write even over an existing file
+    /// Without -o: write even over a file that is no picture of Glanz
     #[arg(long)]
     pub force: bool,
 }
@@ -75,8 +77,9 @@ impl TargetArgs {
 
     /// That a file which the user did not name may be written.
     pub(crate) fn check_free(&self, path: &Path) -> Result<(), Failure> {
-        if self.output.is_none() && !self.force && path.exists() {
-            let report = Report::new(format_args!("'{}' exists already", path.display())).file(path);
+        if self.output.is_none() && !self.force && path.exists() && !is_own(path) {
+            let message = format_args!("'{}' exists already, and Glanz did not write it", path.display());
+            let report = Report::new(message).file(path);
             return Err(report.help("write over it with --force, or choose another file with -o").into());
         }
         Ok(())
@@ -85,6 +88,8 @@ impl TargetArgs {
 
 /// The file beside `input` whose name has `ending` in place of its own.
 pub(super) fn beside(input: &Path, ending: &str) -> PathBuf {
+    // A scene from stdin has no name, and no folder but the current one.
+    let input = if input == Path::new(STDIN) { Path::new("scene") } else { input };
     let mut name = input.file_stem().unwrap_or(OsStr::new("picture")).to_owned();
     name.push(ending);
     input.with_file_name(name)
@@ -113,5 +118,6 @@ mod tests {
         assert_eq!(beside(Path::new("a/model.glb"), ".png"), Path::new("a/model.png"));
         assert_eq!(beside(Path::new("model.v2.glb"), "_sheet.png"), Path::new("model.v2_sheet.png"));
         assert_eq!(beside(Path::new("model"), ".png"), Path::new("model.png"));
+        assert_eq!(beside(Path::new("-"), ".png"), Path::new("scene.png"));
     }
 }

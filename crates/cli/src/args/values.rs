@@ -1,7 +1,7 @@
 //! Values of options, from text.
 
 use glanz_color::{Rgb, srgb_decode_u8};
-use glanz_scene::Background;
+use glanz_scene::{AnotherScale, Background};
 
 /// The widest and highest picture, in pixels.
 const MAX_SIZE: u32 = 16_384;
@@ -70,7 +70,9 @@ pub(super) fn background(text: &str) -> Result<Background, String> {
     if color.iter().any(|c| !(0.0..=1e6).contains(c)) {
         return Err("the colours of the background must not be negative".to_owned());
     }
-    Ok(Background::Color(Rgb(color.map(|c| c as f32))))
+    let color = Rgb(color.map(|c| c as f32));
+    AnotherScale::check(color).map_err(|error| format!("{error}; {}", error.help()))?;
+    Ok(Background::Color(color))
 }
 
 #[cfg(test)]
@@ -91,7 +93,7 @@ mod tests {
         assert_eq!(background("transparent"), Ok(Background::Transparent));
         assert_eq!(background("#ffffff"), Ok(Background::Color(Rgb::WHITE)));
         assert_eq!(background("0.5,0,1"), Ok(Background::Color(Rgb([0.5, 0.0, 1.0]))));
-        for wrong in ["white", "#fff", "#12345g", "#1234567", "1,2", "-1,0,0", "nan,0,0"] {
+        for wrong in ["white", "#fff", "#12345g", "#1234567", "1,2", "-1,0,0", "nan,0,0", "255,128,0"] {
             assert!(background(wrong).is_err(), "{wrong}");
         }
     }

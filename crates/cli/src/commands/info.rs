@@ -12,7 +12,8 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz info model.glb
   glanz info scene.toml --format json
-  glanz info scene.toml --model ward";
+  glanz info scene.toml --model ward
+  glanz info examples/kite.toml --vertices";
 
 /// Options of `glanz info`.
 #[derive(Args, Debug)]
@@ -23,6 +24,10 @@ pub(crate) struct InfoArgs {
     /// Tell of the scene with this model for all highlights, as drawing commands take it
     #[arg(long, value_name = "MODEL", value_parser = choices::highlight_model(), help_heading = "Picture")]
     model: Option<String>,
+
+    /// Tell the vertices of all meshes, with normals and colours, and the facets, with their normals
+    #[arg(long)]
+    vertices: bool,
 
     #[command(flatten)]
     format: FormatArgs,
@@ -38,7 +43,7 @@ impl InfoArgs {
                 lobe.shape = lobe.shape.as_model(model).map_err(|error| Failure::Usage(error.to_string()))?;
             }
         }
-        let summary = Summary { input: &input, path: &self.input.input };
+        let summary = Summary { input: &input, path: self.input.name(), vertices: self.vertices };
         match self.format.format {
             Format::Json => print::json(&summary.document()),
             Format::Text => print::text(&summary.text()),

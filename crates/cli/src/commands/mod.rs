@@ -6,6 +6,7 @@ mod color;
 mod compare;
 mod completions;
 mod draw;
+mod example;
 mod info;
 mod material;
 mod plot;
@@ -73,6 +74,9 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz color spectrum D65\n  glanz color convert --from hls --to ac1c2 210,0.4,0.8"
     )]
     Color(color::ColorCommand),
+    /// Write an example scene that is part of the program
+    #[command(after_help = example::EXAMPLES)]
+    Example(example::ExampleArgs),
     /// Print the JSON Schema of scene files, or of what a command prints for programs
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::SchemaArgs),
@@ -101,6 +105,7 @@ impl Command {
             Self::Plot(_) => vec!["plot"],
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
+            Self::Example(_) => vec!["example"],
             Self::Schema(_) => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
         }
@@ -144,6 +149,7 @@ impl Command {
             Self::Plot(args) => args.run(),
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
+            Self::Example(args) => args.run(),
             Self::Schema(args) => args.run(),
             Self::Completions(args) => args.run(root()),
         }

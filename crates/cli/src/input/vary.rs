@@ -23,6 +23,11 @@ pub(crate) fn variation(text: &str) -> Result<Variation, String> {
 /// The values of `start:stop:count`, evenly apart; `None` if the text is no range.
 fn range(text: &str) -> Result<Option<Vec<String>>, String> {
     let parts: Vec<_> = text.split(':').map(str::trim).collect();
+    if let [start, stop] = parts[..]
+        && [start, stop].iter().all(|part| part.parse::<f64>().is_ok())
+    {
+        return Err(format!("'{text}' says not how many values: give start:stop:count, such as {text}:5"));
+    }
     let [start, stop, count] = parts[..] else {
         return Ok(None);
     };
@@ -91,7 +96,9 @@ mod tests {
 
     #[test]
     fn what_is_neither_is_refused() {
-        for wrong in ["a", "a=", "=1", "a=1,,2", "a=0:1:0", "a=0:1:99999999999", "a=0:inf:3", "a=0:1:x"] {
+        for wrong in
+            ["a", "a=", "=1", "a=1,,2", "a=0:1:0", "a=0:1:99999999999", "a=0:inf:3", "a=0:1:x", "a=1:100"]
+        {
             assert!(variation(wrong).is_err(), "{wrong}");
         }
     }

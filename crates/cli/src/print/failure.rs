@@ -66,6 +66,16 @@ impl Failure {
         }
     }
 
+    /// Tells the failure on stderr; the program goes on.
+    pub(crate) fn tell(self) {
+        // Nothing is left to be done where what is told cannot be written.
+        let _ = match self {
+            Self::Usage(message) => Report::new(message).print(),
+            Self::Judged(report) | Self::WrongValue(report) | Self::CouldNot(report) => report.print(),
+            Self::Closed => Ok(()),
+        };
+    }
+
     /// Tells the failure, on stderr for people and on stdout for programs, and the exit code.
     pub(crate) fn report<C: CommandFactory>(self, command: &[&str], format: Format) -> ExitCode {
         let code = ExitCode::from(self.code());

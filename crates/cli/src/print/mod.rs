@@ -6,10 +6,12 @@ pub(crate) mod failure;
 pub(crate) mod files;
 pub(crate) mod preview;
 pub(crate) mod scene_document;
+mod sixel;
 mod stdout;
 mod summary;
 mod text;
 pub(crate) mod timings;
+mod vertices;
 
 pub(crate) use glanz_plot::number;
 

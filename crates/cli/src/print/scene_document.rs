@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use super::colors;
 use super::summary::{Summary, attributes, maps};
+use super::vertices::VertexTables;
 
 /// What is in a scene or a model.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -69,6 +70,9 @@ struct MeshFacts {
     /// What vertices have beside positions
     attributes: Vec<&'static str>,
     bounds: Option<BoundsFacts>,
+    /// With --vertices: all of them
+    #[serde(skip_serializing_if = "Option::is_none")]
+    table: Option<VertexTables>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -85,7 +89,7 @@ struct MaterialFacts {
     two_sided: bool,
     /// What textures give
     textures: Vec<&'static str>,
-    alpha: f64,
+    opacity: f64,
     /// opaque, mask or blend
     alpha_mode: &'static str,
 }
@@ -197,7 +201,7 @@ impl Document {
                 },
             },
             objects: scene.objects.iter().map(object).collect(),
-            meshes: scene.meshes.iter().map(MeshFacts::of).collect(),
+            meshes: scene.meshes.iter().map(|mesh| MeshFacts::of(mesh, summary.vertices)).collect(),
             materials: scene.materials.iter().map(MaterialFacts::of).collect(),
             textures: scene.textures.iter().map(texture).collect(),
             lights: scene.lights.iter().map(LightFacts::of).collect(),
@@ -218,8 +222,9 @@ impl BoundsFacts {
 }
 
 impl MeshFacts {
-    fn of(mesh: &Mesh) -> Self {
+    fn of(mesh: &Mesh, vertices: bool) -> Self {
         Self {
+            table: vertices.then(|| VertexTables::of(mesh)),
             name: mesh.name.clone(),
             vertices: mesh.positions.len(),
             faces: mesh.face_count(),
@@ -237,7 +242,7 @@ impl MaterialFacts {
             lobes: material.lobes.iter().map(LobeFacts::of).collect(),
             two_sided: material.two_sided,
             textures: maps(material),
-            alpha: material.alpha.into(),
+            opacity: material.opacity.into(),
             alpha_mode: match material.alpha_mode {
                 AlphaMode::Opaque => "opaque",
                 AlphaMode::Mask { .. } => "mask",

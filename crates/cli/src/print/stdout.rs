@@ -69,11 +69,14 @@ pub(crate) fn note(message: impl std::fmt::Display) {
     let _ = writeln!(io::stderr().lock(), "{message}");
 }
 
+/// So many remarks are told one by one.
+const FEW_NOTES: usize = 3;
+
 /// Tells on stderr that not all of `input` is drawn as it says, and where to read more.
 pub(crate) fn notes(input: &std::path::Path, notes: &[String]) {
     match notes {
         [] => {}
-        [only] => note(format_args!("note: {only}")),
+        few if few.len() <= FEW_NOTES => few.iter().for_each(|only| note(format_args!("note: {only}"))),
         _ => note(format_args!(
             "note: {} things are ignored or changed; 'glanz info {}' lists them",
             notes.len(),

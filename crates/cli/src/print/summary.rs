@@ -6,12 +6,12 @@ use std::path::Path;
 use glam::DVec3;
 use glanz_plot::number;
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Bounds, Camera, Light, LightKind, Lobe, Luminaire, Material, Mesh,
-    Projection, Space,
+    AlphaMode, AreaShape, Attenuation, Bounds, Camera, Light, LightColors, LightKind, Lobe, Luminaire,
+    Material, Mesh, Projection, Space,
 };
 
-use super::colors;
 use super::scene_document::Document;
+use super::{colors, vertices};
 use crate::load::Input;
 
 /// The most things of a kind that are listed for people; JSON has all.
@@ -23,6 +23,8 @@ pub(crate) struct Summary<'a> {
     pub input: &'a Input,
     /// Its file.
     pub path: &'a Path,
+    /// Whether all vertices and facets are told.
+    pub vertices: bool,
 }
 
 impl Summary<'_> {
@@ -41,6 +43,9 @@ impl Summary<'_> {
             &format!("{}x{}, {}", image.width, image.height, plural(image.samples as usize, "sample")),
         );
         section(&mut text, "meshes", scene.meshes.iter().map(mesh_text));
+        if self.vertices {
+            scene.meshes.iter().for_each(|mesh| text.push_str(&vertices::tables(mesh)));
+        }
         section(&mut text, "materials", scene.materials.iter().map(material_text));
         section(
             &mut text,
@@ -52,7 +57,10 @@ impl Summary<'_> {
         );
         let lights =
             if self.input.default_lights { "lights (the file has none; these are added)" } else { "lights" };
-        section(&mut text, lights, scene.lights.iter().map(light_text));
+        let is_ambient = |light: &&Light| light.kind == LightKind::Ambient;
+        let ambient = scene.lights.iter().filter(is_ambient).map(light_text);
+        section(&mut text, "ambient light", ambient);
+        section(&mut text, lights, scene.lights.iter().filter(|light| !is_ambient(light)).map(light_text));
         match (&scene.camera, self.input.cameras.is_empty()) {
             (Some(camera), true) => section(&mut text, "cameras", [camera_text("", camera)]),
             (None, true) => line(&mut text, "cameras", "none; the scene is framed automatically"),
@@ -167,7 +175,9 @@ fn material_text(material: &Material) -> String {
         AlphaMode::Mask { cutoff } => {
             write!(text, ", cut out below alpha {cutoff}").expect("a string takes everything");
         }
-        AlphaMode::Blend => write!(text, ", alpha {}", material.alpha).expect("a string takes everything"),
+        AlphaMode::Blend => {
+            write!(text, ", opacity {}", number(material.opacity.into())).expect("a string takes everything")
+        }
     }
     text
 }
@@ -210,7 +220,19 @@ fn light_text(light: &Light) -> String {
     let camera = if light.space == Space::Camera { ", moves with the camera" } else { "" };
     let prefix = if light.name.is_empty() { String::new() } else { format!("{}: ", light.name) };
     let luminaire = light.luminaire.as_ref().map(luminaire_text).unwrap_or_default();
-    format!("{prefix}{kind}{luminaire}, color {}{camera}", colors::light_text(sent))
+    let more = parts_text(light);
+    format!("{prefix}{kind}{luminaire}, color {}{more}{camera}", colors::light_text(sent))
+}
+
+/// What a light sends to specular and ambient terms, where that is not its colour, or not nothing.
+fn parts_text(light: &Light) -> String {
+    let LightColors { ambient, diffuse, specular } = &light.colors;
+    if light.kind == LightKind::Ambient {
+        return String::new();
+    }
+    let specular = (specular != diffuse).then(|| format!(", specular {}", colors::light_text(specular)));
+    let ambient = if ambient.is_black() { "0".to_owned() } else { colors::light_text(ambient) };
+    format!("{}, ambient {ambient}", specular.unwrap_or_default())
 }
 
 fn area_text(shape: AreaShape, position: DVec3, direction: DVec3, two_sided: bool) -> String {

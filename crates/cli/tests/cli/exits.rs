@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 33] = [
+const COULD_NOT: [&[&str]; 34] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -33,6 +33,7 @@ const COULD_NOT: [&[&str]; 33] = [
     &["info", "wrong.toml"],
     &["probe", "none.toml", "1,1"],
     &["probe", "scene.toml", "9999,1"],
+    &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
     &["sheet", "phong", "--vary", "shininess=1,2", "-o", "none/a.png"],
@@ -51,7 +52,7 @@ const COULD_NOT: [&[&str]; 33] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 13] = [
+const PRINTING: [&[&str]; 14] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -63,6 +64,7 @@ const PRINTING: [&[&str]; 13] = [
     &["color", "wave", "580nm"],
     &["color", "convert", "--from", "srgb", "--to", "lab", "1,0,0"],
     &["info", "scene.toml"],
+    &["example", "list"],
     &["schema"],
     &["completions", "bash"],
 ];

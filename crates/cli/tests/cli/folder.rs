@@ -106,7 +106,9 @@ impl Run {
 pub(crate) fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_glanz"));
     command.current_dir(folder).stdin(Stdio::null());
-    for variable in ["GLANZ_SIMD", "NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "COLUMNS", "RUST_BACKTRACE"] {
+    for variable in
+        ["GLANZ_SIMD", "NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR", "COLUMNS", "LINES", "RUST_BACKTRACE"]
+    {
         command.env_remove(variable);
     }
     command

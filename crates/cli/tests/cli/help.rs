@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 39] = [
+pub(crate) const COMMANDS: [&[&str]; 40] = [
     &[],
     &["render"],
     &["sweep"],
@@ -41,6 +41,7 @@ pub(crate) const COMMANDS: [&[&str]; 39] = [
     &["color", "plot", "meyer"],
     &["color", "plot", "matrix"],
     &["color", "plot", "efficiency"],
+    &["example"],
     &["schema"],
     &["completions"],
 ];

@@ -7,6 +7,7 @@ mod color;
 mod comparisons;
 mod errors;
 mod exits;
+mod first_hour;
 mod folder;
 mod help;
 mod library;

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 33] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 34] = [
     (
         "render",
         &[
@@ -53,6 +53,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 33] = [
             &["probe", "tetra.obj", "12,8", "--size", "24x16", "--shading", "gouraud"],
         ],
     ),
+    ("example", &[&["example", "list"], &["example", "glass", "-o", "glass.toml"]]),
     ("bsdf-list", &[&["bsdf", "list"]]),
     ("bsdf-show", &[&["bsdf", "show", "phong"], &["bsdf", "show", "ward"]]),
     (

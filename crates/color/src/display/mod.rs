@@ -1,5 +1,6 @@
 //! Colours as displays show them: linear RGB, the transfer of sRGB, tone mapping, mixing.
 
+pub(crate) mod encoding;
 pub mod mixing;
 pub(crate) mod rgb;
 pub(crate) mod srgb;

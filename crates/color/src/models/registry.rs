@@ -95,7 +95,8 @@ pub enum ConvertError {
     },
     /// The model holds colours of the sRGB cube only.
     #[error(
-        "`{to}` holds colours of the sRGB cube 0 to 1 only, found sRGB {srgb:?}; `srgb` or `cmy` can hold this one"
+        "`{to}` holds colours of the sRGB cube 0 to 1 only, found sRGB {}; `srgb` or `cmy` can hold this one",
+        rounded(srgb)
     )]
     OutOfGamut {
         /// The model asked for.
@@ -103,6 +104,12 @@ pub enum ConvertError {
         /// The colour in sRGB, unclipped.
         srgb: [f64; 3],
     },
+}
+
+/// Numbers as people read them; rounding of what is 0 is not among them.
+fn rounded(numbers: &[f64; 3]) -> String {
+    let texts = numbers.map(|number| format!("{:.4}", (number * 1e4).round() / 1e4 + 0.0));
+    texts.join(", ")
 }
 
 fn names() -> String {

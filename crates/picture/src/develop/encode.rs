@@ -47,6 +47,12 @@ pub(super) fn srgb_code_16<R: Real>(linear: R) -> R {
     (x * x.lit(65535.0 * 12.92)).select(x.lt(x.lit(LINEAR_BELOW)), curve).clamp(0.0, 65535.0)
 }
 
+/// The code of linear light without a transfer function, not yet rounded: 0 … `most`. Clips; NaN gives 0.
+#[inline(always)]
+pub(super) fn raw_code<R: Real>(linear: R, most: f64) -> R {
+    linear.clamp(0.0, 1.0) * linear.lit(most)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use glanz_math::{Lanes, Real};
 
-use super::{Develop, ToneMap, dither, encode, pack, tone_map};
+use super::{Develop, Encoding, ToneMap, dither, encode, pack, tone_map};
 use glanz_math::Twice;
 
 /// [`Develop`] as the pixel loop wants it.
@@ -13,6 +13,7 @@ pub struct DevelopKernel {
     /// From channels to linear sRGB, exposure included; none where exposure is all there is.
     to_screen: Option<[[f32; 3]; 3]>,
     tone_map: ToneMap,
+    encoding: Encoding,
     dither: bool,
 }
 
@@ -24,6 +25,7 @@ impl DevelopKernel {
             gain,
             to_screen: develop.to_screen.map(|matrix| matrix.rows.map(|row| row.map(|entry| entry * gain))),
             tone_map: develop.tone_map,
+            encoding: develop.encoding,
             dither: develop.dither,
         }
     }
@@ -133,7 +135,10 @@ impl DevelopKernel {
         let alpha = alpha.clamp(0.0, 1.0);
         let mut rgb = self.graded_lanes(straight(rgb, alpha));
         for c in &mut rgb {
-            *c = encode::srgb_code_16(*c);
+            *c = match self.encoding {
+                Encoding::Srgb => encode::srgb_code_16(*c),
+                Encoding::Raw => encode::raw_code(*c, 65535.0),
+            };
         }
         let [r, g, b] = rgb;
         [r, g, b, alpha * alpha.lit(65535.0)]
@@ -165,7 +170,10 @@ impl DevelopKernel {
     #[inline(always)]
     fn encoded<R: Real>(&self, mut rgb: [R; 3]) -> [R; 3] {
         for c in &mut rgb {
-            *c = encode::srgb_code_8(*c);
+            *c = match self.encoding {
+                Encoding::Srgb => encode::srgb_code_8(*c),
+                Encoding::Raw => encode::raw_code(*c, 255.0),
+            };
         }
         rgb
     }
@@ -232,6 +240,16 @@ mod tests {
         let [a, b, c] = kernel(0.0, ToneMap::None).opaque([0.5f64, 0.18, 0.002]);
         assert!((a - 187.516).abs() < 0.011 && (b - 117.646).abs() < 0.011, "{a} {b}");
         assert!((c - 0.002 * 12.92 * 255.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn raw_codes_are_the_linear_value_clipped() {
+        let raw = DevelopKernel::new(&Develop { encoding: Encoding::Raw, ..Develop::default() });
+        assert_eq!(raw.opaque([0.2f32, 0.8, 2.0]), [0.2 * 255.0, 0.8 * 255.0, 255.0]);
+        assert_eq!(raw.opaque([f32::NAN, -1.0, f32::INFINITY]), [0.0, 0.0, 255.0]);
+        let brighter =
+            DevelopKernel::new(&Develop { encoding: Encoding::Raw, ev: 1.0, ..Develop::default() });
+        assert_eq!(brighter.opaque([0.1f32; 3]), raw.opaque([0.2f32; 3]));
     }
 
     #[test]

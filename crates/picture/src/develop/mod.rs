@@ -2,7 +2,7 @@
 //!
 //! The steps, in this order: straight colour from premultiplied, the way from the observer's channels to
 //! linear sRGB, exposure, tone map, clip to 0 … 1,
-//! sRGB encoding, ordered dithering if asked for, rounding. They are written once, generic over
+//! sRGB encoding (unless none is asked for), ordered dithering if asked for, rounding. They are written once, generic over
 //! [`Real`](glanz_math::Real): the rasteriser runs [`DevelopKernel`] on 16 pixels while they are in
 //! registers, [`develop()`] runs the same text over a whole frame, so both give the same bytes.
 //!
@@ -22,5 +22,5 @@ mod tone_map;
 pub use kernel::DevelopKernel;
 pub(crate) use on_screen::to_screen_with;
 pub use picture::{develop, develop_with, develop16, develop16_with};
-pub use settings::{Develop, ToneMap};
+pub use settings::{Develop, Encoding, ToneMap};
 pub use to_screen::{ScreenMatrix, ToScreen};

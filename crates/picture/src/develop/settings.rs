@@ -1,6 +1,6 @@
 //! What a user can choose about development.
 
-pub use glanz_color::ToneMap;
+pub use glanz_color::{Encoding, ToneMap};
 
 use super::ScreenMatrix;
 use crate::Meaning;
@@ -8,7 +8,7 @@ use crate::Meaning;
 /// How a frame becomes a picture.
 ///
 /// ```
-/// use glanz_picture::{Develop, Frame, ToneMap, develop};
+/// use glanz_picture::{Develop, Encoding, Frame, ToneMap, develop};
 ///
 /// let rgb = [vec![4.0], vec![1.0], vec![0.25]];
 /// let frame = Frame { width: 1, height: 1, rgb, alpha: vec![1.0], ..Frame::default() };
@@ -17,6 +17,8 @@ use crate::Meaning;
 /// assert_eq!(develop(&frame, &darker)?, [255, 137, 71, 255]);
 /// let compressed = Develop { tone_map: ToneMap::Reinhard, ..Develop::default() };
 /// assert!(develop(&frame, &compressed)?[1] < 255, "where 1 was 255");
+/// let raw = Develop { encoding: Encoding::Raw, ..Develop::default() };
+/// assert_eq!(develop(&frame, &raw)?, [255, 255, 64, 255], "0.25 · 255, rounded");
 /// # Ok::<(), glanz_picture::ChannelError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,6 +29,8 @@ pub struct Develop {
     pub tone_map: ToneMap,
     /// Ordered dithering before rounding to 8 bits; 16-bit codes need none.
     pub dither: bool,
+    /// How linear light becomes codes.
+    pub encoding: Encoding,
     /// From the frame's channels to linear sRGB; none where they are linear sRGB already.
     pub to_screen: Option<ScreenMatrix>,
 }

@@ -3,6 +3,7 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use super::OutputError;
 
@@ -11,9 +12,21 @@ use super::OutputError;
 pub struct TargetFile {
     file: BufWriter<File>,
     path: PathBuf,
+    /// What is written to.
+    written: PathBuf,
 }
 
 impl TargetFile {
+    /// The file that was asked for.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The file that is filled: a temporary one beside the target. Another program may write to it in place of this one.
+    pub fn written_path(&self) -> &Path {
+        &self.written
+    }
+
     fn named(&self, error: io::Error) -> io::Error {
         io::Error::new(error.kind(), format!("{}: cannot write: {error}", self.path.display()))
     }
@@ -49,10 +62,10 @@ pub fn write_atomically<T, E: From<OutputError>>(
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
         let file = OpenOptions::new().write(true).open(&target).map_err(failed("open"))?;
-        return fill(file, path, write);
+        return fill(file, path, &target, write);
     }
     let (temporary, file) = create_beside(&target).map_err(failed("create a file beside it"))?;
-    let result = fill(file, path, write)?;
+    let result = fill(file, path, &temporary.0, write)?;
     if let Some(old) = old {
         // Keeping the permissions is a courtesy: some file systems have none.
         let _ = fs::set_permissions(&temporary.0, old.permissions());
@@ -64,29 +77,58 @@ pub fn write_atomically<T, E: From<OutputError>>(
 fn fill<T, E: From<OutputError>>(
     file: File,
     path: &Path,
+    written: &Path,
     write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
 ) -> Result<T, E> {
-    let mut file = TargetFile { file: BufWriter::with_capacity(1 << 16, file), path: path.to_owned() };
+    let file = BufWriter::with_capacity(1 << 16, file);
+    let mut file = TargetFile { file, path: path.to_owned(), written: written.to_owned() };
     let result = write(&mut file)?;
     file.flush().map_err(OutputError::Stream)?;
     Ok(result)
+}
+
+/// The temporary files that there are now.
+static TEMPORARIES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Removes all temporary files of [`write_atomically`]. It is for a program that is about to end because it was told to,
+/// in the middle of writing: what it writes after this is lost, and the targets stay as they were.
+pub fn remove_temporaries() {
+    let mut temporaries = TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in temporaries.drain(..) {
+        let _ = fs::remove_file(path);
+    }
 }
 
 /// A file that is removed when this is dropped.
 struct Temporary(PathBuf);
 
 impl Temporary {
+    fn new(path: PathBuf) -> Self {
+        TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner).push(path.clone());
+        Self(path)
+    }
+
     fn put_at(self, target: &Path) -> io::Result<()> {
         fs::rename(&self.0, target)?;
+        self.unlist();
         core::mem::forget(self);
         Ok(())
+    }
+
+    /// Takes the file off the list of those that are to be removed; false if it is not there any more.
+    fn unlist(&self) -> bool {
+        let mut temporaries = TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = temporaries.iter().position(|path| *path == self.0);
+        place.map(|place| temporaries.swap_remove(place)).is_some()
     }
 }
 
 impl Drop for Temporary {
     fn drop(&mut self) {
         // Nothing is left to do if this fails: the error that led here is reported already.
-        let _ = fs::remove_file(&self.0);
+        if self.unlist() {
+            let _ = fs::remove_file(&self.0);
+        }
     }
 }
 
@@ -100,7 +142,7 @@ fn create_beside(target: &Path) -> io::Result<(Temporary, File)> {
         hidden.push(format!(".{attempt}.tmp"));
         let path = target.with_file_name(hidden);
         match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(file) => return Ok((Temporary(path), file)),
+            Ok(file) => return Ok((Temporary::new(path), file)),
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
         }

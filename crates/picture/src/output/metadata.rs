@@ -25,6 +25,12 @@ impl Metadata {
     /// The key under which the scene's hash is written.
     pub const SCENE_HASH: &'static str = "Scene-Hash";
 
+    /// All of it in lines of text, for formats that have comments alone.
+    pub fn text(&self) -> String {
+        let software = [("Software", self.software.as_str())];
+        software.into_iter().chain(self.pairs()).map(|(key, value)| format!("{key}: {value}\n")).collect()
+    }
+
     /// The scene's hash, if there is one, and the other entries.
     pub fn pairs(&self) -> impl Iterator<Item = (&str, &str)> {
         let hash = self.scene_hash.iter().map(|hash| (Self::SCENE_HASH, hash.as_str()));

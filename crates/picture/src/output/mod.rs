@@ -20,15 +20,19 @@ mod exr;
 mod format;
 mod gif;
 mod metadata;
+mod own;
+#[cfg(feature = "gif")]
+mod palette;
 mod picture_data;
 mod png;
 
 pub use self::animation::{Animation, write_apng};
-pub use self::atomic::{TargetFile, write_atomically};
+pub use self::atomic::{TargetFile, remove_temporaries, write_atomically};
 pub use self::error::OutputError;
 pub use self::exr::write_exr;
 pub use self::format::Format;
 pub use self::gif::write_gif;
 pub use self::metadata::Metadata;
+pub use self::own::is_own;
 pub use self::picture_data::{PictureData, PictureKind};
 pub use self::png::{Effort, write_png8, write_png16};

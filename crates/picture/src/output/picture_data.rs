@@ -91,7 +91,7 @@ impl PictureData {
     ) -> Result<(), OutputError> {
         match (self, format) {
             (Self::Codes8 { width, height, rgba }, Format::Gif) => {
-                write_gif(out, &still(width, height), [Ok(rgba)])
+                write_gif(out, &still(width, height), [Ok(rgba)], metadata)
             }
             (Self::Codes8 { width, height, rgba }, Format::Apng) => {
                 write_apng(out, &still(width, height), [Ok(rgba)], metadata)

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glanz_color::Observer;
 use glanz_math::SimdLevel;
-use glanz_picture::{Frame, ToneMap};
+use glanz_picture::{Encoding, Frame, ToneMap};
 use glanz_scene::{
     Background, Camera, ColorMode, DebugView, Image, Key, Light, LookupError, Material, Object,
     RenderSettings, Scene, Shading, White,
@@ -171,6 +171,11 @@ impl Session {
         self.render_mut().tone_map = tone_map;
     }
 
+    /// Sets how light becomes the codes of a picture.
+    pub fn set_encoding(&mut self, encoding: Encoding) {
+        self.render_mut().encoding = encoding;
+    }
+
     /// Sets the white that becomes the screen's.
     pub fn set_white(&mut self, white: White) {
         self.render_mut().white = white;
@@ -230,17 +235,29 @@ impl Session {
     fn apply(&mut self, changes: &[Change]) -> Result<(), ShotError> {
         let options = ShotOptions::of(&self.scene)?;
         check_background(&self.scene)?;
+        if options.mistake.is_some() || self.shot.mistake.is_some() {
+            return self.begin_again(options);
+        }
         let observation = &options.prepare.observation;
         let to_screen = match options.draw.show.is_light() {
             true => observation.to_screen(&self.scene, options.white)?,
             false => None,
         };
         let sight = Sight::new(&options, to_screen)?;
+        self.shot.makings = options.makings();
         match self.shot.prepared.observation() == observation {
             true => self.shot.prepared.update(&self.scene, changes)?,
             false => self.shot.prepared = self.observed_by(&options, changes)?,
         }
         self.shot.sight = sight;
+        Ok(())
+    }
+
+    /// Prepares the whole scene: what a mistake changes is not found by comparing scenes that do not have it.
+    fn begin_again(&mut self, options: ShotOptions) -> Result<(), ShotError> {
+        let Shot { prepared, sight, mistake, makings, effect, .. } = Shot::with(&self.scene, options)?;
+        (self.shot.prepared, self.shot.sight) = (prepared, sight);
+        (self.shot.mistake, self.shot.makings, self.shot.effect) = (mistake, makings, effect);
         Ok(())
     }
 
@@ -257,6 +274,10 @@ impl Session {
 
     /// Undoes changes of which some may have been made, for the scene as it was.
     fn go_back(&mut self, changes: &[Change]) {
+        // With a mistake nothing was changed before it was known to be possible.
+        if self.shot.mistake.is_some() {
+            return;
+        }
         if self.shot.prepared.update(&self.scene, changes).is_err()
             && let Ok(options) = ShotOptions::of(&self.scene)
             && let Ok(prepared) = prepare(&self.scene, &options.prepare)

@@ -2,9 +2,9 @@
 
 use glanz_math::SimdLevel;
 use glanz_picture::{Develop, Frame, develop, develop16};
-use glanz_scene::{Camera, Scene, White};
+use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
 
-use super::{ShotError, ShotOptions, Sight};
+use super::{ShotError, ShotOptions, Sight, mistaken};
 use crate::cpu::Renderer;
 use crate::prepare::{Change, Prepared, prepare};
 use crate::view::{Aovs, DrawOptions, View};
@@ -30,6 +30,12 @@ pub struct Shot {
     pub(crate) sight: Sight,
     /// The hash of the scene, unless it changed. Looking from elsewhere does not change it.
     pub(crate) scene_hash: Option<u64>,
+    /// The mistake that is drawn, if any.
+    pub(crate) mistake: Option<Mistake>,
+    /// What is unusual about its making, as files tell it.
+    pub(crate) makings: Vec<(String, String)>,
+    /// Whether the mistake changes anything.
+    pub(crate) effect: Result<(), NoEffect>,
 }
 
 /// Tells how much of the work is done, from 0 to 1.
@@ -50,15 +56,19 @@ impl Shot {
     /// # Errors
     /// Where the scene cannot be drawn so.
     pub fn with(scene: &Scene, options: ShotOptions) -> Result<Self, ShotError> {
+        let (scene, options, effect) = mistaken(scene, &options);
         let to_screen = match options.draw.show.is_light() {
-            true => options.prepare.observation.to_screen(scene, options.white)?,
+            true => options.prepare.observation.to_screen(&scene, options.white)?,
             false => None,
         };
         Ok(Self {
             backend: crate::default_backend(),
             sight: Sight::new(&options, to_screen)?,
-            prepared: prepare(scene, &options.prepare)?,
+            prepared: prepare(&scene, &options.prepare)?,
             scene_hash: None,
+            mistake: options.mistake,
+            makings: options.makings(),
+            effect,
         })
     }
 
@@ -116,7 +126,14 @@ impl Shot {
     /// As [`Prepared::update`].
     pub fn update(&mut self, scene: &Scene, changes: &[Change]) -> Result<(), ShotError> {
         self.scene_hash = None;
-        self.prepared.update(scene, changes)?;
+        match self.mistake {
+            Some(mistake) => {
+                let (wrong, effect) = mistake.apply(scene);
+                self.prepared.update(&wrong, &[Change::All])?;
+                self.effect = effect;
+            }
+            None => self.prepared.update(scene, changes)?,
+        }
         if self.sight.draw.show.is_light() {
             let to_screen = self.prepared.to_screen(self.sight.white)?;
             self.sight.adapt(to_screen);

@@ -2,13 +2,16 @@
 
 mod draw;
 mod error;
+mod mistaken;
 mod options;
 mod output;
 mod probe;
+mod remarks;
 mod sight;
 mod spectrum;
 
 pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
+pub(crate) use mistaken::mistaken;
 pub use options::ShotOptions;
 pub(crate) use sight::Sight;

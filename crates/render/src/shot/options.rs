@@ -1,7 +1,7 @@
 //! What a picture is made with.
 
-use glanz_picture::ToneMap;
-use glanz_scene::{Camera, Scene, White};
+use glanz_picture::{Encoding, ToneMap};
+use glanz_scene::{Camera, Mistake, Scene, White};
 
 use super::ShotError;
 use crate::prepare::{Observation, PrepareOptions};
@@ -31,6 +31,8 @@ pub struct ShotOptions {
     pub ev: f32,
     /// Tone mapping.
     pub tone_map: ToneMap,
+    /// How linear light becomes codes.
+    pub encoding: Encoding,
     /// Ordered dithering of 8-bit codes.
     pub dither: bool,
     /// The white that becomes the screen's.
@@ -39,9 +41,19 @@ pub struct ShotOptions {
     pub size: (u32, u32),
     /// The camera.
     pub camera: Camera,
+    /// A mistake to be drawn on purpose.
+    pub mistake: Option<Mistake>,
 }
 
 impl ShotOptions {
+    /// What is unusual about the making of the picture, as files tell it: another encoding than sRGB's, a mistake.
+    pub fn makings(&self) -> Vec<(String, String)> {
+        let raw = self.encoding == Encoding::Raw || self.mistake == Some(Mistake::NoGamma);
+        let encoding = raw.then_some(("Encoding", "raw: linear values without a transfer function"));
+        let mistake = self.mistake.map(|mistake| ("Mistake", mistake.name()));
+        encoding.into_iter().chain(mistake).map(|(key, value)| (key.to_owned(), value.to_owned())).collect()
+    }
+
     /// What the scene itself asks for.
     ///
     /// # Errors
@@ -61,10 +73,12 @@ impl ShotOptions {
             },
             ev: scene.render.ev as f32,
             tone_map: scene.render.tone_map,
+            encoding: scene.render.encoding,
             dither: false,
             white: scene.render.white,
             size: (image.width, image.height),
             camera: scene.camera_or_framing(f64::from(image.width) / f64::from(image.height)),
+            mistake: scene.render.mistake,
         })
     }
 }

@@ -80,7 +80,7 @@ impl Shot {
     pub fn metadata(&self) -> Metadata {
         Metadata {
             scene_hash: self.scene_hash.map(|hash| format!("{hash:016x}")),
-            entries: facts(self.prepared.observation(), self.sight.white),
+            entries: [facts(self.prepared.observation(), self.sight.white), self.makings.clone()].concat(),
             ..Metadata::default()
         }
     }

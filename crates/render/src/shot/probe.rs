@@ -45,7 +45,7 @@ impl Shot {
         let screen = self.on_screen(frame)?;
         let screen = screen.rgb.each_ref().map(|plane| plane[index]);
         let Self { prepared, sight, .. } = self;
-        let (middle, surface) = probe(prepared, &sight.view, sight.draw.background, (x, y));
+        let (middle, surface) = probe(prepared, &sight.view, &sight.draw, (x, y));
         Ok(Probe { pixel: (x, y), picture, screen, code, middle, surface })
     }
 

@@ -25,9 +25,9 @@ pub(crate) struct Sight {
 impl Sight {
     /// Checks camera and size, too.
     pub(crate) fn new(options: &ShotOptions, to_screen: Option<ToScreen>) -> Result<Self, ShotError> {
-        let ShotOptions { draw, ev, tone_map, dither, white, size, camera, .. } = *options;
+        let ShotOptions { draw, ev, tone_map, encoding, dither, white, size, camera, .. } = *options;
         let view = View::new(&camera, size.0, size.1)?;
-        let develop = Develop { ev, tone_map, dither, to_screen: None };
+        let develop = Develop { ev, tone_map, dither, encoding, to_screen: None };
         let background = draw.background;
         let mut sight = Self { camera, view, draw, develop, white, background, to_screen: None };
         sight.adapt(to_screen);

@@ -45,6 +45,9 @@ pub struct DrawOptions {
     pub background: Background,
     /// Planes beside colour and alpha.
     pub aovs: Aovs,
+    /// Normals between vertices are used with the length that interpolation leaves them, and not made unit vectors: a
+    /// mistake for teaching ([`Mistake::UnnormalisedNormal`](glanz_scene::Mistake::UnnormalisedNormal)).
+    pub raw_normals: bool,
 }
 
 impl DrawOptions {
@@ -56,6 +59,7 @@ impl DrawOptions {
             show: DebugView::Shaded,
             background,
             aovs: Aovs::default(),
+            raw_normals: false,
         }
     }
 }

@@ -111,7 +111,7 @@ pub(crate) fn ground() -> Material {
 
 /// Blended with what is behind it.
 pub(crate) fn glass() -> Material {
-    Material { alpha: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) }
+    Material { opacity: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) }
 }
 
 /// With all four maps, which leaves holes.

@@ -85,6 +85,7 @@ pub(crate) fn shiny(model: &str, shininess: f64) -> Material {
         emission: Rgb([0.01, 0.02, 0.03]).into(),
         shininess,
         model: model.into(),
+        ..ClassicMaterial::default()
     }
     .build("shiny")
     .unwrap()

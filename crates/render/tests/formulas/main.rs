@@ -32,6 +32,7 @@ fn material(model: &str, shininess: f64) -> ClassicMaterial {
         emission: Rgb([0.01, 0.02, 0.03]).into(),
         shininess,
         model: model.into(),
+        ..ClassicMaterial::default()
     }
 }
 

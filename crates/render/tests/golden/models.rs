@@ -17,11 +17,13 @@ color = [0.10, 0.12, 0.15]
 [[lights]]
 kind = "point"
 position = [-2.0, 2.0, 3.0]
+ambient = 1.0
 attenuation = { constant = 0.3, quadratic = 0.06 }
 [[lights]]
 kind = "directional"
 direction = [-0.6, -0.2, 1.0]
 color = [1.0, 0.7, 0.4]
+ambient = [1.0, 0.7, 0.4]
 "#,
     r#"
 [[lights]]

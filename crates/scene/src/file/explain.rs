@@ -41,6 +41,63 @@ pub(crate) fn explain(error: &toml::de::Error, root: Option<&Paths>) -> Problem 
     Problem { span, message: in_plain_words(message), help: None }
 }
 
+/// The same, with advice where a decimal comma stands.
+pub(super) fn with_comma(problem: Problem, text: &str) -> Problem {
+    let Some(at) = problem.span.as_ref().map(|span| span.start) else { return problem };
+    let (before, after) = match (text.get(..at), text.get(at..)) {
+        (Some(before), Some(after)) => (before, after),
+        _ => return problem,
+    };
+    let whole = before.rsplit(|c: char| !c.is_ascii_digit()).next().unwrap_or_default();
+    let part: String = after.chars().skip(1).take_while(char::is_ascii_digit).collect();
+    match after.starts_with(',') && !whole.is_empty() && !part.is_empty() {
+        true => {
+            let message = format!("expected a number with a decimal point, found '{whole},{part}'");
+            Problem { message, ..problem }.help(format!("write {whole}.{part}"))
+        }
+        false => problem,
+    }
+}
+
+/// That what may be there several times is a list of tables: `[[lights]]`, not `[lights]`.
+pub(super) fn refuse_single_tables(root: &DeTable<'_>) -> Result<(), Problem> {
+    for (key, value) in root.iter() {
+        let name = key.get_ref().as_ref();
+        if matches!(name, "lights" | "objects") && value.get_ref().is_table() {
+            let message = format!("expected a list of tables, found one table [{name}]");
+            return Err(Problem::at(&key.span(), message)
+                .help(format!("write [[{name}]]: two brackets begin one of several")));
+        }
+    }
+    Ok(())
+}
+
+/// What people call things whose name is another, and that name.
+const OTHER_NAMES: [(&str, &str); 12] = [
+    ("sun", "directional"),
+    ("parallel", "directional"),
+    ("distant", "directional"),
+    ("lamp", "point"),
+    ("bulb", "point"),
+    ("omni", "point"),
+    ("spotlight", "spot"),
+    ("area", "rectangle"),
+    ("quad", "rectangle"),
+    ("sky", "environment"),
+    ("hdri", "environment"),
+    ("dome", "environment"),
+];
+
+/// Names to be suggested: known by another name, longer by a unit such as `_deg`, or near.
+fn suggestion<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    let other = OTHER_NAMES.iter().find(|(asked, _)| *asked == name).map(|(_, own)| *own);
+    let with_unit = |known: &&str| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('_'));
+    match known.clone().find(|known| other == Some(known)).or_else(|| known.clone().find(with_unit)) {
+        Some(found) => format!("; did you mean '{found}'?"),
+        None => did_you_mean(name, known),
+    }
+}
+
 fn within(table: Option<&str>) -> String {
     table.map(|table| format!(" in [{table}]")).unwrap_or_default()
 }
@@ -53,7 +110,7 @@ fn unknown(
     span: Option<Range<usize>>,
 ) -> Problem {
     let known = || known.iter().map(String::as_str).filter(|name| !OLD_KEYS.contains(name));
-    let near = did_you_mean(name, known());
+    let near = suggestion(name, known());
     let place = if what == "key" { within(table) } else { String::new() };
     let help = Some(format!("known {what}s: {}", list(known())));
     Problem { span, message: format!("unknown {what} '{name}'{place}{near}"), help }

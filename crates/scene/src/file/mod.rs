@@ -44,7 +44,7 @@ pub use write::{WriteError, Written, save, write};
 use crate::{Material, Scene};
 use build::Builder;
 use error::{Problem, Source};
-use explain::{Paths, explain};
+use explain::{Paths, explain, refuse_single_tables, with_comma};
 use tables::appearance::materials::MaterialTable;
 use tables::scene::SceneTable;
 
@@ -133,7 +133,7 @@ fn check_length(path: &Path, text: &str) -> Result<(), FileError> {
 
 /// The document with its overrides, not yet understood.
 fn read_document<'i>(text: &'i str, sets: &'i [sets::Override]) -> Result<Spanned<DeTable<'i>>, Problem> {
-    let mut root = DeTable::parse(text).map_err(|error| explain(&error, None))?;
+    let mut root = DeTable::parse(text).map_err(|error| with_comma(explain(&error, None), text))?;
     for set in sets {
         set.apply(root.get_mut())?;
     }
@@ -149,6 +149,7 @@ fn check_text(text: &str) -> Result<(), FileError> {
 
 fn read_table(text: &str, sets: &[sets::Override]) -> Result<SceneTable, Problem> {
     let root = read_document(text, sets)?;
+    refuse_single_tables(root.get_ref())?;
     SceneTable::deserialize(toml::de::Deserializer::from(root))
         .map_err(|error| explain(&error, read_document(text, sets).ok().as_ref().map(Paths::of).as_ref()))
 }

@@ -44,6 +44,10 @@ pub(crate) fn collect(source: &mut Source, sets: &[(String, String)]) -> Result<
     sets.iter().map(place).collect()
 }
 
+fn entries(count: usize) -> String {
+    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
+}
+
 impl Override {
     /// Sets the value in the document.
     pub(super) fn apply<'i>(&'i self, root: &mut DeTable<'i>) -> Result<(), Problem> {
@@ -137,7 +141,7 @@ impl Override {
             let known: Vec<String> = array.iter().filter_map(names).collect();
             let mut problem = self.unknown(key, known.iter().map(String::as_str));
             problem.help =
-                Some(format!("'{}' has {} entries, counted from 0", keys[..depth].join("."), array.len()));
+                Some(format!("'{}' has {}, counted from 0", keys[..depth].join("."), entries(array.len())));
             return Err(problem);
         };
         if depth + 1 == keys.len() {

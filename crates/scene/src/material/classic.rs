@@ -34,8 +34,11 @@ pub struct ClassicMaterial {
     pub emission: Tint,
     /// Exponent of the highlight.
     pub shininess: f64,
-    /// The model of the highlight: `phong`, `blinn-phong`, …; or `lambert` for none.
+    /// The model of the highlight: `phong`, `blinn-phong`, …; a matte one such as `lambert` is that of the diffuse
+    /// term, and there is no highlight.
     pub model: String,
+    /// Parameters of the model beside the exponent, such as `alpha`, by name; those that are missing have their defaults.
+    pub parameters: Vec<(String, f64)>,
 }
 
 impl Default for ClassicMaterial {
@@ -47,6 +50,7 @@ impl Default for ClassicMaterial {
             emission: Tint::BLACK,
             shininess: 32.0,
             model: "phong".to_owned(),
+            parameters: Vec::new(),
         }
     }
 }
@@ -54,13 +58,15 @@ impl Default for ClassicMaterial {
 impl ClassicMaterial {
     /// The lobes of the block; those whose tint is black are left out.
     pub fn build(&self, name: impl Into<String>) -> Result<Material, ParamError> {
-        let highlight = self.highlight()?;
-        let has_highlight = highlight.info().term == LightTerm::Specular;
-        let specular = if has_highlight { self.specular.clone() } else { Tint::BLACK };
+        let shape = self.shape()?;
         let plain = |shape: &str| Shape::named(shape, &[]);
+        let (matte, highlight, specular) = match shape.info().term {
+            LightTerm::Specular => (plain("lambert")?, shape, self.specular.clone()),
+            _ => (shape.clone(), shape, Tint::BLACK),
+        };
         let terms = [
             (plain("ambient")?, self.ambient.clone(), true),
-            (plain("lambert")?, self.diffuse.clone(), true),
+            (matte, self.diffuse.clone(), true),
             (highlight, specular, false),
             (plain("emission")?, self.emission.clone(), false),
         ];
@@ -72,12 +78,13 @@ impl ClassicMaterial {
         Ok(Material::of_lobes(name, lobes))
     }
 
-    /// The shape of the highlight. `lambert` takes no exponent, the others do.
-    fn highlight(&self) -> Result<Shape, ParamError> {
+    /// The shape that the model is. Models without an exponent do not take it.
+    fn shape(&self) -> Result<Shape, ParamError> {
         let info = glanz_bsdf::models::info_named(&self.model)?;
-        match info.params.iter().any(|param| param.name == "shininess") {
-            true => Shape::named(&self.model, &[("shininess", self.shininess)]),
-            false => Shape::named(&self.model, &[]),
-        }
+        let mut set: Vec<(&str, f64)> =
+            self.parameters.iter().map(|(name, value)| (&**name, *value)).collect();
+        let exponent = info.params.iter().any(|param| param.name == "shininess");
+        set.extend(exponent.then_some(("shininess", self.shininess)));
+        Shape::named(&self.model, &set)
     }
 }

@@ -48,7 +48,7 @@ pub enum AlphaMode {
 /// let gloss = Lobe::new(Shape::named("ggx", &[("alpha", 0.1)])?, [0.04; 3]);
 /// let mut red = Material::of_lobes("red", vec![paint, gloss]);
 /// red.set("alpha", 0.2)?;
-/// red.alpha = 0.5; // Its opacity: a field of the material itself.
+/// red.opacity = 0.5;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -69,11 +69,11 @@ pub struct Material {
     pub metal_rough_map: Option<TextureUse>,
     /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
     pub aniso: f64,
-    /// How much of the light from behind reaches the viewer, beside what `alpha` leaves open.
+    /// How much of the light from behind reaches the viewer, beside what `opacity` leaves open.
     pub transmittance: Option<Transmittance>,
     /// Opacity, times the texture's and the vertex colour's.
-    pub alpha: f32,
-    /// What alpha means.
+    pub opacity: f32,
+    /// What the opacity, times the texture's alpha, does.
     pub alpha_mode: AlphaMode,
     /// Whether back faces are not drawn at all.
     pub cull_back: bool,
@@ -92,7 +92,7 @@ impl Material {
             metal_rough_map: None,
             aniso: 0.0,
             transmittance: None,
-            alpha: 1.0,
+            opacity: 1.0,
             alpha_mode: AlphaMode::Opaque,
             cull_back: false,
         }

@@ -266,7 +266,7 @@ mod tests {
             |scene| scene.meshes[0].positions[3].x += 1e-6,
             |scene| scene.meshes[0].name.push('s'),
             |scene| scene.meshes[0].corners.swap(0, 1),
-            |scene| scene.materials[0].alpha = 0.5,
+            |scene| scene.materials[0].opacity = 0.5,
             |scene| scene.materials[0].lobes[0].textured ^= true,
             |scene| scene.objects[0].shading = Some(crate::Shading::Flat),
             |scene| scene.image.samples = 8,

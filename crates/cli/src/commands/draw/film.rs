@@ -8,6 +8,7 @@ use glanz_render::Shot;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::ffmpeg;
 use super::render::{RenderArgs, sha256};
 use crate::args::{Target, check_folder};
 use crate::encode;
@@ -33,9 +34,18 @@ pub(crate) struct Document {
 /// Where the frames go.
 enum Output {
     /// Each into a file of its own.
-    Files(Template),
+    Files(Template, Format),
     /// All into one file that moves.
-    Film(PathBuf),
+    Film(PathBuf, Moving),
+}
+
+/// A file that moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Moving {
+    Gif,
+    Apng,
+    /// What the program ffmpeg writes.
+    Ffmpeg,
 }
 
 /// The frames of a film, one after the other.
@@ -55,11 +65,11 @@ impl RenderArgs {
             let message = "all frames would be the same: add --turntable or --animate PATH=FROM:TO";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let (output, format) = self.output()?;
+        let output = self.output()?;
         let mut frames = Frames::new(self, range.len());
         let files = match &output {
-            Output::Files(template) => self.files(range, template, format, &mut frames)?,
-            Output::Film(path) => vec![self.moving(path, format, &mut frames)?],
+            Output::Files(template, format) => self.files(range, template, *format, &mut frames)?,
+            Output::Film(path, format) => vec![self.moving(path, *format, &mut frames)?],
         };
         match files.as_slice() {
             [file] => print::note(format_args!("wrote {}", file.display())),
@@ -77,22 +87,27 @@ impl RenderArgs {
         Ok(())
     }
 
-    fn output(&self) -> Result<(Output, Format), Failure> {
+    fn output(&self) -> Result<Output, Failure> {
         let target = self.target.named(&self.input.input, "_{frame:04}.png")?;
-        let format = encode::format(&target)?;
-        let Target::File(path) = target else {
+        let Target::File(path) = &target else {
             let message = "a film cannot go to stdout; name its files with -o 'name_{frame:04}.png'";
             return Err(Failure::Usage(message.to_owned()));
         };
+        if ffmpeg::writes(path) {
+            check_folder(path)?;
+            return Ok(Output::Film(path.clone(), Moving::Ffmpeg));
+        }
+        let format = encode::format(&target)?;
         match Template::parse(&path.to_string_lossy()) {
-            Some(template) => Ok((Output::Files(template), format)),
+            Some(template) => Ok(Output::Files(template, format)),
             None if format.is_animation() => {
-                check_folder(&path)?;
-                Ok((Output::Film(path), format))
+                check_folder(path)?;
+                let moving = if format == Format::Gif { Moving::Gif } else { Moving::Apng };
+                Ok(Output::Film(path.clone(), moving))
             }
             None => Err(Failure::Usage(format!(
                 "'{}' has no place for the number of the frame: put {{frame}} or {{frame:04}} into the name, \
-                 or write a .gif or .apng",
+                 or write a .gif or .apng, or with ffmpeg an .mp4 or .webm",
                 path.display()
             ))),
         }
@@ -121,8 +136,11 @@ impl RenderArgs {
         Ok(names)
     }
 
-    fn moving(&self, path: &Path, format: Format, frames: &mut Frames<'_>) -> Result<PathBuf, Failure> {
-        self.kind(format)?;
+    fn moving(&self, path: &Path, format: Moving, frames: &mut Frames<'_>) -> Result<PathBuf, Failure> {
+        self.kind(Format::Apng)?;
+        if format == Moving::Ffmpeg {
+            ffmpeg::check(path)?;
+        }
         if !(self.fps > 0.0 && self.fps <= 1000.0) {
             return Err(Failure::Usage(format!(
                 "--fps is {}, but must be above 0 and at most 1000",
@@ -132,7 +150,7 @@ impl RenderArgs {
         let count = frames.count;
         let mut progress = Progress::new(count, "frames");
         let (plan, shot) = frames.frame(0)?;
-        let metadata = Metadata { entries: Vec::new(), ..shot.metadata() };
+        let metadata = Metadata { entries: plan.options.makings(), ..shot.metadata() };
         let animation = Animation {
             width: plan.size().0,
             height: plan.size().1,
@@ -146,8 +164,9 @@ impl RenderArgs {
             Ok(canvas.rgba)
         });
         write_atomically(path, |out| match format {
-            Format::Gif => write_gif(out, &animation, codes),
-            _ => write_apng(out, &animation, codes, &metadata),
+            Moving::Ffmpeg => ffmpeg::write(out, &animation, self.fps, codes, &metadata),
+            Moving::Gif => write_gif(out, &animation, codes, &metadata),
+            Moving::Apng => write_apng(out, &animation, codes, &metadata),
         })?;
         Ok(path.to_owned())
     }

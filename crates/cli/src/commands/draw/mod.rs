@@ -1,5 +1,6 @@
 //! The commands that draw scenes.
 
+mod ffmpeg;
 pub(super) mod film;
 pub(super) mod modes;
 pub(super) mod relight;
@@ -9,3 +10,5 @@ pub(super) mod sheet;
 mod side_by_side;
 pub(super) mod stage_sheet;
 pub(super) mod sweep;
+mod watch;
+mod watched;

@@ -74,7 +74,7 @@ impl ModesArgs {
             return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
         }
         let top = self.heat.unwrap_or_else(|| greatest(&columns));
-        self.pictures.deliver(self.sheet(&columns, top)?, &target, input.scene.content_hash())?;
+        self.pictures.deliver(self.sheet(&columns, top)?, &target, &input)?;
         self.tell(&target, &columns)
     }
 

@@ -137,7 +137,7 @@ impl RelightArgs {
         for (index, picture) in pictures.iter().enumerate() {
             sheet.put(&mut canvas, index, picture);
         }
-        self.pictures.deliver(canvas, target, input.scene.content_hash())?;
+        self.pictures.deliver(canvas, target, input)?;
         let Target::File(path) = target else { return Ok(()) };
         if self.pictures.format.is_json() {
             let lights: Vec<_> = names.iter().zip(spectra).map(describe).collect();

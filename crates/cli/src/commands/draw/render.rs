@@ -5,7 +5,8 @@ use std::path::Path;
 
 use clap::Args;
 use glanz_picture::output::{Format, PictureData, PictureKind};
-use glanz_render::Shot;
+use glanz_render::{Encoding, Shot};
+use glanz_scene::Scene;
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -18,8 +19,9 @@ use crate::frames;
 use crate::load::Input;
 use crate::pipeline::{self, Plan};
 use crate::print::failure::{Failure, Report, without_number};
+use crate::print::preview::PreviewMode;
 use crate::print::timings::{Stage, Timings, TimingsFacts};
-use crate::print::{self, FormatArgs, preview};
+use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
 
 /// Shown after the help.
@@ -33,6 +35,8 @@ Examples:
   glanz render scene.toml --set materials.red.shininess=64 -o shinier.png
   glanz render scene.toml --frames 0..120 --turntable -o 'spin_{frame:04}.png'
   glanz render scene.toml --frames 0..60 --turntable -o spin.gif --size 400x300
+  glanz render scene.toml --watch --preview
+  glanz render - --preview < scene.toml
   glanz render scene.toml --repeat 50 --timings --format json";
 
 /// Options of `glanz render`.
@@ -52,8 +56,13 @@ pub(crate) struct RenderArgs {
     pub spectral_exr: bool,
 
     /// Show the picture in this terminal; without -o no file is written
-    #[arg(long, help_heading = "Output", conflicts_with = "frames")]
-    pub preview: bool,
+    #[arg(long, value_enum, value_name = "HOW", num_args = 0..=1, default_missing_value = "auto", require_equals = true,
+          help_heading = "Output", conflicts_with = "frames")]
+    pub preview: Option<PreviewMode>,
+
+    /// Draw again when the scene or a file that it names changes, until Ctrl-C
+    #[arg(long, help_heading = "Output", conflicts_with_all = ["frames", "repeat", "timings"])]
+    pub watch: bool,
 
     #[command(flatten)]
     pub size: SizeArgs,
@@ -72,7 +81,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, requires = "frames", help_heading = "Film")]
     pub turntable: bool,
 
-    /// Move a value of the scene during the film, such as camera.fov_deg=20:60; may be repeated
+    /// Move a value of the scene during the film, such as camera.fov_deg=20:60 or
+    /// lights.0.direction=[0,0,-1]:[8,0,-1]; may be repeated
     #[arg(
         long,
         value_name = "PATH=FROM:TO",
@@ -82,7 +92,7 @@ pub(crate) struct RenderArgs {
     )]
     pub animate: Vec<frames::Motion>,
 
-    /// Frames per second of .gif and .apng
+    /// Frames per second of .gif, .apng, .mp4 and .webm
     #[arg(long, value_name = "N", default_value_t = 25.0, help_heading = "Film")]
     pub fps: f64,
 
@@ -113,37 +123,56 @@ impl RenderArgs {
         self.machine.apply()?;
         match &self.frames {
             Some(range) => self.film(range.clone()),
+            None if self.watch => self.watch(),
             None => self.still(),
         }
     }
 
     fn still(&self) -> Result<(), Failure> {
-        let target = match &self.target.output {
-            None if self.preview => None,
-            _ => Some(self.target.resolve(&self.input.input, ".png")?),
-        };
-        target.as_ref().map_or(Ok(()), |target| self.format.check_beside(target))?;
-        if self.preview && self.format.is_json() {
-            let message = "stdout cannot take both the --preview and --format json";
-            return Err(Failure::Usage(message.to_owned()));
-        }
-        let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
+        let (target, kind) = self.goal()?;
         let mut timings = Timings::default();
         for _ in 1..self.repeat {
             timings.begin_run();
             self.rehearse(target.as_ref(), kind, &mut timings)?;
         }
         timings.begin_run();
-        let (told, plan, shot, picture) = self.draw(kind, &mut timings)?;
-        let preview = self.preview.then(|| pipeline::on_screen(&shot, &picture)).transpose()?;
-        let preview = preview.map(|canvas| preview::half_blocks(&canvas, preview::columns()));
-        if let Some(target) = &target {
+        self.once(target.as_ref(), kind, timings)
+    }
+
+    /// Where the picture goes, if into a file, and what it must keep.
+    pub(crate) fn goal(&self) -> Result<(Option<Target>, PictureKind), Failure> {
+        let target = match &self.target.output {
+            None if self.preview.is_some() => None,
+            _ => Some(self.target.resolve(&self.input.input, ".png")?),
+        };
+        target.as_ref().map_or(Ok(()), |target| self.format.check_beside(target))?;
+        if self.preview.is_some() && self.format.is_json() {
+            let message = "stdout cannot take both the --preview and --format json";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let kind = self.kind(target.as_ref().map_or(Ok(Format::Png), encode::format)?)?;
+        Ok((target, kind))
+    }
+
+    /// Draws the picture, brings it to where it goes, and tells of it.
+    pub(crate) fn once(
+        &self,
+        target: Option<&Target>,
+        kind: PictureKind,
+        mut timings: Timings,
+    ) -> Result<(), Failure> {
+        let (mut told, plan, mut shot, picture, scene) = self.draw(kind, &mut timings)?;
+        told.remarks = shot.remarks(&scene, &picture)?;
+        let preview =
+            self.preview.map(|mode| Ok::<_, Failure>((mode, pipeline::on_screen(&shot, &picture)?)));
+        let preview = preview.transpose()?;
+        if let Some(target) = target {
             timings.measure(Stage::Encode, || encode::deliver(picture, target, &shot.metadata()))?;
         }
-        if let Some(preview) = preview {
-            print::text(&preview)?;
+        if let Some((mode, canvas)) = preview {
+            mode.show(&canvas)?;
         }
-        self.tell(target.as_ref(), &plan, &told, &timings)
+        self.tell(target, &plan, &told, &timings)
     }
 
     /// All the way from the file to the bytes of the picture, which are thrown away.
@@ -153,7 +182,7 @@ impl RenderArgs {
         kind: PictureKind,
         timings: &mut Timings,
     ) -> Result<(), Failure> {
-        let (_, _, shot, picture) = self.draw(kind, timings)?;
+        let (_, _, shot, picture, _) = self.draw(kind, timings)?;
         if let Some(target) = target {
             let (format, metadata) = (encode::format(target)?, shot.metadata());
             timings.measure(Stage::Encode, || picture.to_bytes(format, &metadata))?;
@@ -166,11 +195,12 @@ impl RenderArgs {
         &self,
         kind: PictureKind,
         timings: &mut Timings,
-    ) -> Result<(Told, Plan, Shot, PictureData), Failure> {
+    ) -> Result<(Told, Plan, Shot, PictureData, Scene), Failure> {
         let input = timings.measure(Stage::Load, || self.load(&[]))?;
         let (plan, mut shot) = timings.measure(Stage::Prepare, || self.plan(&input))?;
         let picture = pipeline::picture(&mut shot, kind, timings, &mut Progress::of_one_picture())?;
-        Ok((Told { hash: input.scene.content_hash(), notes: input.notes }, plan, shot, picture))
+        let told = Told { hash: input.scene.content_hash(), notes: input.notes, remarks: Vec::new() };
+        Ok((told, plan, shot, picture, input.scene))
     }
 
     /// Reads the scene, with these values set.
@@ -189,6 +219,11 @@ impl RenderArgs {
     pub(crate) fn kind(&self, format: Format) -> Result<PictureKind, Failure> {
         if self.spectral_exr && format != Format::Exr {
             let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        if format == Format::Exr && self.develop.encoding == Some(Encoding::Raw) {
+            let message =
+                "--encoding raw is for pictures of codes; an .exr holds the linear values themselves";
             return Err(Failure::Usage(message.to_owned()));
         }
         match (format, self.bit_depth) {
@@ -212,6 +247,7 @@ impl RenderArgs {
             print::note(format_args!("wrote {}", path.display()));
         }
         print::notes(&self.input.input, &told.notes);
+        told.remarks.iter().for_each(|remark| print::note(format_args!("note: {remark}")));
         let stdout_is_free = target != Some(&Target::Stdout);
         if self.format.is_json() && stdout_is_free {
             let (width, height) = plan.options.size;
@@ -221,7 +257,7 @@ impl RenderArgs {
                 scene_hash: encode::scene_hash(told.hash),
                 width,
                 height,
-                notes: told.notes.clone(),
+                notes: told.notes.iter().chain(&told.remarks).cloned().collect(),
                 timings: self.timings.then(|| timings.facts()),
             });
         }
@@ -247,7 +283,7 @@ pub(crate) struct Document {
     scene_hash: String,
     width: u32,
     height: u32,
-    /// What was ignored or changed of the file
+    /// What was ignored or changed of the file, and what is odd about the picture: black, clipped, a mistake
     notes: Vec<String>,
     /// With --timings: how long the stages take
     timings: Option<TimingsFacts>,
@@ -265,5 +301,6 @@ pub(super) fn sha256(path: &Path) -> Result<String, Failure> {
 /// What a file tells beside its scene.
 struct Told {
     notes: Vec<String>,
+    remarks: Vec<String>,
     hash: u64,
 }

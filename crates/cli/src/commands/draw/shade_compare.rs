@@ -62,7 +62,7 @@ impl ShadeCompareArgs {
         let phong = pictures.last().expect("three pictures were drawn");
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();
-        self.pictures.deliver(side_by_side(&pictures, &differences)?, &target, input.scene.content_hash())?;
+        self.pictures.deliver(side_by_side(&pictures, &differences)?, &target, &input)?;
         self.tell(&target, &differences)
     }
 

@@ -53,8 +53,10 @@ impl SideBySideArgs {
     }
 
     /// Brings the pictures, on one sheet, to where they go, and says so.
-    pub(super) fn deliver(&self, sheet: Canvas, target: &Target, hash: u64) -> Result<(), Failure> {
-        encode::deliver(sheet.into(), target, &encode::metadata(hash))?;
+    pub(super) fn deliver(&self, sheet: Canvas, target: &Target, input: &Input) -> Result<(), Failure> {
+        let makings = self.plan(input, &self.look)?.options.makings();
+        let metadata = encode::metadata_of_sheet(input.scene.content_hash(), makings);
+        encode::deliver(sheet.into(), target, &metadata)?;
         if let Target::File(path) = target {
             print::note(format_args!("wrote {}", path.display()));
         }

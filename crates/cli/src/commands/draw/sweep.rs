@@ -71,7 +71,7 @@ impl SweepArgs {
         let mut canvas = sheet.begin()?;
         let mut progress = Progress::new(cells.len(), "pictures");
         // The sheet is made of all its scenes.
-        let mut hash = 0_u64;
+        let (mut hash, mut made) = (0_u64, Vec::new());
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), values)?;
             let plan = Plan::new(&input, Some(self.size), &self.look, &self.camera, self.develop)?;
@@ -81,12 +81,13 @@ impl SweepArgs {
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
             }
+            made = plan.options.makings();
             hash = hash.rotate_left(1) ^ input.scene.content_hash();
             progress.step();
         }
         drop(progress);
         let size = (canvas.width, canvas.height);
-        encode::deliver(canvas.into(), &target, &encode::metadata(hash))?;
+        encode::deliver(canvas.into(), &target, &encode::metadata_of_sheet(hash, made))?;
         tell_sheet(&target, size, &cells, sheet.per_row, self.format)
     }
 

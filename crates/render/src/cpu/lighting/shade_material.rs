@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Deref;
 
+use glanz_bsdf::Shape;
 use glanz_scene::Metalness;
 
 use crate::cpu::lighting::inlined_models::is_inlined;
@@ -46,7 +47,11 @@ impl Deref for ShadeMaterial<'_> {
 /// light from behind is none of its business.
 fn is_simple(lobe: &DirectLobe) -> bool {
     let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any;
-    bare && is_inlined(lobe.shape.info()) && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })
+    // A model of a program's own may say the same of itself, but the loop does not hold it.
+    let listed = !matches!(lobe.shape, Shape::Custom(_));
+    bare && listed
+        && is_inlined(lobe.shape.info())
+        && !matches!(lobe.coordinate, TintCoordinate::CoatPath { .. })
 }
 
 /// The lights of a frame, and whether the fast path serves them.

@@ -17,13 +17,12 @@ use crate::{Backend, DebugView, Prepared};
 pub(crate) fn probe(
     prepared: &Prepared,
     view: &View,
-    background: Background,
+    draw: &DrawOptions,
     pixel: (u32, u32),
 ) -> ([f32; 3], Option<ProbedSurface>) {
     let mut renderer = Renderer::new();
     let aovs = Aovs { depth: true, normal: true, object: true };
-    let options =
-        DrawOptions { samples: Samples::One, supersample: false, show: DebugView::Shaded, background, aovs };
+    let options = DrawOptions { samples: Samples::One, supersample: false, aovs, ..*draw };
     let drawn = renderer.draw(prepared, view, &options);
     let index = pixel.1 as usize * drawn.width + pixel.0 as usize;
     let middle = drawn.rgb.each_ref().map(|plane| plane[index]);

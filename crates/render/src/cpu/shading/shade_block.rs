@@ -166,7 +166,9 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
     #[inline(always)]
     pub(crate) fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> ShadingPoint<Lanes<S>> {
         let (position, wo) = self.frame.camera.unproject(self.px, self.py, place.distance);
-        ShadingPoint::plain(position, unit(Vec3::new(x, y, z)), wo)
+        let normal = Vec3::new(x, y, z);
+        let normal = if self.frame.options.raw_normals { normal } else { unit(normal) };
+        ShadingPoint::plain(position, normal, wo)
     }
 
     /// Texture coordinates at another pixel position, for the footprint of textures; also beyond the

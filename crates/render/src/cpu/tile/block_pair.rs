@@ -111,7 +111,10 @@ fn colors<R: Real>(
     if object.shading == Shading::Phong {
         let (position, wo) = frame.camera.unproject(px, py, distance);
         let [x, y, z] = value;
-        normal = unit(Vec3::new(x, y, z));
+        normal = Vec3::new(x, y, z);
+        if !frame.options.raw_normals {
+            normal = unit(normal);
+        }
         let light = material.reflect(&ShadingPoint::plain(position, normal, wo));
         rgb = three(
             [0, 1, 2],

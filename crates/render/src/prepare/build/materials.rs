@@ -47,7 +47,7 @@ pub(crate) fn prepare(
             .transmittance
             .as_ref()
             .map(|transmittance| table.transmittance(transmittance)),
-        alpha: material.alpha,
+        alpha: material.opacity,
         alpha_mode: material.alpha_mode,
     })
 }

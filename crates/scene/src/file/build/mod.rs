@@ -7,6 +7,7 @@ mod files;
 mod geometry;
 mod lights;
 mod media;
+mod remarks;
 mod scene;
 mod spectra;
 mod units;

@@ -32,6 +32,8 @@ impl Builder {
         }
         self.scene.photometric = self.one_kind_of_unit(table.render.photometric.as_ref())?;
         self.drop_unused_meshes();
+        self.check_scales(table)?;
+        self.remarks(table);
         // Last, since it may be a camera of an object's file.
         self.scene.camera = table.camera.as_ref().map(|camera| self.camera(camera)).transpose()?;
         Ok(())
@@ -51,9 +53,11 @@ impl Builder {
             show: table.render.show,
             tone_map: table.render.tone_map,
             ev: table.render.ev.map_or(0.0, |ev| ev.0),
+            encoding: table.render.encoding,
             mode: table.render.mode.0,
             white: table.render.white.0,
             shadows: table.render.shadows,
+            mistake: table.render.mistake,
         };
     }
 }

@@ -7,6 +7,7 @@ use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale}
 use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName};
 
 use super::builder::Builder;
+use super::remarks::check_scale;
 use super::units::for_luminance;
 use crate::file::error::Problem;
 use crate::file::tables::colors::{ColorValue, SpectralTable, SpectrumValue};
@@ -84,7 +85,10 @@ impl Builder {
     /// The tint of a surface.
     pub(super) fn tint(&mut self, value: &At<ColorValue>) -> Result<Tint, Problem> {
         let table = match &value.value {
-            ColorValue::Rgb(color) => return Ok(color.0.into()),
+            ColorValue::Rgb(color) => {
+                check_scale(color.0, &value.span)?;
+                return Ok(color.0.into());
+            }
             ColorValue::Spectral(table) => table,
         };
         if let Some(luminance) = &table.luminance_cd_m2 {

@@ -82,14 +82,13 @@ pub(crate) struct LightTable {
     pub direction: Option<At<Direction>>,
     /// The point that a spot, rectangle, disk or profile is directed at, in place of `direction`.
     pub target: Option<At<Vector>>,
-    /// What it sends to all terms of a material that have no colour of their own below; white by
-    /// default. 1 on a white matte surface that faces the light gives 1. Of a rectangle, disk, sphere or
+    /// What it sends to diffuse and specular terms that have no colour of their own below, or to ambient terms if it is
+    /// ambient light; white by default. 1 on a white matte surface that faces the light gives 1. Of a rectangle, disk, sphere or
     /// environment it is the radiance: 1 is that of such a surface.
     pub color: Option<At<ColorValue>>,
     /// Its spectrum, in place of `color`: the name of a light source, or a table.
     pub spectrum: Option<At<SpectrumValue>>,
-    /// What it sends to ambient terms; `color` by default, but nothing of a rectangle, disk, sphere or
-    /// environment.
+    /// What it sends to ambient terms; `color` of ambient light, else nothing by default, as in OpenGL.
     pub ambient: Option<At<ColorValue>>,
     /// What it sends to diffuse terms; `color` by default.
     pub diffuse: Option<At<ColorValue>>,
@@ -171,13 +170,6 @@ names! {
         /// From an environment at infinite distance.
         Environment = "environment",
     } default Ambient
-}
-
-impl KindName {
-    /// Whether it is a surface that shines.
-    pub(crate) fn is_surface(self) -> bool {
-        matches!(self, Self::Rectangle | Self::Disk | Self::Sphere)
-    }
 }
 
 names! {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::sampled::ObserverValue;
 use super::values::{At, Color, Stops};
-use crate::{COLOR_MODES, ColorMode, DebugView, Interpolation, Shading, ToneMap, White};
+use crate::{COLOR_MODES, ColorMode, DebugView, Encoding, Interpolation, Mistake, Shading, ToneMap, White};
 
 /// The picture to be made.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -54,6 +54,9 @@ pub(crate) struct RenderTable {
     pub tone_map: ToneMap,
     /// Exposure in stops.
     pub ev: Option<Stops>,
+    /// How light becomes codes: by the transfer function of sRGB, or raw, as a shader's output in a framebuffer of
+    /// OpenGL.
+    pub encoding: Encoding,
     /// How colour is treated.
     pub mode: ModeValue,
     /// The white that becomes the white of the screen.
@@ -66,6 +69,8 @@ pub(crate) struct RenderTable {
     pub photometric: Option<At<bool>>,
     /// Whether surfaces stand in each other's light; not by default, as the classic models have it.
     pub shadows: bool,
+    /// A mistake to be drawn on purpose, for teaching; none by default.
+    pub mistake: Option<Mistake>,
 }
 
 /// A colour mode by its name.

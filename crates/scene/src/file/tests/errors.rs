@@ -18,8 +18,8 @@ fn an_unknown_key_is_refused_with_its_table_and_the_nearest_key() {
     assert_eq!(message, "unknown key 'shinines' in [materials.red]; did you mean 'shininess'?");
     assert_eq!(place, "shinines");
     let error = parse(&text).expect_err("unknown key");
-    assert_eq!((error.line, error.column), (48, 1));
-    assert!(error.to_string().starts_with("scene:48:1: unknown key"), "{error}");
+    assert_eq!((error.line, error.column), (51, 1));
+    assert!(error.to_string().starts_with("scene:51:1: unknown key"), "{error}");
 }
 
 /// Texts, the message that they give, and what it points at.
@@ -69,7 +69,7 @@ fn errors_say_what_was_expected_and_point_at_the_value() {
             "180",
         ),
         ("camera = 'Eye'".into(), "unknown camera 'Eye'", "'Eye'"),
-        (light("kind = 'lamp'"), "unknown name 'lamp'", "'lamp'"),
+        (light("kind = 'lamp'"), "unknown name 'lamp'; did you mean 'point'?", "'lamp'"),
         (light("direction = [0, 0, 1]"), "'kind' is missing in [lights.0]", "[[lights]]"),
         (
             light("kind = 'spot'\nposition = [0, 0, 1]"),

@@ -23,11 +23,11 @@ fn a_material_is_taken_from_the_library_under_its_own_name() {
 
 #[test]
 fn coat_alpha_and_grain_still_apply() {
-    let text = "[materials.a]\nlibrary = 'gold'\nalpha = 0.5\naniso_deg = 90\ntwo_sided = false\ncoat = { ior = 1.5 }";
+    let text = "[materials.a]\nlibrary = 'gold'\nopacity = 0.5\naniso_deg = 90\ntwo_sided = false\ncoat = { ior = 1.5 }";
     let coated = gold("a").under_coat(&Coat::default()).expect("the coat is fine");
     let expected = Material {
         two_sided: false,
-        alpha: 0.5,
+        opacity: 0.5,
         alpha_mode: AlphaMode::Blend,
         aniso: 90_f64.to_radians(),
         ..coated

@@ -3,7 +3,9 @@
 mod errors;
 mod library;
 mod lights;
+mod materials;
 mod proptests;
+mod remarks;
 mod schema;
 mod spectra;
 
@@ -153,7 +155,7 @@ fn a_light_sends_its_color_unless_a_part_has_its_own() {
                 color = [0.5, 0.5, 0.5]\nspecular = '#ffffff'\nintensity = 2";
     let light = &scene(text).lights[0];
     let half = Rgb::gray(1.0);
-    assert_eq!(light.colors, LightColors { specular: Rgb::gray(2.0).into(), ..LightColors::all(half) });
+    assert_eq!(light.colors, LightColors { specular: Rgb::gray(2.0).into(), ..LightColors::direct(half) });
     assert_eq!(light.space, Space::Camera);
     let ambient = &scene("[[lights]]\nkind = 'ambient'\n").lights[0];
     assert_eq!(ambient.colors, LightColors::ambient(Rgb::WHITE));
@@ -199,7 +201,7 @@ fn rotations_are_done_in_their_order_and_a_matrix_says_it_all() {
 #[test]
 fn materials_are_classic_or_lobes_with_their_defaults() {
     let text = "[materials.a]\n[materials.b]\nlobes = [{ shape = 'phong', shininess = 7 }, { shape = 'ambient' }]\n\
-                two_sided = false\nalpha = 0.5\n[materials.c]\nalpha_mode = 'mask'\nemission = [1, 2, 3]";
+                two_sided = false\nopacity = 0.5\n[materials.c]\nalpha_mode = 'mask'\nemission = [1, 2, 3]";
     let materials = scene(text).materials;
     assert_eq!((materials[0].lobes.len(), materials[0].two_sided), (0, true));
     let lobes = &materials[1].lobes;
@@ -208,7 +210,7 @@ fn materials_are_classic_or_lobes_with_their_defaults() {
         (vec![7.0], Some(Rgb::WHITE), false)
     );
     assert!(lobes[1].textured && !materials[1].two_sided);
-    assert_eq!((materials[1].alpha, materials[1].alpha_mode), (0.5, AlphaMode::Blend));
+    assert_eq!((materials[1].opacity, materials[1].alpha_mode), (0.5, AlphaMode::Blend));
     assert_eq!(materials[2].alpha_mode, AlphaMode::Mask { cutoff: 0.5 });
     assert_eq!(materials[2].lobes[0].tint, Rgb([1.0, 2.0, 3.0]).into());
 }

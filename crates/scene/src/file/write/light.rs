@@ -144,8 +144,6 @@ fn put_colors(colors: &LightColors, kind: &LightKind, table: &mut Table) {
     }
     let LightColors { ambient, diffuse, specular } = colors;
     table.put_unless(*diffuse == white, "color", light_color(diffuse));
-    let surrounds = matches!(kind, LightKind::Area { .. } | LightKind::Environment { .. });
-    let usual = if surrounds { &LightColor::BLACK } else { diffuse };
-    table.put_unless(ambient == usual, "ambient", light_color(ambient));
+    table.put_unless(ambient.is_black(), "ambient", light_color(ambient));
     table.put_unless(specular == diffuse, "specular", light_color(specular));
 }

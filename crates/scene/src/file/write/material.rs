@@ -57,8 +57,8 @@ fn put_surface(material: &Material, table: &mut Table) {
     }
     table.put_unless(material.two_sided, "two_sided", "false");
     table.put_unless(!material.cull_back, "cull_back", "true");
-    table.put_unless(material.alpha == 1.0, "alpha", single(material.alpha));
-    let translucent = material.alpha < 1.0;
+    table.put_unless(material.opacity == 1.0, "opacity", single(material.opacity));
+    let translucent = material.opacity < 1.0;
     match material.alpha_mode {
         AlphaMode::Opaque => table.put_unless(!translucent, "alpha_mode", string("opaque")),
         AlphaMode::Blend => table.put_unless(translucent, "alpha_mode", string("blend")),
@@ -92,6 +92,7 @@ fn classic(material: &Material) -> Option<ClassicMaterial> {
                 block.model = model.to_owned();
                 let exponent = info.params.iter().position(|param| param.name == "shininess");
                 block.shininess = exponent.map_or(block.shininess, |i| lobe.shape.params()[i]);
+                block.parameters = parameters(&lobe.shape);
                 &mut block.specular
             }
             _ => return None,
@@ -100,6 +101,13 @@ fn classic(material: &Material) -> Option<ClassicMaterial> {
     }
     let built = block.build("").ok()?;
     (!material.lobes.is_empty() && built.lobes == material.lobes).then_some(block)
+}
+
+/// The parameters of a highlight that are not the exponent and not as the model has them by default.
+fn parameters(shape: &Shape) -> Vec<(String, f64)> {
+    let values = shape.info().params.iter().zip(shape.params());
+    let own = values.filter(|(param, value)| param.name != "shininess" && *value != param.default);
+    own.map(|(param, value)| (param.name.to_owned(), value)).collect()
 }
 
 fn put_classic(block: &ClassicMaterial, table: &mut Table) {
@@ -115,4 +123,7 @@ fn put_classic(block: &ClassicMaterial, table: &mut Table) {
         table.put_unless(color.is_black(), name, tint(color));
     }
     table.put_unless(block.shininess == default.shininess, "shininess", number(block.shininess));
+    for (name, value) in &block.parameters {
+        table.put(name, number(*value));
+    }
 }

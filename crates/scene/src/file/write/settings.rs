@@ -66,6 +66,11 @@ fn render(render: &RenderSettings) -> Table {
     table.put_unless(render.mode == default.mode, "mode", string(&render.mode.to_string()));
     table.put_unless(render.white == default.white, "white", string(render.white.name()));
     table.put_unless(!render.shadows, "shadows", "true");
+    let encoding = string(render.encoding.name());
+    table.put_unless(render.encoding == default.encoding, "encoding", encoding);
+    if let Some(mistake) = render.mistake {
+        table.put("mistake", string(mistake.name()));
+    }
     table
 }
 

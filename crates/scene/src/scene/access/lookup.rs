@@ -139,8 +139,8 @@ mod tests {
     fn names_and_numbers_find_the_same() {
         let mut scene = scene();
         assert_eq!(scene.material_number("red").unwrap(), 0);
-        scene.material_mut("red").unwrap().alpha = 0.5;
-        assert_eq!(scene.material(0).unwrap().alpha, 0.5);
+        scene.material_mut("red").unwrap().opacity = 0.5;
+        assert_eq!(scene.material(0).unwrap().opacity, 0.5);
         assert!(matches!(
             scene.material(4),
             Err(LookupError::Number { kind: "material", asked: 4, count: 4 })

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glanz_bsdf::{LightTerm, MODELS, ParamError};
+use glanz_bsdf::{LightTerm, MODELS};
 
 use super::layers::transmittance;
 use crate::file::build::builder::Builder;
@@ -58,8 +58,8 @@ impl MaterialTable {
         material.name = self.name.clone().unwrap_or_else(|| name.to_owned());
         material.two_sided = self.two_sided;
         material.cull_back = self.cull_back;
-        material.alpha = self.alpha.map_or(1.0, |a| a.0 as f32);
-        material.alpha_mode = self.alpha_mode()?;
+        material.opacity = self.opacity(name, builder)?.map_or(1.0, |opacity| opacity as f32);
+        material.alpha_mode = self.alpha_mode(material.opacity)?;
         Ok(material)
     }
 
@@ -68,10 +68,12 @@ impl MaterialTable {
         match (&self.library, &self.lobes) {
             (Some(library), _) => {
                 self.refuse_terms(library)?;
+                self.refuse_others(name)?;
                 Ok(Material { name: name.to_owned(), ..builder.library_material(library)? })
             }
             (None, Some(lobes)) => {
                 self.refuse_classic_keys()?;
+                self.refuse_others(name)?;
                 let lobes = lobes.iter().map(|lobe| lobe.build(builder)).collect::<Result<_, _>>()?;
                 Ok(Material::of_lobes(name, lobes))
             }
@@ -121,8 +123,8 @@ impl MaterialTable {
         Ok(self.transmittance.as_ref().or(self.see_through.as_ref()))
     }
 
-    fn alpha_mode(&self) -> Result<AlphaMode, Problem> {
-        let translucent = self.alpha.is_some_and(|a| a.0 < 1.0);
+    fn alpha_mode(&self, opacity: f32) -> Result<AlphaMode, Problem> {
+        let translucent = opacity < 1.0;
         let default = if translucent { AlphaModeName::Blend } else { AlphaModeName::Opaque };
         let mode = self.alpha_mode.unwrap_or(default);
         if let (Some(cutoff), false) = (&self.alpha_cutoff, mode == AlphaModeName::Mask) {
@@ -149,6 +151,7 @@ impl MaterialTable {
             emission: self.emission.as_ref().map_or(Ok(Tint::BLACK), |color| builder.emission(color))?,
             shininess: self.shininess.as_ref().map_or(defaults.shininess, |s| s.0),
             model: self.model.as_ref().map_or(defaults.model, |m| m.value.clone()),
+            parameters: Vec::new(),
         };
         if let Some(model) = &self.model {
             let Some(info) =
@@ -168,12 +171,11 @@ impl MaterialTable {
                 ));
             }
         }
-        classic.build(name).map_err(|error| {
-            let span = match &error {
-                ParamError::OutOfRange { .. } => self.shininess.as_ref().map(|s| s.span.clone()),
-                _ => self.model.as_ref().map(|m| m.span.clone()),
-            };
-            Problem { span, message: error.to_string(), help: None }
+        classic.parameters = self.parameters(name, &classic.model)?;
+        classic.build(name).map_err(|error| Problem {
+            span: self.place_of(&error).cloned(),
+            message: error.to_string(),
+            help: None,
         })
     }
 

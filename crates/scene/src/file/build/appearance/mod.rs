@@ -4,4 +4,5 @@ pub(super) mod from_library;
 pub(super) mod layers;
 pub(super) mod lobes;
 pub(super) mod materials;
+mod parameters;
 pub(super) mod textures;

@@ -112,9 +112,9 @@ impl LightTable {
             let color = color.as_ref().map_or(Ok(all.clone()), |color| builder.light_color(color))?;
             Ok(color.scaled(factor))
         };
-        let ambient = match (&self.ambient, self.kind.is_surface() || self.kind == KindName::Environment) {
-            // What comes from all around is this light itself.
-            (None, true) => LightColor::BLACK,
+        let ambient = match (&self.ambient, self.kind) {
+            // As in OpenGL: light without a direction is a lamp's only where it is said.
+            (None, kind) if kind != KindName::Ambient => LightColor::BLACK,
             (color, _) => part(color)?,
         };
         if self.kind == KindName::Ambient {

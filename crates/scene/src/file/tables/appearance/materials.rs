@@ -1,28 +1,32 @@
 //! Materials.
 
 use std::borrow::Cow;
+use std::ops::Deref;
 
-use glanz_bsdf::{LightTerm, MODELS};
+use glanz_bsdf::{LightTerm, MODELS, ModelInfo};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer};
+use serde_json::{Value, json};
 
 use super::layers::{CoatTable, PaneTable};
 use super::lobes::LobeTable;
+use super::set_aside::{Other, SetAside};
 use super::textures::TextureValue;
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::table;
 use crate::file::tables::values::{At, Exponent, Fraction, Number};
 use crate::names::names;
 
-/// A material: the classic block (`model`, `ambient`, `diffuse`, `specular`, `shininess`, `emission`; colours
-/// that are missing are black), a list of `lobes`, or one of the `library`.
+/// A material: the classic block (`model` with its parameters, `ambient`, `diffuse`, `specular`, `shininess`,
+/// `emission`; colours that are missing are black), a list of `lobes`, or one of the `library`.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct MaterialTable {
+#[schemars(rename = "MaterialTable")]
+pub(crate) struct MaterialKeys {
     /// The name of a material of the library, as `glanz material list` tells them. Its terms are taken as they are; a
     /// `coat` lies over them, and textures multiply those that textures multiply.
     pub library: Option<At<String>>,
-    /// Model of the highlight; `phong` by default.
+    /// Model of the highlight, or of the diffuse term if it is matte; `phong` by default. Its parameters are keys, too.
     #[schemars(with = "Option<HighlightName>")]
     pub model: Option<At<String>>,
     /// Tint of the ambient term.
@@ -57,8 +61,10 @@ pub(crate) struct MaterialTable {
     #[serde(default)]
     pub cull_back: bool,
     /// Opacity; 1 by default. Below 1 the surface is blended unless `alpha_mode` says otherwise.
-    pub alpha: Option<Fraction>,
-    /// What alpha means; `opaque` by default where `alpha` is 1.
+    pub opacity: Option<At<Fraction>>,
+    /// The width of a `model` that has one; else the old name of `opacity`.
+    pub alpha: Option<At<Number>>,
+    /// What the opacity, times the texture's alpha, does; `opaque` by default where `opacity` is 1.
     pub alpha_mode: Option<AlphaModeName>,
     /// The least alpha that a mask draws; 0.5 by default.
     pub alpha_cutoff: Option<At<Fraction>>,
@@ -74,6 +80,51 @@ pub(crate) struct MaterialTable {
     pub aniso_rad: Option<At<Number>>,
     /// A name for people; that of the table by default.
     pub name: Option<String>,
+}
+
+/// A material, with the keys that are none of all materials': parameters of the model, if they are right.
+#[derive(Debug)]
+pub(crate) struct MaterialTable {
+    keys: MaterialKeys,
+    /// The other keys, with the number that they have, if they have one.
+    pub others: Vec<Other>,
+    /// The keys of all materials.
+    pub known: &'static [&'static str],
+}
+
+impl Deref for MaterialTable {
+    type Target = MaterialKeys;
+    fn deref(&self) -> &MaterialKeys {
+        &self.keys
+    }
+}
+
+impl<'de> Deserialize<'de> for MaterialTable {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (mut others, mut known): (_, &[&str]) = (Vec::new(), &[]);
+        let set_aside = SetAside { inner: deserializer, others: &mut others, fields: &mut known };
+        let keys = MaterialKeys::deserialize(set_aside)?;
+        Ok(Self { keys, others, known })
+    }
+}
+
+impl JsonSchema for MaterialTable {
+    fn schema_name() -> Cow<'static, str> {
+        MaterialKeys::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut schema = MaterialKeys::json_schema(generator);
+        let keys = schema.get_mut("properties").and_then(Value::as_object_mut).expect("it is of a struct");
+        for param in MODELS.iter().filter(|info| is_classic(info)).flat_map(|info| info.params) {
+            let of =
+                |info: &&ModelInfo| is_classic(info) && info.params.iter().any(|own| own.name == param.name);
+            let models: Vec<&str> = MODELS.iter().filter(of).map(|info| info.name).collect();
+            let description = format!("Parameter of the model {}: {}", models.join(", "), param.doc);
+            let entry = json!({ "type": "number", "description": description });
+            keys.entry(param.name).or_insert(entry);
+        }
+        schema
+    }
 }
 
 fn lobes<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<At<Vec<LobeTable>>>, D::Error> {
@@ -111,8 +162,18 @@ impl JsonSchema for HighlightName {
     }
 }
 
-/// The models that a classic block can name: the highlights, and `lambert` for none.
+/// Whether a classic block can name the model: the highlights, and matte ones for none.
+fn is_classic(info: &ModelInfo) -> bool {
+    matches!(info.term, LightTerm::Specular | LightTerm::Diffuse)
+}
+
+/// The models that a classic block can name.
 pub(crate) fn highlight_names() -> impl Iterator<Item = &'static str> {
-    let highlight = |part| matches!(part, LightTerm::Specular | LightTerm::Diffuse);
-    MODELS.iter().filter(move |info| highlight(info.term)).map(|info| info.name)
+    MODELS.iter().filter(|info| is_classic(info)).map(|info| info.name)
+}
+
+/// The models that a classic block can name and that have this parameter.
+pub(crate) fn models_with(parameter: &str) -> Vec<&'static str> {
+    let has = |info: &&ModelInfo| info.params.iter().any(|param| param.name == parameter);
+    MODELS.iter().filter(|info| is_classic(info)).filter(has).map(|info| info.name).collect()
 }

@@ -4,4 +4,5 @@ pub(crate) mod layer_weights;
 pub(crate) mod layers;
 pub(crate) mod lobes;
 pub(crate) mod materials;
+mod set_aside;
 pub(crate) mod textures;

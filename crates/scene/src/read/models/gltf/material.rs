@@ -92,7 +92,7 @@ impl Reader<'_> {
         self.textures_of(json, unlit, &mut material, path, context)?;
         material.two_sided = json.double_sided;
         material.cull_back = !json.double_sided;
-        material.alpha = pbr.base_color_factor[3].min(1.0) as f32;
+        material.opacity = pbr.base_color_factor[3].min(1.0) as f32;
         material.alpha_mode = match json.alpha_mode.as_deref() {
             None | Some("OPAQUE") => AlphaMode::Opaque,
             Some("MASK") => AlphaMode::Mask { cutoff: json.alpha_cutoff.unwrap_or(0.5) as f32 },

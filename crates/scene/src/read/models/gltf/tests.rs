@@ -447,7 +447,7 @@ fn unlit_materials_are_emission_alone() {
     let model = read(&material(unlit));
     assert_eq!(lobes(&model), [("emission", [0.25, 0.5, 1.0], None)]);
     assert!(model.materials[0].lobes[0].textured);
-    assert_eq!((model.materials[0].alpha, model.materials[0].alpha_mode), (0.5, AlphaMode::Blend));
+    assert_eq!((model.materials[0].opacity, model.materials[0].alpha_mode), (0.5, AlphaMode::Blend));
 }
 
 #[test]

@@ -178,7 +178,7 @@ impl Definition {
         material.emission_map = pictures.load(self.emission.as_ref(), true, false, context)?;
         material.normal_map = pictures.load(self.normal.as_ref(), false, self.bump, context)?;
         if self.alpha < 1.0 {
-            material.alpha = self.alpha;
+            material.opacity = self.alpha;
             material.alpha_mode = AlphaMode::Blend;
         }
         Ok(material)

@@ -106,7 +106,7 @@ fn materials_and_maps_are_read_from_the_library() {
     assert_eq!(lobe("ambient"), Some((Rgb([0.1, 0.2, 0.3]), vec![])));
     assert_eq!(lobe("lambert"), Some((Rgb::gray(0.5), vec![])));
     assert_eq!(lobe("blinn-phong"), Some((Rgb::gray(1.0), vec![64.0])));
-    assert_eq!((shiny.alpha, shiny.alpha_mode), (0.25, AlphaMode::Blend));
+    assert_eq!((shiny.opacity, shiny.alpha_mode), (0.25, AlphaMode::Blend));
     assert_eq!(shiny.base_color.unwrap().transform, [[2.0, 0.0, 0.5], [0.0, 4.0, -3.25]]);
     assert_eq!(model.textures[0].wrap, [crate::Wrap::Clamp; 2]);
     // Illumination model 1 has no highlight.

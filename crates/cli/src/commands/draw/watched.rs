@@ -1,0 +1,134 @@
+//! The files that a picture is made of, and whether they change.
+//!
+//! They are asked for their time and size a few times a second: that works on every file system, network folders
+//! included, and costs nothing that could be measured for the few files of a scene.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+/// How often the files are looked at.
+const INTERVAL: Duration = Duration::from_millis(150);
+/// The most files of a model's folder that are looked at.
+const MOST_FILES: usize = 256;
+
+/// Time and size of a file; none where there is none.
+type Stamp = Option<(SystemTime, u64)>;
+
+/// The files that a picture is made of, as they were when it was drawn.
+#[derive(Debug)]
+pub(super) struct Watched {
+    scene: PathBuf,
+    /// What is written, which would else be seen to change.
+    target: Option<PathBuf>,
+    stamps: BTreeMap<PathBuf, Stamp>,
+}
+
+impl Watched {
+    /// The files of `scene`; `target` is the picture.
+    pub(super) fn new(scene: &Path, target: Option<&Path>) -> Self {
+        let mut watched =
+            Self { scene: scene.to_owned(), target: target.map(Path::to_owned), stamps: BTreeMap::new() };
+        watched.look();
+        watched
+    }
+
+    /// How many files there are.
+    pub(super) fn count(&self) -> usize {
+        self.stamps.len()
+    }
+
+    /// Notes how the files are now, and which there are.
+    pub(super) fn look(&mut self) {
+        let files = files_of(&self.scene);
+        let is_other = |path: &PathBuf| self.target.as_ref() != Some(path);
+        self.stamps = files.into_iter().filter(is_other).map(|path| (path.clone(), stamp(&path))).collect();
+    }
+
+    /// Waits until one of the files is another than when they were looked at, and is not being written any more.
+    pub(super) fn wait(&self) {
+        while self.stamps.iter().all(|(path, before)| stamp(path) == *before) {
+            sleep(INTERVAL);
+        }
+        let now = || self.stamps.keys().map(|path| stamp(path)).collect::<Vec<_>>();
+        let mut last = now();
+        loop {
+            sleep(INTERVAL / 3);
+            let next = now();
+            // An editor may replace a file by removing it first.
+            if next == last && stamp(&self.scene).is_some() {
+                return;
+            }
+            last = next;
+        }
+    }
+}
+
+fn stamp(path: &Path) -> Stamp {
+    let metadata = std::fs::metadata(path).ok()?;
+    Some((metadata.modified().ok()?, metadata.len()))
+}
+
+/// The scene, the files whose names stand in it, and what lies beside models, which name more files themselves.
+fn files_of(scene: &Path) -> Vec<PathBuf> {
+    let mut files = vec![scene.to_owned()];
+    let folder = scene.parent().unwrap_or(Path::new(""));
+    let text =
+        std::fs::read(scene).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
+    let is_scene = glanz_scene::is_scene_file(scene);
+    let named = strings(&text).into_iter().filter(|name| is_scene && name.contains('.'));
+    files.extend(named.map(|name| folder.join(name)).filter(|path| path.is_file()));
+    let beside: Vec<PathBuf> =
+        files.iter().filter(|path| names_files(path)).flat_map(|path| folder_of(path)).collect();
+    files.extend(beside);
+    files
+}
+
+/// All that stands between quotation marks on one line of a scene file, whether that makes sense or not.
+fn strings(text: &str) -> Vec<&str> {
+    let of_line =
+        |line| ['"', '\''].into_iter().flat_map(move |mark: char| str::split(line, mark).skip(1).step_by(2));
+    text.lines().flat_map(of_line).collect()
+}
+
+/// Whether a file of this name may name others.
+fn names_files(path: &Path) -> bool {
+    ["gltf", "obj"].iter().any(|ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending)))
+}
+
+/// The files of the folder that a file is in.
+fn folder_of(path: &Path) -> Vec<PathBuf> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_FILES);
+    entries.map(|entry| entry.path()).filter(|path| path.is_file()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_between_marks_are_found_in_any_text() {
+        let text = "mesh = { file = \"a.glb\" }\nx = 'b.csv' # 'c.png'\nbroken = \"d";
+        assert_eq!(strings(text), ["a.glb", "b.csv", "c.png", "d"]);
+    }
+
+    #[test]
+    fn a_scene_is_watched_with_the_files_that_it_names_but_not_its_picture() {
+        let folder = std::env::temp_dir().join(format!("glanz-watched-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (scene, picture) = (folder.join("a.toml"), folder.join("a.png"));
+        for name in ["a.png", "b.csv", "unnamed.csv"] {
+            std::fs::write(folder.join(name), "1").unwrap();
+        }
+        std::fs::write(&scene, "diffuse = { file = 'b.csv' }\nother = 'missing.csv'\nown = 'a.png'").unwrap();
+        let mut watched = Watched::new(&scene, Some(&picture));
+        assert_eq!(watched.stamps.keys().cloned().collect::<Vec<_>>(), [scene.clone(), folder.join("b.csv")]);
+        std::fs::write(folder.join("b.csv"), "12").unwrap();
+        watched.wait();
+        watched.look();
+        assert_eq!(watched.count(), 2);
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+}
