@@ -13,7 +13,7 @@ use glanz_color::read::{
     read_spectra_with,
 };
 use glanz_color::{
-    CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
+    CatalogSpectrum, FineSpectrum, Interpolation, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
     catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
 use glanz_math::names::{plain, suggestion};
@@ -161,6 +161,27 @@ impl TableArgs {
     }
 }
 
+/// A table whose values lie further apart than this, in nm, is coarse: what lies between them is a guess that shows.
+const COARSE_NM: f64 = 5.5;
+
+/// A table with coarse steps.
+#[derive(Clone, Debug)]
+pub(crate) struct Coarse {
+    /// The mean step in nm.
+    pub step_nm: f64,
+    /// The values by 1 nm, joined by smooth curves.
+    pub smooth: FineSpectrum,
+}
+
+/// What the option --interpolation takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CoarseTable {
+    /// Straight lines, as in pictures
+    Lines,
+    /// Sprague's polynomials (CIE 167:2005)
+    Sprague,
+}
+
 /// A spectrum that the command line named.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
@@ -170,12 +191,28 @@ pub(crate) struct Source {
     pub title: String,
     /// What it is of.
     pub kind: SpectrumKind,
-    /// The values on the grid.
+    /// The values on the grid, as they are drawn.
     pub spectrum: Spectrum,
+    /// The values by 1 nm, for numbers; those of a coarse table are joined by lines.
+    pub fine: FineSpectrum,
+    /// The same with the values of a coarse table joined by smooth curves.
+    pub coarse: Option<Coarse>,
     /// The unit of the values as the file gives it; empty if there is none.
     pub unit: String,
     /// The same, where it is one of spectral power that is understood.
     pub power_unit: Option<PowerUnit>,
+}
+
+impl Source {
+    /// The spectrum with the values of a coarse table joined in the way that was asked for.
+    pub(crate) fn interpolated(mut self, wanted: Option<CoarseTable>) -> Self {
+        match (wanted, self.coarse.take()) {
+            (Some(CoarseTable::Sprague), Some(coarse)) => self.fine = coarse.smooth,
+            (Some(CoarseTable::Lines), _) => {}
+            (_, coarse) => self.coarse = coarse,
+        }
+        self
+    }
 }
 
 /// A re-radiation matrix that the command line named.
@@ -190,8 +227,8 @@ pub(crate) struct FluorescentSource {
 }
 
 impl Source {
-    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum }: CatalogSpectrum) -> Self {
-        Self { name: word.to_owned(), title, kind, spectrum, unit: String::new(), power_unit: None }
+    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum, fine }: CatalogSpectrum) -> Self {
+        Self { name: word.to_owned(), title, kind, spectrum, fine, coarse: None, unit: String::new(), power_unit: None }
     }
 }
 
@@ -407,6 +444,7 @@ fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -
     let kind = kind_of(named, file)?;
     let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
+    let (fine, coarse) = fine(named, outside).map_err(|error| failed(named, &error))?;
     if kind == SpectrumKind::Surface {
         note_beyond_1(&spectrum, &named.name);
     }
@@ -415,9 +453,21 @@ fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -
         title: format!("from {file}"),
         kind,
         spectrum,
+        fine,
+        coarse,
         unit: named.unit.clone(),
         power_unit: named.power_unit(),
     })
+}
+
+/// A spectrum by 1 nm, for numbers.
+fn fine(named: &NamedSpectrum, outside: Outside) -> Result<(FineSpectrum, Option<Coarse>), TableError> {
+    let smooth = named.to_fine(Some(outside), Interpolation::Smooth)?;
+    let step_nm = named.step_nm();
+    if step_nm <= COARSE_NM {
+        return Ok((smooth, None));
+    }
+    Ok((named.to_fine(Some(outside), Interpolation::Lines)?, Some(Coarse { step_nm, smooth })))
 }
 
 /// What a spectrum of a file is of, by what the file says, or what was said of it.
@@ -441,12 +491,17 @@ fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, 
     told(named, named.to_spectrum(outside))
 }
 
+/// The failure for a spectrum whose values are none.
+fn failed(named: &NamedSpectrum, error: &TableError) -> Failure {
+    Failure::new(format_args!("'{}': {error}", named.name))
+}
+
 /// The spectrum that came of a file's; what had to be assumed is told on stderr.
 fn told(
     named: &NamedSpectrum,
     found: Result<(Spectrum, Vec<String>), TableError>,
 ) -> Result<Spectrum, Failure> {
-    let (spectrum, notes) = found.map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
+    let (spectrum, notes) = found.map_err(|error| failed(named, &error))?;
     named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
     Ok(spectrum)
 }

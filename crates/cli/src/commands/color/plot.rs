@@ -183,7 +183,7 @@ impl ChromaticityArgs {
         let mut marks = Vec::new();
         for word in &lights {
             let light = light_source(word)?;
-            let xy = Chromaticity::of_light(&light.spectrum)
+            let xy = Chromaticity::of_light(&light.fine)
                 .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{word}'")))?;
             marks.push(Mark { name: light.name, xy });
         }

@@ -10,14 +10,15 @@ use glanz_color::cri::color_rendering;
 use glanz_color::models::Lab;
 use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
 use glanz_color::temperature::{MOST_DUV, color_temperature};
-use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
+use glanz_color::difference::ciede2000;
+use glanz_color::{FineSpectrum, Observer, ObserverKind, Sampled, SpectrumKind, fine_light};
 use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
-use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
+use crate::input::spectra::{Coarse, CoarseTable, Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
@@ -34,7 +35,12 @@ is relative to the light, that of a light to D65. sRGB of a surface is adapted f
 D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
 colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
 for a surface, equal energy for a light. Files: CSV and other text tables, .spdx (IES TM-27),
-CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.";
+CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.
+
+Numbers are summed by 1 nm: of finer tables with the observer between its wavelengths, of tables
+up to 5 nm by Sprague's interpolation (CIE 167:2005), of coarser ones by lines unless
+--interpolation sprague. 'drawn by 5 nm' tells how far the colour of a picture is from them, whose
+grid has steps of 5 nm.";
 
 /// The scale of X, Y, Z that are printed: Y of the white.
 const WHITE_Y: f64 = 100.0;
@@ -56,6 +62,10 @@ pub(crate) struct SpectrumArgs {
 
     #[command(flatten)]
     table: TableArgs,
+
+    /// What joins the values of a table that are more than 5 nm apart: lines unless said
+    #[arg(long, value_enum, value_name = "CURVE", help_heading = "Files of spectra")]
+    interpolation: Option<CoarseTable>,
 
     /// Draw the spectrum; .svg or .png
     #[arg(long, value_name = "FILE", help_heading = "Output")]
@@ -112,6 +122,20 @@ impl JsonSchema for Document {
                 "r": { "type": "array", "items": { "type": "number" } }, "efficacy_lm_per_w": nullable,
                 "sp_ratio": nullable, "unit": text, "luminous": nullable, "scotopic": nullable,
                 "luminous_unit": text,
+                "interpolation": {
+                    "description": "Of a table with coarse steps, whose values are joined by lines: how far Sprague's polynomials would be",
+                    "type": "object",
+                    "required": ["step_nm", "sprague_de2000"],
+                    "properties": { "step_nm": number, "sprague_de2000": number },
+                    "additionalProperties": false,
+                },
+                "drawn_by_5_nm": {
+                    "description": "How far the colour of a picture, whose grid has steps of 5 nm, is from these numbers",
+                    "type": "object",
+                    "required": ["de2000"],
+                    "properties": { "de2000": number, "cct_shift_k": nullable },
+                    "additionalProperties": false,
+                },
             },
             "patternProperties": { "^response_": { "type": ["number", "null"] } },
             "additionalProperties": false,
@@ -134,7 +158,7 @@ impl SpectrumArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         check_plot(self.plot.as_ref())?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let source = source(&self.spectrum, None, &self.table)?;
+        let source = source(&self.spectrum, None, &self.table)?.interpolated(self.interpolation);
         if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";
             return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
@@ -148,7 +172,8 @@ impl SpectrumArgs {
         match source.kind {
             SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
             SpectrumKind::Surface => {
-                surface_facts(&mut facts, &source, &light_source_with(&self.under, &self.table)?, &observer)
+                let light = light_source_with(&self.under, &self.table)?.interpolated(self.interpolation);
+                surface_facts(&mut facts, &source, &light, &observer);
             }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
@@ -202,7 +227,7 @@ fn screen_facts(facts: &mut Facts, screen: DisplayColor, how: &str) {
     facts.line("sRGB", format!("{}  {} ({how}{clipped})", decimals(&srgb, 4), screen.hex()));
 }
 
-fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &str) {
+fn hue_facts(facts: &mut Facts, color: &FineSpectrum, white: Chromaticity, name: &str) {
     let Some((dominant, complement)) = dominant_wavelength(color, white) else {
         facts.value("dominant_nm", Value::Null);
         let why = match Chromaticity::of_light(color) {
@@ -225,9 +250,14 @@ fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &st
 }
 
 /// The responses of an observer that has no X, Y, Z.
-fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>, observer: &Observer) {
-    let responses = observer.response(light);
-    let whites = white.map(|white| observer.response(white));
+fn response_facts(
+    facts: &mut Facts,
+    light: &FineSpectrum,
+    white: Option<&FineSpectrum>,
+    observer: &Observer,
+) {
+    let responses = light.responses(observer);
+    let whites = white.map(|white| white.responses(observer));
     for (index, (channel, response)) in observer.channels.iter().zip(&responses).enumerate() {
         let relative = whites.as_ref().map_or(*response, |whites| response / whites[index]);
         facts.value(&format!("response_{}", channel.name), finite(relative));
@@ -243,12 +273,12 @@ fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>,
 }
 
 fn light_facts(facts: &mut Facts, source: &Source, observer: &Observer) {
-    let light = &source.spectrum;
+    let light = &source.fine;
     facts.value("kind", "light");
     if observer.kind != ObserverKind::Xyz {
         response_facts(facts, light, None, observer);
     }
-    let d65 = glanz_color::light("D65").expect("D65 comes with the library");
+    let d65 = fine_light("D65").expect("D65 comes with the library");
     if let (Some(xyz), Some(white)) =
         (relative_xyz(light, light, observer), relative_xyz(&d65, &d65, observer))
     {
@@ -260,9 +290,54 @@ fn light_facts(facts: &mut Facts, source: &Source, observer: &Observer) {
     hue_facts(facts, light, Chromaticity::E, "equal energy");
     temperature_facts(facts, light);
     power_facts(facts, source);
+    drawn_light_facts(facts, source, &d65, observer);
 }
 
-fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
+/// What drawing a light by 5 nm costs.
+fn drawn_light_facts(facts: &mut Facts, source: &Source, white: &FineSpectrum, observer: &Observer) {
+    let (told, drawn) = (&source.fine, &source.spectrum);
+    let (Some(first), Some(second), Some(white)) = (
+        relative_xyz(told, told, observer),
+        relative_xyz(drawn, drawn, observer),
+        relative_xyz(white, white, observer),
+    ) else {
+        return;
+    };
+    let de2000 = ciede2000(lab(first, white), lab(second, white));
+    let kelvin = |xy: Option<Chromaticity>| xy.and_then(|xy| color_temperature(xy).ok()).map(|found| found.cct_k);
+    let shift = kelvin(Chromaticity::of_light(drawn)).zip(kelvin(Chromaticity::of_light(told)));
+    let shift = shift.map(|(drawn, told)| drawn - told);
+    let temperature = shift.map_or(String::new(), |shift| format!(", CCT {shift:+.1} K"));
+    facts.value("drawn_by_5_nm", json!({ "de2000": de2000, "cct_shift_k": shift }));
+    facts.line("drawn by 5 nm", format!("ΔE00 {de2000:.2}{temperature}"));
+    if let Some(coarse) = &source.coarse
+        && let Some(smooth) = relative_xyz(&coarse.smooth, &coarse.smooth, observer)
+    {
+        coarse_facts(facts, coarse, ciede2000(lab(first, white), lab(smooth, white)));
+    }
+}
+
+/// How far the colour would be off if the values of a coarse table were joined by smooth curves.
+fn coarse_facts(facts: &mut Facts, coarse: &Coarse, de2000: f64) {
+    let step = number(coarse.step_nm);
+    facts.value("interpolation", json!({ "step_nm": coarse.step_nm, "sprague_de2000": de2000 }));
+    let choose = format!("--interpolation sprague: ΔE00 {de2000:.2} from this");
+    facts.line("interpolation", format!("lines between values {step} nm apart; {choose}"));
+}
+
+/// What drawing a surface by 5 nm costs: each colour to the white of its own sums.
+fn drawn_surface_facts(facts: &mut Facts, source: &Source, light: &Source, told: Lab, observer: &Observer) {
+    let (white, seen) = (light.spectrum, source.spectrum * light.spectrum);
+    if let (Some(white), Some(xyz)) =
+        (relative_xyz(&white, &white, observer), relative_xyz(&seen, &white, observer))
+    {
+        let de2000 = ciede2000(told, lab(xyz, white));
+        facts.value("drawn_by_5_nm", json!({ "de2000": de2000 }));
+        facts.line("drawn by 5 nm", format!("ΔE00 {de2000:.2}"));
+    }
+}
+
+fn temperature_facts(facts: &mut Facts, light: &FineSpectrum) {
     let Some(Ok(found)) = Chromaticity::of_light(light).map(color_temperature) else {
         facts.value("cct_k", Value::Null);
         facts.line("CCT", "none: no black body is near");
@@ -289,7 +364,7 @@ fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
 
 /// What the light is in photometric units; absolute figures only where its unit is understood.
 fn power_facts(facts: &mut Facts, source: &Source) {
-    let light = &source.spectrum;
+    let light = &source.fine;
     let (day, night) = (luminous(light, Adapted::Photopic), luminous(light, Adapted::Scotopic));
     facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).and_then(finite));
     facts.value("sp_ratio", finite(night / day));
@@ -316,15 +391,16 @@ fn power_facts(facts: &mut Facts, source: &Source) {
 }
 
 fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &Observer) {
-    let seen = source.spectrum * light.spectrum;
+    let seen = &source.fine * &light.fine;
     facts.value("kind", "surface");
     facts.value("under", light.name.as_str());
     facts.line("under", format!("{}, {}", light.name, light.title));
     if observer.kind != ObserverKind::Xyz {
-        response_facts(facts, &seen, Some(&light.spectrum), observer);
+        response_facts(facts, &seen, Some(&light.fine), observer);
     }
-    let white = relative_xyz(&light.spectrum, &light.spectrum, observer);
-    if let (Some(xyz), Some(white)) = (relative_xyz(&seen, &light.spectrum, observer), white) {
+    let white = relative_xyz(&light.fine, &light.fine, observer);
+    let color = relative_xyz(&seen, &light.fine, observer).zip(white);
+    if let Some((xyz, white)) = color {
         color_facts(facts, xyz, white);
         if let Some(screen) = DisplayColor::adapted(xyz, white) {
             screen_facts(facts, screen, &format!("adapted from {}", light.name));
@@ -332,7 +408,15 @@ fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &
     } else if observer.kind == ObserverKind::Xyz {
         facts.line("XYZ", "none: the observer does not see this light");
     }
-    if let Some(white) = Chromaticity::of_light(&light.spectrum) {
+    if let Some(white) = Chromaticity::of_light(&light.fine) {
         hue_facts(facts, &seen, white, &light.name);
+    }
+    if let Some((xyz, white)) = color {
+        drawn_surface_facts(facts, source, light, lab(xyz, white), observer);
+        if let Some(coarse) = &source.coarse
+            && let Some(smooth) = relative_xyz(&(&coarse.smooth * &light.fine), &light.fine, observer)
+        {
+            coarse_facts(facts, coarse, ciede2000(lab(xyz, white), lab(smooth, white)));
+        }
     }
 }

@@ -86,7 +86,7 @@ impl XyArgs {
         let light = light_source(&self.white)?;
         let white = match light.name.as_str() {
             "E" => Chromaticity::E,
-            name => Chromaticity::of_light(&light.spectrum)
+            name => Chromaticity::of_light(&light.fine)
                 .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{name}'")))?,
         };
         let found = dominant(color, white).ok();

@@ -1,7 +1,7 @@
 //! What a file of spectra holds: named spectra, as they were measured.
 
 use super::settle::GREATEST_PERCENT;
-use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum, TableError};
+use crate::spectra::{FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, Spectrum, TableError};
 
 /// What the values of a spectrum are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -97,6 +97,37 @@ impl NamedSpectrum {
     ///
     /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
     pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
+        let (clipped, noise) = self.without_noise()?;
+        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
+        notes.extend(noise);
+        Ok((spectrum, notes))
+    }
+
+    /// The spectrum by 1 nm, for numbers: what it holds of a table, [`FineSpectrum`] says. What is clipped and what is
+    /// refused is as for [`NamedSpectrum::to_spectrum`].
+    ///
+    /// # Errors
+    ///
+    /// [`TableError`], as for [`NamedSpectrum::to_spectrum`].
+    pub fn to_fine(
+        &self,
+        outside: Option<Outside>,
+        interpolation: Interpolation,
+    ) -> Result<FineSpectrum, TableError> {
+        let (clipped, _) = self.without_noise()?;
+        FineSpectrum::interpolated(&self.nm, &clipped, outside.unwrap_or(self.outside()), interpolation)
+    }
+
+    /// The mean step between the wavelengths, in nm; 0 for one alone.
+    pub fn step_nm(&self) -> f64 {
+        match self.nm.as_slice() {
+            [first, .., last] => (last - first) / (self.nm.len() - 1) as f64,
+            _ => 0.0,
+        }
+    }
+
+    /// The values without those below 0, and what is to be told of them.
+    fn without_noise(&self) -> Result<(Vec<f64>, Option<String>), TableError> {
         self.check_band()?;
         let greatest = self.within_band();
         if self.quantity.is_ratio() && greatest > GREATEST_PERCENT {
@@ -112,13 +143,10 @@ impl NamedSpectrum {
         }
         let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
         let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
-        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
-        if count > 0 {
-            let name = &self.name;
-            notes
-                .push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
-        }
-        Ok((spectrum, notes))
+        let name = &self.name;
+        let told =
+            || format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0");
+        Ok((clipped, (count > 0).then(told)))
     }
 
     /// The greatest value where it is used: instruments give noise beyond.
@@ -165,10 +193,14 @@ impl NamedSpectrum {
         values: &[f64],
         outside: Option<Outside>,
     ) -> Result<(Spectrum, Vec<String>), TableError> {
-        let by_quantity = if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero };
-        let outside = outside.unwrap_or(by_quantity);
+        let outside = outside.unwrap_or(self.outside());
         let spectrum = Spectrum::from_table(&self.nm, values, outside)?;
         Ok((spectrum, self.coverage(outside)))
+    }
+
+    /// What it is beyond its ends, if nothing else is said.
+    fn outside(&self) -> Outside {
+        if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero }
     }
 
     /// What of the grid the spectrum does not cover, and what of the spectrum the grid does not.
