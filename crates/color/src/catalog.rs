@@ -56,7 +56,12 @@ pub fn catalog_spectrum(name: &str) -> Result<CatalogSpectrum, UnknownName> {
     let kind = SpectrumKind::Surface;
     if let Ok(spectrum) = reflectance(name) {
         let title = reflectances().iter().find(|info| is(info.name)).map_or("", |info| info.title);
-        return Ok(CatalogSpectrum { title: title.to_owned(), kind, spectrum, fine: fine_reflectance(name)? });
+        return Ok(CatalogSpectrum {
+            title: title.to_owned(),
+            kind,
+            spectrum,
+            fine: fine_reflectance(name)?,
+        });
     }
     let Ok(found) = ior(name) else {
         return Err(UnknownName::not_found("spectrum", name, names()));

@@ -45,10 +45,12 @@ pub use display::srgb::{srgb_decode, srgb_decode_u8, srgb_encode};
 pub use display::tone_map::ToneMap;
 pub use feature_off::FeatureOff;
 pub use file::{exr, read, write};
-pub use lights::{DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, fine_light, light, lights, planck};
+pub use lights::{
+    DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, fine_light, light, lights, planck,
+};
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{
-    adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, temperature,
+    adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, ssi, temperature, tm30,
 };
 pub use models::Xyz;
 pub use names::UnknownName;
@@ -57,10 +59,15 @@ pub use observers::{
     xyz_of_reflectance,
 };
 pub use sampling::{efficiency, meyer, rgb_spectra, upsample};
-pub use spectra::{FINE_LAST_NM, FINE_SAMPLES, FIRST_NM, FineSpectrum, Interpolation, Sampled, LAST_NM, Outside, SAMPLES, STEP_NM, Spectrum, TableError, lambda_nm, units};
+pub use spectra::{
+    FINE_LAST_NM, FINE_SAMPLES, FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, SAMPLES, STEP_NM,
+    Sampled, Spectrum, TableError, lambda_nm, units,
+};
 pub use surfaces::fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use surfaces::fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use surfaces::ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use surfaces::paper_notes::{PaperNote, paper_notes};
-pub use surfaces::reflectances::{ReflectanceInfo, colorchecker, fine_reflectance, reflectance, reflectances};
+pub use surfaces::reflectances::{
+    ReflectanceInfo, colorchecker, fine_reflectance, reflectance, reflectances,
+};
 pub use surfaces::reradiation::{EnergyReport, MeasuredError, Reradiation};

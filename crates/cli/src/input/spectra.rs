@@ -13,8 +13,8 @@ use glanz_color::read::{
     read_spectra_with,
 };
 use glanz_color::{
-    CatalogSpectrum, FineSpectrum, Interpolation, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
-    catalog_spectrum, fluorescent, fluorescents, light, observer,
+    CatalogSpectrum, FineSpectrum, Interpolation, Observer, Outside, Reradiation, Spectrum, SpectrumKind,
+    TableError, UnknownName, catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
@@ -228,7 +228,16 @@ pub(crate) struct FluorescentSource {
 
 impl Source {
     fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum, fine }: CatalogSpectrum) -> Self {
-        Self { name: word.to_owned(), title, kind, spectrum, fine, coarse: None, unit: String::new(), power_unit: None }
+        Self {
+            name: word.to_owned(),
+            title,
+            kind,
+            spectrum,
+            fine,
+            coarse: None,
+            unit: String::new(),
+            power_unit: None,
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 38] = [
+pub(crate) const COMMANDS: [&[&str]; 39] = [
     &[],
     &["render"],
     &["sweep"],
@@ -39,6 +39,7 @@ pub(crate) const COMMANDS: [&[&str]; 38] = [
     &["color", "plot", "cones"],
     &["color", "plot", "meyer"],
     &["color", "plot", "matrix"],
+    &["color", "plot", "tm30"],
     &["color", "plot", "efficiency"],
     &["schema"],
     &["completions"],

@@ -13,6 +13,7 @@ mod library;
 mod lobes;
 mod materials;
 mod models;
+mod numbers;
 mod pictures;
 mod schemas;
 mod spectra;

@@ -76,7 +76,10 @@ impl DisplayColor {
 
 /// The dominant and the complementary wavelength in the diagram of CIE 1931; none for a stimulus with the white's
 /// chromaticity, or with none.
-pub fn dominant_wavelength<S: Sampled>(color: &S, white: Chromaticity) -> Option<(Dominant, Option<Dominant>)> {
+pub fn dominant_wavelength<S: Sampled>(
+    color: &S,
+    white: Chromaticity,
+) -> Option<(Dominant, Option<Dominant>)> {
     let xy = Chromaticity::of_light(color)?;
     Some((dominant(xy, white).ok()?, complementary(xy, white).ok()))
 }

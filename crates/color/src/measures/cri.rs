@@ -230,6 +230,9 @@ mod tests {
         assert_eq!(color_rendering(&Spectrum::ZERO), Err(RenderingError::Unseen));
         let blue = Spectrum::from_fn(|nm| if nm < 480.0 { 1.0 } else { 0.0 });
         assert!(matches!(color_rendering(&blue), Err(RenderingError::Temperature(_))));
-        assert!(matches!(color_rendering(&blackbody::<Spectrum>(60_000.0)), Err(RenderingError::NoDaylight { .. })));
+        assert!(matches!(
+            color_rendering(&blackbody::<Spectrum>(60_000.0)),
+            Err(RenderingError::NoDaylight { .. })
+        ));
     }
 }

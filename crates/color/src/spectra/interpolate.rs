@@ -34,8 +34,11 @@ impl<'a> Smooth<'a> {
         let ((first, _), (last, _)) = (curve.first(), curve.last());
         let count = curve.nm.len();
         let step = (last - first) / (count - 1) as f64;
-        let is_even =
-            curve.nm.iter().enumerate().all(|(i, nm)| (nm - first - step * i as f64).abs() <= ROUNDING * step);
+        let is_even = curve
+            .nm
+            .iter()
+            .enumerate()
+            .all(|(i, nm)| (nm - first - step * i as f64).abs() <= ROUNDING * step);
         if count < FEWEST || !is_even {
             return Self::Cubic(curve);
         }
@@ -93,8 +96,6 @@ fn cubic(curve: &Curve<'_>, nm: f64) -> f64 {
     if !is_like(x[1] - x[0]) || !is_like(x[3] - x[2]) {
         return curve.at(nm);
     }
-    let weight = |i: usize| {
-        (0..4).filter(|j| *j != i).map(|j| (nm - x[j]) / (x[i] - x[j])).product::<f64>()
-    };
+    let weight = |i: usize| (0..4).filter(|j| *j != i).map(|j| (nm - x[j]) / (x[i] - x[j])).product::<f64>();
     (0..4).map(|i| weight(i) * y[i]).sum()
 }

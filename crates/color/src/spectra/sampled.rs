@@ -23,7 +23,9 @@ use crate::observers::Observer;
 /// assert!((drawn.x - told.x).abs() < 2e-5 && (drawn.y - told.y).abs() < 2e-5);
 /// # Ok::<_, glanz_color::UnknownName>(())
 /// ```
-pub trait Sampled: Sized + Clone + Mul<f64, Output = Self> + Add<Output = Self> + Sum + private::Build {
+pub trait Sampled:
+    Sized + Clone + Mul<f64, Output = Self> + Add<Output = Self> + Sum + private::Build
+{
     /// ∫ with each channel of an observer, in the unit of the values times nm.
     fn responses(&self, observer: &Observer) -> Vec<f64>;
 

@@ -11,6 +11,7 @@
 //! ```
 
 mod chromaticity;
+mod color_vectors;
 mod cones;
 mod efficiency;
 mod lobe3d;
@@ -21,6 +22,7 @@ mod slices;
 mod spectra;
 
 pub use chromaticity::{ChromaticityDiagram, Mark};
+pub use color_vectors::ColorVectors;
 pub use cones::cones;
 pub use efficiency::{EfficiencyChart, EfficiencyLine, EfficiencyPanel};
 pub use lobe3d::{LobeBodies, LobeBody};

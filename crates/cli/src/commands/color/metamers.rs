@@ -9,7 +9,9 @@ use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::spectra::{CoarseTable, Source, TableArgs, light_source_with, observer_source, source, words};
+use crate::input::spectra::{
+    CoarseTable, Source, TableArgs, light_source_with, observer_source, source, words,
+};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};
@@ -48,7 +50,13 @@ pub(crate) struct MetamersArgs {
     table: TableArgs,
 
     /// What joins the values of a table that are more than 5 nm apart
-    #[arg(long, value_enum, value_name = "CURVE", default_value = "lines", help_heading = "Files of spectra")]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "CURVE",
+        default_value = "lines",
+        help_heading = "Files of spectra"
+    )]
     interpolation: CoarseTable,
 
     /// Draw both spectra; .svg or .png

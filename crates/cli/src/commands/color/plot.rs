@@ -3,7 +3,8 @@
 use clap::{Args, Subcommand};
 use glanz_color::SpectrumKind;
 use glanz_color::chromaticity::Chromaticity;
-use glanz_plot::figure::Mark;
+use glanz_color::tm30::evaluate;
+use glanz_plot::figure::{ColorVectors, Mark};
 use glanz_plot::{
     ChromaticityDiagram, Figure, NamedSpectrum, PlotFile, ReradiationMap, WavelengthChart, cones, meyer,
     spectra,
@@ -42,6 +43,12 @@ pub(crate) enum PlotCommand {
     /// A re-radiation matrix as a heat map
     #[command(after_help = "Example:\n  glanz color plot matrix paper-note-yellow -o matrix.png")]
     Matrix(MatrixArgs),
+    /// How a light shows colours: the colour vector graphic of TM-30
+    #[command(after_help = "Example:\n  glanz color plot tm30 FL2 -o vectors.svg
+
+The circle is the reference of the same colour temperature, the red line the light: inside of the
+circle colours are duller, outside more saturated, and the arrows tell how hues turn.")]
+    Tm30(Tm30Args),
     /// The error of colours over the number of samples of the spectrum
     #[command(after_help = "Example:\n  glanz color plot efficiency --under D65,A,FL11 -o efficiency.svg")]
     Efficiency(EfficiencyArgs),
@@ -95,6 +102,20 @@ pub(crate) struct MatrixArgs {
     output: OutputArgs,
 }
 
+/// Options of `glanz color plot tm30`.
+#[derive(Args, Debug)]
+pub(crate) struct Tm30Args {
+    /// A light from `glanz color list lights`, or a file
+    #[arg(value_name = "NAME|FILE")]
+    light: String,
+
+    #[command(flatten)]
+    table: TableArgs,
+
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
 /// Options of `glanz color plot efficiency`.
 #[derive(Args, Debug)]
 pub(crate) struct EfficiencyArgs {
@@ -114,6 +135,7 @@ impl PlotCommand {
             Self::Cones(_) => "cones",
             Self::Meyer(_) => "meyer",
             Self::Matrix(_) => "matrix",
+            Self::Tm30(_) => "tm30",
             Self::Efficiency(_) => "efficiency",
         }
     }
@@ -131,6 +153,7 @@ impl PlotCommand {
                 let FluorescentSource { name, matrix, .. } = fluorescent_source(&args.material)?;
                 Box::new(ReradiationMap { name, matrix, factors: None })
             }
+            Self::Tm30(args) => Box::new(args.vectors()?),
             Self::Efficiency(args) => Box::new(args.what.find()?.chart()),
         };
         save_plot(file, figure.as_ref())
@@ -142,6 +165,7 @@ impl PlotCommand {
             Self::Chromaticity(args) => &args.output,
             Self::Cones(output) | Self::Meyer(output) => output,
             Self::Matrix(args) => &args.output,
+            Self::Tm30(args) => &args.output,
             Self::Efficiency(args) => &args.output,
         }
     }
@@ -174,6 +198,18 @@ impl SpectraArgs {
         let divided = self.normalize && most > 0.0;
         let spectrum = if divided { source.spectrum * (1.0 / most) } else { source.spectrum };
         NamedSpectrum { name: source.name.clone(), spectrum }
+    }
+}
+
+impl Tm30Args {
+    fn vectors(&self) -> Result<ColorVectors, Failure> {
+        let light = source(&self.light, Some(SpectrumKind::Light), &self.table)?;
+        if light.kind != SpectrumKind::Light {
+            return Err(Failure::Usage(format!("'{}' is a surface; lights show colours", self.light)));
+        }
+        let rendition = evaluate(&light.fine)
+            .map_err(|error| Failure::new(format_args!("'{}' has no Rf: {error}", self.light)))?;
+        Ok(ColorVectors { name: light.name, rendition })
     }
 }
 

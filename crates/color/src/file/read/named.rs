@@ -144,8 +144,7 @@ impl NamedSpectrum {
         let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
         let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
         let name = &self.name;
-        let told =
-            || format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0");
+        let told = || format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0");
         Ok((clipped, (count > 0).then(told)))
     }
 
