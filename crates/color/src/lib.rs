@@ -63,6 +63,7 @@ pub use spectra::{
     FINE_LAST_NM, FINE_SAMPLES, FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, SAMPLES, STEP_NM,
     Sampled, Spectrum, TableError, lambda_nm, units,
 };
+pub use surfaces::dyes;
 pub use surfaces::fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use surfaces::fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use surfaces::ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};

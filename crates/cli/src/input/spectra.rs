@@ -312,6 +312,14 @@ pub(crate) fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failur
     Ok(FluorescentSource { name: read.name, title: file, matrix })
 }
 
+/// The only spectrum of a file, on its own scale.
+pub(crate) fn relative_spectrum(file: &Path) -> Result<Spectrum, Failure> {
+    let name = file.display().to_string();
+    let options = ReadOptions { quantity: Some(Quantity::Relative), ..ReadOptions::default() };
+    let spectra = read_spectra_with(&read(file)?, &name, &options)?;
+    on_grid(pick(&spectra, &name, None)?, Some(Outside::Zero))
+}
+
 /// All surfaces of a file.
 pub(crate) fn surfaces(file: &str) -> Result<Vec<Spectrum>, Failure> {
     let options = TableArgs::default().options(Some(SpectrumKind::Surface));

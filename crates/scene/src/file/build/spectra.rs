@@ -173,6 +173,10 @@ impl Builder {
             ["samples"] => Ok(Function::Either(table.samples.as_ref().expect("it is given").0)),
             ["matrix"] => matrix(table.matrix.as_ref().expect("it is given")),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
+            ["dye"] => {
+                let layer = self.dye(table.dye.as_ref().expect("it is given"))?;
+                Ok(Function::Reradiation(Arc::new(layer)))
+            }
             ["ior"] => ior(table.ior.as_ref().expect("it is given")),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
                 .help(
@@ -299,6 +303,7 @@ fn functions(table: &SpectralTable) -> Vec<&'static str> {
         ("nm", table.nm.is_some() || table.value.is_some()),
         ("samples", table.samples.is_some()),
         ("reradiation", table.reradiation.is_some()),
+        ("dye", table.dye.is_some()),
         ("matrix", table.matrix.is_some()),
         ("ior", table.ior.is_some()),
     ];
@@ -455,6 +460,7 @@ fn film(table: &SpectralTable) -> Result<Option<Film>, Problem> {
         (table.scale.as_ref().map(|v| &v.span), "scale"),
         (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
         (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
+        (table.dye.as_ref().map(|v| &v.span), "dye"),
         (table.file.as_ref().map(|v| &v.span), "file"),
         (table.column.as_ref().map(|v| &v.span), "column"),
         (table.blackbody.as_ref().map(|v| &v.span), "blackbody"),
@@ -504,6 +510,6 @@ pub(super) fn medium(value: &At<IorValue>) -> Result<Ior, Problem> {
     })
 }
 
-fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {
+pub(super) fn unknown(error: &UnknownName, span: &Range<usize>) -> Problem {
     Problem::at(span, error.to_string())
 }
