@@ -71,3 +71,55 @@ fn a_surface_shows_no_colours() {
     folder.glanz(&["color", "plot", "tm30", "LED-B1", "-o", "v.svg"]).text();
     assert!(String::from_utf8_lossy(&folder.read("v.svg")).contains("Colour vector graphic"));
 }
+
+#[test]
+fn colours_that_cannot_be_meant_are_refused_or_remarked() {
+    let folder = Folder::new();
+    let run = |words: &[&str]| folder.glanz(&[&["color"], words].concat());
+    let refused = run(&["convert", "--from", "xyz", "--to", "srgb", "95.047,100,108.883"]).failure();
+    assert!(refused.contains("from 0 to 100 it would be 0.95047,1,1.08883"), "{refused}");
+    let refused = run(&["convert", "--from", "srgb", "--to", "lab", "255,128,0"]).failure();
+    assert!(refused.contains("from 0 to 255"), "{refused}");
+    let refused = run(&["convert", "--from", "oklch", "--to", "srgb", "62,0.2,30"]).failure();
+    assert!(refused.contains("from 0 to 100"), "{refused}");
+    for (words, remark) in [
+        (&["convert", "--from", "srgb", "--to", "xyz", "1.5,0,0"][..], "no display shows it"),
+        (&["convert", "--from", "lab", "--to", "xyz", "500,0,0"], "brighter than white"),
+        (&["xy", "0.1,0.85"], "outside of the spectral locus"),
+    ] {
+        let told = run(words);
+        assert!(!told.text().is_empty() && told.stderr.contains(remark), "{words:?}: {}", told.stderr);
+    }
+    let fine = run(&["convert", "--from", "lch", "--to", "srgb", "60,40,250"]);
+    assert!(!fine.text().is_empty() && fine.stderr.is_empty(), "{}", fine.stderr);
+}
+
+#[test]
+fn a_dye_of_ones_own_is_made_of_its_spectra() {
+    let folder = Folder::new();
+    folder.write("ex.csv", "nm,excitation\n350,0\n400,0.2\n450,1\n500,0.05\n520,0\n");
+    folder.write("em.csv", "nm,emission\n470,0\n510,100\n560,20\n650,0\n");
+    let told =
+        |words: &[&str]| folder.glanz(&[&["color", "fluorescence", "--format", "json"], words].concat());
+    let spectra = ["--excitation", "ex.csv", "--emission", "em.csv", "--quantum-yield", "0.8"];
+    let dye = told(&spectra).json();
+    assert_eq!(dye["energy"]["ok"], true);
+    let lights = dye["lights"].as_array().unwrap();
+    assert!(numbers(&lights[0]["total"]["xyz"])[1] > 100.0, "it glows under D65: {}", lights[0]);
+    let strong = told(&[&spectra[..], &["--absorbance", "3"]].concat()).json();
+    assert!(number(&strong["lights"][0]["de2000"]) > number(&dye["lights"][0]["de2000"]));
+    let exchanged = ["--excitation", "em.csv", "--emission", "ex.csv", "--quantum-yield", "0.8"];
+    assert!(run(&exchanged).failure().contains("are they exchanged?"));
+    assert!(run(&["gold", "--absorbance", "2"]).failure().contains("there is no dye 'gold'"));
+    assert!(run(&["pyranine", "--base", "1.5"]).failure().contains("reflects 0 to 1"));
+    assert!(run(&[]).failure().contains("say which material"));
+    // A scene with it draws.
+    let scene = "[render]\nmode = \"spectral\"\n[image]\nwidth = 16\nheight = 16\n[[lights]]\nkind = \"directional\"\n\
+                 direction = [0.0, 0.0, -1.0]\nspectrum = \"D65\"\n[materials.ink]\ndiffuse = { dye = { excitation = \"ex.csv\", \
+                 emission = \"em.csv\", quantum_yield = 0.8, absorbance = 1.2, base = 0.85 } }\n[[objects]]\nmesh = { sphere = {} }\n\
+                 material = \"ink\"\n";
+    folder.write("ink.toml", scene);
+    folder.glanz(&["render", "ink.toml", "-o", "ink.png"]).text();
+    folder.write("no.toml", scene.replace("quantum_yield = 0.8, ", ""));
+    assert!(folder.glanz(&["render", "no.toml", "-o", "no.png"]).failure().contains("quantum_yield"));
+}
