@@ -2,6 +2,7 @@
 
 pub(crate) mod dyes;
 pub(crate) mod lobes;
+pub(crate) mod resolution;
 pub(crate) mod spectra;
 pub(crate) mod thresholds;
 pub(crate) mod vary;

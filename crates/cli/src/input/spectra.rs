@@ -9,16 +9,17 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use glanz_color::read::{
-    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, read_reradiation,
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, processed, read_reradiation,
     read_spectra_with,
 };
 use glanz_color::{
-    CatalogSpectrum, FineSpectrum, Interpolation, Observer, Outside, Reradiation, Spectrum, SpectrumKind,
-    TableError, UnknownName, catalog_spectrum, fluorescent, fluorescents, light, observer,
+    CatalogSpectrum, FineSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError,
+    UnknownName, catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
+use super::resolution::{Coarse, fine};
 use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
@@ -161,27 +162,6 @@ impl TableArgs {
     }
 }
 
-/// A table whose values lie further apart than this, in nm, is coarse: what lies between them is a guess that shows.
-const COARSE_NM: f64 = 5.5;
-
-/// A table with coarse steps.
-#[derive(Clone, Debug)]
-pub(crate) struct Coarse {
-    /// The mean step in nm.
-    pub step_nm: f64,
-    /// The values by 1 nm, joined by smooth curves.
-    pub smooth: FineSpectrum,
-}
-
-/// What the option --interpolation takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum CoarseTable {
-    /// Straight lines, as in pictures
-    Lines,
-    /// Sprague's polynomials (CIE 167:2005)
-    Sprague,
-}
-
 /// A spectrum that the command line named.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
@@ -201,18 +181,6 @@ pub(crate) struct Source {
     pub unit: String,
     /// The same, where it is one of spectral power that is understood.
     pub power_unit: Option<PowerUnit>,
-}
-
-impl Source {
-    /// The spectrum with the values of a coarse table joined in the way that was asked for.
-    pub(crate) fn interpolated(mut self, wanted: Option<CoarseTable>) -> Self {
-        match (wanted, self.coarse.take()) {
-            (Some(CoarseTable::Sprague), Some(coarse)) => self.fine = coarse.smooth,
-            (Some(CoarseTable::Lines), _) => {}
-            (_, coarse) => self.coarse = coarse,
-        }
-        self
-    }
 }
 
 /// A re-radiation matrix that the command line named.
@@ -477,16 +445,6 @@ fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -
     })
 }
 
-/// A spectrum by 1 nm, for numbers.
-fn fine(named: &NamedSpectrum, outside: Outside) -> Result<(FineSpectrum, Option<Coarse>), TableError> {
-    let smooth = named.to_fine(Some(outside), Interpolation::Smooth)?;
-    let step_nm = named.step_nm();
-    if step_nm <= COARSE_NM {
-        return Ok((smooth, None));
-    }
-    Ok((named.to_fine(Some(outside), Interpolation::Lines)?, Some(Coarse { step_nm, smooth })))
-}
-
 /// What a spectrum of a file is of, by what the file says, or what was said of it.
 fn kind_of(named: &NamedSpectrum, file: &str) -> Result<SpectrumKind, Failure> {
     match named.quantity {
@@ -540,10 +498,12 @@ fn pick<'a>(
         None => match spectra {
             [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
             [only] => Some(only),
-            [first, ..] => match only_known(spectra) {
-                Some(found) => {
+            [first, ..] => match processed(spectra)
+                .map(|found| (found, "what the instrument made of the others"))
+                .or(only_known(spectra).map(|found| (found, "the only one that says what it is of")))
+            {
+                Some((found, why)) => {
                     let (count, name) = (spectra.len(), &found.name);
-                    let why = "the only one that says what it is of";
                     print::note(format_args!("note: {file} holds {count} spectra: '{name}' is taken, {why}"));
                     Some(found)
                 }

@@ -99,8 +99,8 @@ fn a_dye_of_ones_own_is_made_of_its_spectra() {
     let folder = Folder::new();
     folder.write("ex.csv", "nm,excitation\n350,0\n400,0.2\n450,1\n500,0.05\n520,0\n");
     folder.write("em.csv", "nm,emission\n470,0\n510,100\n560,20\n650,0\n");
-    let told =
-        |words: &[&str]| folder.glanz(&[&["color", "fluorescence", "--format", "json"], words].concat());
+    let run = |words: &[&str]| folder.glanz(&[&["color", "fluorescence"], words].concat());
+    let told = |words: &[&str]| run(&[&["--format", "json"], words].concat());
     let spectra = ["--excitation", "ex.csv", "--emission", "em.csv", "--quantum-yield", "0.8"];
     let dye = told(&spectra).json();
     assert_eq!(dye["energy"]["ok"], true);

@@ -9,9 +9,8 @@ use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::input::spectra::{
-    CoarseTable, Source, TableArgs, light_source_with, observer_source, source, words,
-};
+use crate::input::resolution::CoarseTable;
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source, words};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_plot};
 use crate::print::{self, FormatArgs};

@@ -1,6 +1,5 @@
 //! What a file of spectra holds: named spectra, as they were measured.
 
-use super::settle::GREATEST_PERCENT;
 use crate::spectra::{FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, Spectrum, TableError};
 
 /// What the values of a spectrum are.
@@ -28,7 +27,8 @@ impl Quantity {
     pub(super) fn of(text: &str) -> Self {
         let lower = text.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-        if has(&["reflect", "réflect", "remission", "radiance factor"]) {
+        let is_word = |word: &str| lower.split(|c: char| !c.is_alphanumeric()).any(|found| found == word);
+        if has(&["reflect", "réflect", "remission", "radiance factor"]) || is_word("refl") {
             Self::Reflectance
         } else if has(&["transmi"]) {
             Self::Transmittance
@@ -60,6 +60,10 @@ impl Quantity {
         matches!(self, Self::Reflectance | Self::Transmittance | Self::Absorptance)
     }
 }
+
+/// Fractions of light beyond this are counts, or on another scale, whatever a file says: iridescent feathers give back four
+/// times the light of a white standard.
+const GREATEST_FRACTION: f64 = 10.0;
 
 /// Where values far below 0 are no noise.
 const SEEN_NM: core::ops::RangeInclusive<f64> = 400.0..=700.0;
@@ -130,7 +134,7 @@ impl NamedSpectrum {
     fn without_noise(&self) -> Result<(Vec<f64>, Option<String>), TableError> {
         self.check_band()?;
         let greatest = self.within_band();
-        if self.quantity.is_ratio() && greatest > GREATEST_PERCENT {
+        if self.quantity.is_ratio() && greatest > GREATEST_FRACTION {
             return Err(TableError::Scale { greatest });
         }
         let least = -NOISE * self.scale();
@@ -226,6 +230,20 @@ impl NamedSpectrum {
         }
         notes
     }
+}
+
+/// The spectrum that an instrument made of the others that it wrote beside it: dark, reference and sample.
+///
+/// Named *processed*, or `P` beside `D`, `R` and `S`; none where there is no such, or more than one.
+pub fn processed(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
+    let is_processed = |one: &&NamedSpectrum| one.name.to_lowercase().contains("processed");
+    let mut named = spectra.iter().filter(is_processed);
+    if let Some(found) = named.next() {
+        return Some(found).filter(|_| named.next().is_none() && spectra.len() > 1);
+    }
+    let is_jaz =
+        spectra.len() > 1 && spectra.iter().all(|one| ["D", "R", "S", "P"].contains(&one.name.as_str()));
+    spectra.iter().find(|one| is_jaz && one.name == "P")
 }
 
 /// At most this many remarks are kept of a file.

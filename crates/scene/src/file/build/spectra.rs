@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale};
+use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale, processed};
 use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName};
 
 use super::builder::Builder;
@@ -427,8 +427,8 @@ fn choose<'a>(
 ) -> Result<&'a NamedSpectrum, Problem> {
     let names = || spectra.iter().map(|spectrum| spectrum.name.as_str()).collect::<Vec<_>>().join(", ");
     let Some(column) = column else {
-        return match spectra {
-            [only] => Ok(only),
+        return match (spectra, processed(spectra)) {
+            ([only], _) | (_, Some(only)) => Ok(only),
             _ => {
                 let message =
                     format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());

@@ -15,9 +15,8 @@ use glanz_plot::{NamedSpectrum, PlotFile, spectra};
 use serde_json::{Map, Value, json};
 
 use crate::args::check_folder;
-use crate::input::spectra::{
-    Coarse, CoarseTable, Source, TableArgs, light_source_with, observer_source, source,
-};
+use crate::input::resolution::{Coarse, CoarseTable};
+use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::files::{check_plot, save_csv, save_plot};
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
