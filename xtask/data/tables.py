@@ -29,6 +29,8 @@ REFRACTIVE = (
 
 # The grid of the project, in nm.
 FIRST, LAST, STEP = 300, 780, 5
+# The last wavelength of spectra by 1 nm, of which numbers are told.
+FINE_LAST = 830
 
 
 def number(value, digits=8):
@@ -95,7 +97,8 @@ def lights(folder):
         "Mean and eigenvectors of daylight, S0 S1 S2 (CIE 15:2004, table T.2).",
         f"Source: {COLOUR}.",
     ]
-    columns(folder, "daylight.csv", comments, {name: points(basis[name]) for name in ("S0", "S1", "S2")})
+    components = {name: points(basis[name]) for name in ("S0", "S1", "S2")}
+    columns(folder, "daylight.csv", comments, components, last=FINE_LAST)
 
 
 def observers(folder):
@@ -122,6 +125,14 @@ def observers(folder):
         f"Source: {COLOUR}.",
     ]
     columns(folder, "observers.csv", comments, table)
+
+    # V is y of CIE 1931; CIE 1931 has its own table.
+    others = {name: curve for name, curve in table.items() if not name.startswith(("cie1931", "photopic"))}
+    comments = [
+        "The curves of observers.csv by 1 nm, to 6 digits.",
+        f"Source: {COLOUR}.",
+    ]
+    columns(folder, "observers_1nm.csv", comments, others, last=FINE_LAST, step=1, digits=6)
 
     comments = [
         "Colour-matching functions of the CIE 1931 standard observer by 1 nm (ISO/CIE 11664-1:2019).",
@@ -151,6 +162,16 @@ def reflectances(folder):
         f"Source: {COLOUR}.",
     ]
     columns(folder, "samples.csv", comments, samples)
+
+    # CIE 224 and TM-30 give them by 1 and by 5 nm; indices of both differ by less than 0.001.
+    shape = colour.SpectralShape(380, 780, 5)
+    evaluation = colour.quality.cfi2017.load_TCS_CIE2017(shape)
+    comments = [
+        "Reflectance of the 99 colour evaluation samples of CIE 224:2017 and ANSI/IES TM-30-20, in the order of CIE 224.",
+        f"Source: {COLOUR}.",
+    ]
+    samples = channels(evaluation, [f"ces{i + 1:02}" for i in range(99)])
+    columns(folder, "evaluation_samples.csv", comments, samples, digits=5)
 
 
 METALS = {

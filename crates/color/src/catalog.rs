@@ -1,10 +1,10 @@
 //! Spectra by name, of whatever kind: lights, measured reflectances, and metals and glasses by their reflectance.
 
-use crate::lights::{light, lights};
+use crate::lights::{fine_light, light, lights};
 use crate::names::{UnknownName, plain};
-use crate::spectra::Spectrum;
+use crate::spectra::{FineSpectrum, Outside, Spectrum};
 use crate::surfaces::ior::{IorKind, ior, iors};
-use crate::surfaces::reflectances::{reflectance, reflectances};
+use crate::surfaces::reflectances::{fine_reflectance, reflectance, reflectances};
 
 /// What a spectrum is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +22,10 @@ pub struct CatalogSpectrum {
     pub title: String,
     /// What it is of.
     pub kind: SpectrumKind,
-    /// The values on the grid.
+    /// The values on the grid, as they are drawn.
     pub spectrum: Spectrum,
+    /// The values by 1 nm, for numbers.
+    pub fine: FineSpectrum,
 }
 
 /// The spectrum of that name: a light, a measured reflectance, or the reflectance of a metal or glass in air at
@@ -45,7 +47,8 @@ pub fn catalog_spectrum(name: &str) -> Result<CatalogSpectrum, UnknownName> {
     match light(name) {
         Ok(spectrum) => {
             let title = lights().iter().find(|info| is(info.name)).map_or("light", |info| info.title);
-            return Ok(CatalogSpectrum { title: title.to_owned(), kind: SpectrumKind::Light, spectrum });
+            let (title, fine) = (title.to_owned(), fine_light(name)?);
+            return Ok(CatalogSpectrum { title, kind: SpectrumKind::Light, spectrum, fine });
         }
         Err(error @ UnknownName::Parameter { .. }) => return Err(error),
         Err(UnknownName::NotFound { .. }) => {}
@@ -53,7 +56,12 @@ pub fn catalog_spectrum(name: &str) -> Result<CatalogSpectrum, UnknownName> {
     let kind = SpectrumKind::Surface;
     if let Ok(spectrum) = reflectance(name) {
         let title = reflectances().iter().find(|info| is(info.name)).map_or("", |info| info.title);
-        return Ok(CatalogSpectrum { title: title.to_owned(), kind, spectrum });
+        return Ok(CatalogSpectrum {
+            title: title.to_owned(),
+            kind,
+            spectrum,
+            fine: fine_reflectance(name)?,
+        });
     }
     let Ok(found) = ior(name) else {
         return Err(UnknownName::not_found("spectrum", name, names()));
@@ -65,7 +73,9 @@ pub fn catalog_spectrum(name: &str) -> Result<CatalogSpectrum, UnknownName> {
     };
     let title = info.map_or("", |info| info.title);
     let title = format!("{title}, reflectance of {what} in air at normal incidence");
-    Ok(CatalogSpectrum { title, kind, spectrum: found.normal_reflectance() })
+    let spectrum = found.normal_reflectance();
+    let fine = FineSpectrum::from_drawn(&spectrum, Outside::Hold);
+    Ok(CatalogSpectrum { title, kind, spectrum, fine })
 }
 
 /// All names that [`catalog_spectrum`] knows.

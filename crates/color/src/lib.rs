@@ -1,8 +1,8 @@
 //! Colour for Glanz: spectra, lights, observers, surfaces, colour models, and the numbers that are made of
 //! them.
 //!
-//! One grid for all spectra, 300 to 780 nm by 5 nm ([`Spectrum`]); f64 throughout; only pure-Rust functions,
-//! so that numbers are the same on every machine.
+//! One grid for all spectra that are drawn, 300 to 780 nm by 5 nm ([`Spectrum`]); numbers of a spectrum are summed by 1 nm
+//! ([`FineSpectrum`]). f64 throughout; only pure-Rust functions, so that numbers are the same on every machine.
 //!
 //! ```
 //! use glanz_color::colorimetry::DisplayColor;
@@ -46,10 +46,12 @@ pub use display::srgb::{srgb_decode, srgb_decode_u8, srgb_encode};
 pub use display::tone_map::ToneMap;
 pub use feature_off::FeatureOff;
 pub use file::{exr, read, write};
-pub use lights::{DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, light, lights, planck};
+pub use lights::{
+    DAYLIGHT_RANGE_K, KelvinError, LightInfo, PLANCK_RANGE_K, daylight, fine_light, light, lights, planck,
+};
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{
-    adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, temperature,
+    adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, ssi, temperature, tm30,
 };
 pub use models::Xyz;
 pub use names::UnknownName;
@@ -58,10 +60,16 @@ pub use observers::{
     xyz_of_reflectance,
 };
 pub use sampling::{efficiency, meyer, rgb_spectra, upsample};
-pub use spectra::{FIRST_NM, LAST_NM, Outside, SAMPLES, STEP_NM, Spectrum, TableError, lambda_nm, units};
+pub use spectra::{
+    FINE_LAST_NM, FINE_SAMPLES, FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, SAMPLES, STEP_NM,
+    Sampled, Spectrum, TableError, lambda_nm, units,
+};
+pub use surfaces::dyes;
 pub use surfaces::fluorescent::{FluorescentInfo, fluorescent, fluorescents};
 pub use surfaces::fluorophore::{Fluorophore, FluorophoreError, FluorophoreParameter};
 pub use surfaces::ior::{Dispersion, Ior, IorInfo, IorKind, ior, iors};
 pub use surfaces::paper_notes::{PaperNote, paper_notes};
-pub use surfaces::reflectances::{ReflectanceInfo, colorchecker, reflectance, reflectances};
+pub use surfaces::reflectances::{
+    ReflectanceInfo, colorchecker, fine_reflectance, reflectance, reflectances,
+};
 pub use surfaces::reradiation::{EnergyReport, MeasuredError, Reradiation};

@@ -1,7 +1,9 @@
 //! Words of the command line that name things: spectra, lobes, variations, bounds.
 
+pub(crate) mod dyes;
 pub(crate) mod lobes;
 pub(crate) mod media;
+pub(crate) mod resolution;
 pub(crate) mod spectra;
 pub(crate) mod thresholds;
 pub(crate) mod vary;

@@ -9,16 +9,17 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use glanz_color::read::{
-    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, read_reradiation,
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, processed, read_reradiation,
     read_spectra_with,
 };
 use glanz_color::{
-    CatalogSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError, UnknownName,
-    catalog_spectrum, fluorescent, fluorescents, light, observer,
+    CatalogSpectrum, FineSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError,
+    UnknownName, catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
+use super::resolution::{Coarse, fine};
 use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
@@ -181,8 +182,12 @@ pub(crate) struct Source {
     pub title: String,
     /// What it is of.
     pub kind: SpectrumKind,
-    /// The values on the grid.
+    /// The values on the grid, as they are drawn.
     pub spectrum: Spectrum,
+    /// The values by 1 nm, for numbers; those of a coarse table are joined by lines.
+    pub fine: FineSpectrum,
+    /// The same with the values of a coarse table joined by smooth curves.
+    pub coarse: Option<Coarse>,
     /// The unit of the values as the file gives it; empty if there is none.
     pub unit: String,
     /// The same, where it is one of spectral power that is understood.
@@ -201,8 +206,17 @@ pub(crate) struct FluorescentSource {
 }
 
 impl Source {
-    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum }: CatalogSpectrum) -> Self {
-        Self { name: word.to_owned(), title, kind, spectrum, unit: String::new(), power_unit: None }
+    fn of_catalog(word: &str, CatalogSpectrum { title, kind, spectrum, fine }: CatalogSpectrum) -> Self {
+        Self {
+            name: word.to_owned(),
+            title,
+            kind,
+            spectrum,
+            fine,
+            coarse: None,
+            unit: String::new(),
+            power_unit: None,
+        }
     }
 }
 
@@ -275,6 +289,14 @@ pub(crate) fn fluorescent_source(word: &str) -> Result<FluorescentSource, Failur
     }
     let matrix = read.to_reradiation().map_err(|error| Failure::new(format_args!("{file}: {error}")))?;
     Ok(FluorescentSource { name: read.name, title: file, matrix })
+}
+
+/// The only spectrum of a file, on its own scale.
+pub(crate) fn relative_spectrum(file: &Path) -> Result<Spectrum, Failure> {
+    let name = file.display().to_string();
+    let options = ReadOptions { quantity: Some(Quantity::Relative), ..ReadOptions::default() };
+    let spectra = read_spectra_with(&read(file)?, &name, &options)?;
+    on_grid(pick(&spectra, &name, None)?, Some(Outside::Zero))
 }
 
 /// All surfaces of a file.
@@ -423,6 +445,7 @@ fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -
     let kind = kind_of(named, file)?;
     let outside = if kind == SpectrumKind::Surface { Outside::Hold } else { Outside::Zero };
     let spectrum = on_grid(named, Some(outside))?;
+    let (fine, coarse) = fine(named, outside).map_err(|error| failed(named, &error))?;
     if kind == SpectrumKind::Surface {
         note_beyond_1(&spectrum, &named.name);
     }
@@ -431,6 +454,8 @@ fn from_file(opened: &Opened, wanted: Option<SpectrumKind>, table: &TableArgs) -
         title: format!("from {file}"),
         kind,
         spectrum,
+        fine,
+        coarse,
         unit: named.unit.clone(),
         power_unit: named.power_unit(),
     })
@@ -457,12 +482,17 @@ fn on_grid(named: &NamedSpectrum, outside: Option<Outside>) -> Result<Spectrum, 
     told(named, named.to_spectrum(outside))
 }
 
+/// The failure for a spectrum whose values are none.
+fn failed(named: &NamedSpectrum, error: &TableError) -> Failure {
+    Failure::new(format_args!("'{}': {error}", named.name))
+}
+
 /// The spectrum that came of a file's; what had to be assumed is told on stderr.
 fn told(
     named: &NamedSpectrum,
     found: Result<(Spectrum, Vec<String>), TableError>,
 ) -> Result<Spectrum, Failure> {
-    let (spectrum, notes) = found.map_err(|error| Failure::new(format_args!("'{}': {error}", named.name)))?;
+    let (spectrum, notes) = found.map_err(|error| failed(named, &error))?;
     named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
     Ok(spectrum)
 }
@@ -484,10 +514,12 @@ fn pick<'a>(
         None => match spectra {
             [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
             [only] => Some(only),
-            [first, ..] => match only_known(spectra) {
-                Some(found) => {
+            [first, ..] => match processed(spectra)
+                .map(|found| (found, "what the instrument made of the others"))
+                .or(only_known(spectra).map(|found| (found, "the only one that says what it is of")))
+            {
+                Some((found, why)) => {
                     let (count, name) = (spectra.len(), &found.name);
-                    let why = "the only one that says what it is of";
                     print::note(format_args!("note: {file} holds {count} spectra: '{name}' is taken, {why}"));
                     Some(found)
                 }

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 34] = [
+const COULD_NOT: [&[&str]; 35] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -48,6 +48,7 @@ const COULD_NOT: [&[&str]; 34] = [
     &["color", "plot", "cones", "-o", "none/a.svg"],
     &["color", "plot", "meyer", "-o", "none/a.svg"],
     &["color", "plot", "matrix", "paper-note-pink", "-o", "none/a.svg"],
+    &["color", "plot", "tm30", "FL2", "-o", "none/a.svg"],
     &["color", "plot", "efficiency", "-o", "none/a.svg"],
 ];
 

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 40] = [
+pub(crate) const COMMANDS: [&[&str]; 41] = [
     &[],
     &["render"],
     &["sweep"],
@@ -40,6 +40,7 @@ pub(crate) const COMMANDS: [&[&str]; 40] = [
     &["color", "plot", "cones"],
     &["color", "plot", "meyer"],
     &["color", "plot", "matrix"],
+    &["color", "plot", "tm30"],
     &["color", "plot", "efficiency"],
     &["example"],
     &["schema"],

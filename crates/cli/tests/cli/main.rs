@@ -14,6 +14,7 @@ mod library;
 mod lobes;
 mod materials;
 mod models;
+mod numbers;
 mod pictures;
 mod plots;
 mod schemas;

@@ -19,9 +19,9 @@ use std::sync::LazyLock;
 use thiserror::Error;
 
 use crate::names::{UnknownName, plain};
-use crate::observers::photopic;
+use crate::observers::kept;
 use crate::spectra::table::Table;
-use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum};
+use crate::spectra::{FIRST_NM, FineSpectrum, LAST_NM, Outside, Sampled, Spectrum};
 
 pub use list::{LightInfo, lights};
 
@@ -53,6 +53,20 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("../.
 ///
 /// [`UnknownName`] suggests near names, or says which numbers are possible.
 pub fn light(name: &str) -> Result<Spectrum, UnknownName> {
+    sampled(name)
+}
+
+/// The same by 1 nm, for numbers: formulas at each nm, the CIE's tables interpolated (Sprague, CIE 167:2005).
+///
+/// # Errors
+///
+/// [`UnknownName`], as for [`light`].
+pub fn fine_light(name: &str) -> Result<FineSpectrum, UnknownName> {
+    sampled(name)
+}
+
+/// A light, as it is drawn or by 1 nm.
+fn sampled<S: Sampled>(name: &str) -> Result<S, UnknownName> {
     let parts: Vec<&str> = name.split('+').collect();
     match parts[..] {
         [one] => single(one),
@@ -145,21 +159,30 @@ pub fn daylight(cct_k: f64) -> Result<Spectrum, KelvinError> {
     KelvinError::check("a colour temperature", DAYLIGHT_RANGE_K, cct_k).map(formulas::daylight)
 }
 
-fn mixture(parts: &[&str]) -> Result<Spectrum, UnknownName> {
-    let lights = parts.iter().map(|part| single(part)).collect::<Result<Vec<_>, _>>()?;
-    let each = lights[0].integral() / lights.len() as f64;
-    Ok(lights.into_iter().map(|light| light * (each / light.integral())).sum())
+/// [`daylight`] by 1 nm.
+pub(crate) fn fine_daylight(cct_k: f64) -> Result<FineSpectrum, KelvinError> {
+    KelvinError::check("a colour temperature", DAYLIGHT_RANGE_K, cct_k).map(formulas::daylight)
+}
+
+fn mixture<S: Sampled>(parts: &[&str]) -> Result<S, UnknownName> {
+    let lights: Vec<S> = parts.iter().map(|part| single(part)).collect::<Result<_, _>>()?;
+    let each = lights[0].power() / lights.len() as f64;
+    let scaled = |light: S| {
+        let power = light.power();
+        light * (each / power)
+    };
+    Ok(lights.into_iter().map(scaled).sum())
 }
 
 /// A light that is no mixture.
-fn single(name: &str) -> Result<Spectrum, UnknownName> {
+fn single<S: Sampled>(name: &str) -> Result<S, UnknownName> {
     if let Some(call) = Call::parse(name) {
         return call.light();
     }
     let plain = plain(name);
     match plain.as_str() {
         "a" => return Ok(formulas::illuminant_a()),
-        "e" => return Ok(Spectrum::ONE),
+        "e" => return Ok(S::build(&|_| 1.0)),
         "uv365" => return Ok(formulas::gaussian(365.0, 20.0)),
         _ => {}
     }
@@ -175,22 +198,28 @@ fn single(name: &str) -> Result<Spectrum, UnknownName> {
 }
 
 /// A light from the tables of CIE; `F2` is an older name of `FL2`.
-fn tabled(plain: &str) -> Option<Spectrum> {
+fn tabled<S: Sampled>(plain: &str) -> Option<S> {
     let older = plain.strip_prefix('f').map(|rest| format!("fl{rest}"));
     let is_it = |name: &&str| {
         let known = name.to_lowercase();
         known == plain || older.as_ref() == Some(&known)
     };
     let name = TABLE.names().find(is_it)?;
-    let spectrum = TABLE.spectrum(name, Outside::Zero)?;
+    let spectrum: S = TABLE.sampled(name, Outside::Zero)?;
+    let seen = |light: &S| light.responses(kept("photopic"))[0];
     Some(match name {
         "B" | "C" => spectrum * (1.0 / 100.0),
-        _ => spectrum * (photopic().integral() / spectrum.dot(photopic())),
+        _ => {
+            let factor = seen(&S::build(&|_| 1.0)) / seen(&spectrum);
+            spectrum * factor
+        }
     })
 }
 
-fn daylight_by_name(name: &str, cct_k: f64) -> Result<Spectrum, UnknownName> {
-    daylight(cct_k).map_err(|_| wrong(name, "a colour temperature of 4000 to 25000 K".to_owned()))
+fn daylight_by_name<S: Sampled>(name: &str, cct_k: f64) -> Result<S, UnknownName> {
+    KelvinError::check("a colour temperature", DAYLIGHT_RANGE_K, cct_k)
+        .map(formulas::daylight)
+        .map_err(|_| wrong(name, "a colour temperature of 4000 to 25000 K".to_owned()))
 }
 
 fn wrong(name: &str, expected: String) -> UnknownName {
@@ -212,12 +241,14 @@ impl<'a> Call<'a> {
         Some(Self { whole, name: plain(name), numbers })
     }
 
-    fn light(&self) -> Result<Spectrum, UnknownName> {
+    fn light<S: Sampled>(&self) -> Result<S, UnknownName> {
         let numbers = self.numbers.as_deref().unwrap_or(&[]);
         let grid = FIRST_NM..=LAST_NM;
         match (self.name.as_str(), numbers) {
             ("d", [cct]) => daylight_by_name(self.whole, *cct),
-            ("blackbody", [kelvin]) => planck(*kelvin).map_err(|_| self.wrong()),
+            ("blackbody", [kelvin]) => KelvinError::check("a temperature", PLANCK_RANGE_K, *kelvin)
+                .map(formulas::blackbody)
+                .map_err(|_| self.wrong()),
             ("gaussian", [nm, fwhm]) if grid.contains(nm) && (0.01..=1000.0).contains(fwhm) => {
                 Ok(formulas::gaussian(*nm, *fwhm))
             }

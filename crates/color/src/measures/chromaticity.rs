@@ -1,22 +1,18 @@
 //! Chromaticity: colour without its brightness.
 
-use std::sync::LazyLock;
-
-use crate::observers::{Observer, ObserverKind};
-use crate::spectra::Spectrum;
+use crate::observers::{Observer, ObserverKind, kept};
+use crate::spectra::{Sampled, Spectrum};
 
 /// The colour-matching functions x̄, ȳ, z̄ of the CIE 1931 observer on the grid.
-pub(crate) fn cie1931() -> &'static [Spectrum; 3] {
-    static CURVES: LazyLock<[Spectrum; 3]> = LazyLock::new(|| {
-        let observer = Observer::default();
-        core::array::from_fn(|i| observer.channels[i].sensitivity)
-    });
-    &CURVES
+pub(crate) fn cie1931() -> [&'static Spectrum; 3] {
+    let channels = &kept("cie1931").channels;
+    core::array::from_fn(|i| &channels[i].sensitivity)
 }
 
 /// ∫ of a light with each of x̄, ȳ, z̄ of the CIE 1931 observer, not scaled.
-pub(crate) fn tristimulus(light: &Spectrum) -> [f64; 3] {
-    cie1931().map(|curve| curve.dot(light))
+pub(crate) fn tristimulus<S: Sampled>(light: &S) -> [f64; 3] {
+    let responses = light.responses(kept("cie1931"));
+    core::array::from_fn(|i| responses[i])
 }
 
 /// A chromaticity x, y: of the CIE 1931 diagram, or of another observer with X, Y, Z ([`Chromaticity::of`]).
@@ -58,13 +54,13 @@ impl Chromaticity {
 
     /// That of a light for any observer of kind [`ObserverKind::Xyz`]: X / (X + Y + Z) and Y / (X + Y + Z). None for
     /// observers of another kind, and for a light that is not seen.
-    pub fn of(light: &Spectrum, observer: &Observer) -> Option<Self> {
-        let xyz = observer.response(light).try_into().ok()?;
+    pub fn of<S: Sampled>(light: &S, observer: &Observer) -> Option<Self> {
+        let xyz = light.responses(observer).try_into().ok()?;
         if observer.kind == ObserverKind::Xyz { Self::of_xyz(xyz) } else { None }
     }
 
     /// That of a light for the CIE 1931 observer; none for a light that is not seen.
-    pub fn of_light(light: &Spectrum) -> Option<Self> {
+    pub fn of_light<S: Sampled>(light: &S) -> Option<Self> {
         Self::of_xyz(tristimulus(light))
     }
 

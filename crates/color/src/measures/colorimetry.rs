@@ -20,7 +20,7 @@ use crate::measures::difference::{cie76, ciede2000};
 use crate::measures::dominant::{Dominant, complementary, dominant};
 use crate::models::{ColorModel, D65_XYZ, Lab, LinearSrgb, Srgb, Xyz};
 use crate::observers::{Observer, ObserverKind};
-use crate::spectra::Spectrum;
+use crate::spectra::Sampled;
 
 /// How far a code value of sRGB may lie outside of 0 … 1 and still count as inside: an eighth of a step of
 /// 8 bits, below what digits of chromaticities leave open.
@@ -28,8 +28,8 @@ const GAMUT_TOLERANCE: f64 = 0.000_5;
 
 /// XYZ of light for an observer, relative to a white whose Y is 1; none for an observer without X, Y, Z and for a
 /// white that it does not see.
-pub fn relative_xyz(light: &Spectrum, white: &Spectrum, observer: &Observer) -> Option<[f64; 3]> {
-    let (color, white) = (observer.response(light), observer.response(white));
+pub fn relative_xyz<S: Sampled>(light: &S, white: &S, observer: &Observer) -> Option<[f64; 3]> {
+    let (color, white) = (light.responses(observer), white.responses(observer));
     let ([x, y, z], [_, y_white, _]) = (color.as_slice(), white.as_slice()) else { return None };
     let xyz = [x / y_white, y / y_white, z / y_white];
     (observer.kind == ObserverKind::Xyz && xyz.iter().all(|v| v.is_finite())).then_some(xyz)
@@ -76,7 +76,10 @@ impl DisplayColor {
 
 /// The dominant and the complementary wavelength in the diagram of CIE 1931; none for a stimulus with the white's
 /// chromaticity, or with none.
-pub fn dominant_wavelength(color: &Spectrum, white: Chromaticity) -> Option<(Dominant, Option<Dominant>)> {
+pub fn dominant_wavelength<S: Sampled>(
+    color: &S,
+    white: Chromaticity,
+) -> Option<(Dominant, Option<Dominant>)> {
     let xy = Chromaticity::of_light(color)?;
     Some((dominant(xy, white).ok()?, complementary(xy, white).ok()))
 }

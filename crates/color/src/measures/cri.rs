@@ -2,8 +2,8 @@
 //!
 //! CIE 13.3-1995: fourteen test samples under the light and under a reference of the same correlated colour
 //! temperature (a black body below 5000 K, a phase of daylight from there), the difference in CIE 1964
-//! U\*V\*W\* after von Kries's adaptation in CIE 1960 u, v; Rᵢ = 100 − 4.6 ΔEᵢ. Sums are those of the grid,
-//! every 5 nm; light below 360 nm, which is not seen, does not count.
+//! U\*V\*W\* after von Kries's adaptation in CIE 1960 u, v; Rᵢ = 100 − 4.6 ΔEᵢ. Sums are by 1 nm, the samples
+//! interpolated (Sprague, CIE 167:2005); light below 360 nm, which is not seen, does not count.
 //!
 //! ```
 //! use glanz_color::cri::color_rendering;
@@ -15,12 +15,14 @@
 //! # Ok::<_, Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::lights::daylight;
+use std::sync::LazyLock;
+
+use crate::lights::fine_daylight;
 use crate::lights::formulas::blackbody;
-use crate::measures::chromaticity::{Chromaticity, cie1931, tristimulus};
+use crate::measures::chromaticity::{Chromaticity, tristimulus};
 use crate::measures::temperature::{ColorTemperature, TemperatureError, color_temperature};
-use crate::spectra::Spectrum;
-use crate::surfaces::reflectances::reflectance;
+use crate::spectra::{FineSpectrum, Outside, Sampled};
+use crate::surfaces::reflectances::fine_reflectance;
 
 /// The number of test samples.
 const SAMPLES: usize = 14;
@@ -62,11 +64,12 @@ pub enum RenderingError {
 /// # Errors
 ///
 /// A light that is not seen or has no colour temperature, or none that a reference has.
-pub fn color_rendering(test: &Spectrum) -> Result<ColorRendering, RenderingError> {
-    let seen = Chromaticity::of_light(test).ok_or(RenderingError::Unseen)?;
+pub fn color_rendering<S: Sampled>(test: &S) -> Result<ColorRendering, RenderingError> {
+    let test = test.to_fine(Outside::Zero);
+    let seen = Chromaticity::of_light(&test).ok_or(RenderingError::Unseen)?;
     let temperature = color_temperature(seen)?;
     let reference = reference(temperature.cct_k)?;
-    let (test, reference) = (Viewed::under(test), Viewed::under(&reference));
+    let (test, reference) = (Viewed::under(&test), Viewed::under(&reference));
     let r = core::array::from_fn(|i| {
         let (a, b) = (test.sample(i, &reference), reference.sample(i, &reference));
         let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
@@ -76,14 +79,23 @@ pub fn color_rendering(test: &Spectrum) -> Result<ColorRendering, RenderingError
 }
 
 /// The light that shows colours as they should be.
-fn reference(cct_k: f64) -> Result<Spectrum, RenderingError> {
+fn reference(cct_k: f64) -> Result<FineSpectrum, RenderingError> {
     if cct_k < 5000.0 {
         return Ok(blackbody(cct_k));
     }
     // The search for the temperature is exact to 1e-5: 25000 K may come out a little above.
     let series_end = 25_000.0;
     let kelvin = if cct_k < series_end * (1.0 + 1e-5) { cct_k.min(series_end) } else { cct_k };
-    daylight(kelvin).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
+    fine_daylight(kelvin).map_err(|_| RenderingError::NoDaylight { found_k: cct_k })
+}
+
+/// The reflectances of the test samples.
+fn test_samples() -> &'static [FineSpectrum; SAMPLES] {
+    static FINE: LazyLock<[FineSpectrum; SAMPLES]> = LazyLock::new(|| {
+        let sample = |i: usize| fine_reflectance(&format!("tcs{i:02}"));
+        core::array::from_fn(|i| sample(i + 1).expect("the test samples come with this crate"))
+    });
+    &FINE
 }
 
 /// The samples as a light shows them, Y = 100 for the perfect diffuser.
@@ -93,12 +105,10 @@ struct Viewed {
 }
 
 impl Viewed {
-    fn under(light: &Spectrum) -> Self {
+    fn under(light: &FineSpectrum) -> Self {
         let white = tristimulus(light);
         let samples = core::array::from_fn(|i| {
-            let sample =
-                reflectance(&format!("tcs{:02}", i + 1)).expect("the test samples come with this crate");
-            cie1931().each_ref().map(|curve| 100.0 * curve.dot(&(sample * *light)) / white[1])
+            tristimulus(&(&test_samples()[i] * light)).map(|response| 100.0 * response / white[1])
         });
         Self { white: uv(white), samples }
     }
@@ -130,6 +140,7 @@ fn uv(xyz: [f64; 3]) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::lights::light;
+    use crate::spectra::Spectrum;
 
     /// R1 to R14 by colour-science 0.4.7, `colour_rendering_index` ("CIE 1995").
     const KNOWN: [(&str, f64, [f64; SAMPLES]); 6] = [
@@ -219,6 +230,9 @@ mod tests {
         assert_eq!(color_rendering(&Spectrum::ZERO), Err(RenderingError::Unseen));
         let blue = Spectrum::from_fn(|nm| if nm < 480.0 { 1.0 } else { 0.0 });
         assert!(matches!(color_rendering(&blue), Err(RenderingError::Temperature(_))));
-        assert!(matches!(color_rendering(&blackbody(60_000.0)), Err(RenderingError::NoDaylight { .. })));
+        assert!(matches!(
+            color_rendering(&blackbody::<Spectrum>(60_000.0)),
+            Err(RenderingError::NoDaylight { .. })
+        ));
     }
 }

@@ -7,4 +7,6 @@ pub mod cri;
 pub mod difference;
 pub mod dominant;
 pub mod photometry;
+pub mod ssi;
 pub mod temperature;
+pub mod tm30;

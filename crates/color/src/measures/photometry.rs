@@ -1,7 +1,8 @@
 //! Photometric units from radiometric spectra, and the scales that take a relative spectrum to a given
 //! photometric value.
 //!
-//! One rule for all quantities: 683 lm/W ∫ S(λ) V(λ) dλ, with V(λ) of CIE 1924 on the grid, by sums of 5 nm.
+//! One rule for all quantities: 683 lm/W ∫ S(λ) V(λ) dλ, with V(λ) of CIE 1924, by sums of 5 nm over
+//! [`Spectrum`](crate::Spectrum) and of 1 nm over [`FineSpectrum`](crate::FineSpectrum).
 //! The unit of the result follows from that of the spectrum:
 //!
 //! | spectrum, per nm | by day | at night |
@@ -26,10 +27,8 @@
 //! # Ok::<_, Box<dyn std::error::Error>>(())
 //! ```
 
-use std::sync::LazyLock;
-
-use crate::observers::{observer, photopic};
-use crate::spectra::Spectrum;
+use crate::observers::{Observer, kept};
+use crate::spectra::Sampled;
 
 /// Lumens per watt at the peak of V(λ), as the SI rounds it (683.002 exactly at 555 nm in air).
 pub const PHOTOPIC_LM_PER_W: f64 = 683.0;
@@ -61,13 +60,11 @@ pub enum PhotometryError {
 }
 
 impl Adapted {
-    /// The efficiency of each wavelength, 1 at its peak.
-    fn efficiency(self) -> &'static Spectrum {
-        static SCOTOPIC: LazyLock<Spectrum> =
-            LazyLock::new(|| observer("scotopic").expect("V′ comes with this crate").channels[0].sensitivity);
+    /// Whose efficiency it is, 1 at its peak.
+    fn observer(self) -> &'static Observer {
         match self {
-            Self::Photopic => photopic(),
-            Self::Scotopic => &SCOTOPIC,
+            Self::Photopic => kept("photopic"),
+            Self::Scotopic => kept("scotopic"),
         }
     }
 
@@ -80,23 +77,24 @@ impl Adapted {
 }
 
 /// The photometric value of a radiometric spectrum: cd/m², lx, cd or lm, as the module's table says.
-pub fn luminous(spectrum: &Spectrum, eye: Adapted) -> f64 {
-    eye.lm_per_w() * spectrum.dot(eye.efficiency())
+pub fn luminous<S: Sampled>(spectrum: &S, eye: Adapted) -> f64 {
+    let responses = spectrum.responses(eye.observer());
+    eye.lm_per_w() * responses.first().expect("an efficiency is one channel")
 }
 
 /// The luminance of a spectral radiance in W/(m² sr nm), in cd/m².
-pub fn luminance_cd_m2(radiance: &Spectrum) -> f64 {
+pub fn luminance_cd_m2<S: Sampled>(radiance: &S) -> f64 {
     luminous(radiance, Adapted::Photopic)
 }
 
 /// The illuminance of a spectral irradiance in W/(m² nm), in lx.
-pub fn illuminance_lx(irradiance: &Spectrum) -> f64 {
+pub fn illuminance_lx<S: Sampled>(irradiance: &S) -> f64 {
     luminous(irradiance, Adapted::Photopic)
 }
 
 /// The luminous efficacy of a light's radiation within 300 … 780 nm, in lm/W; none without radiation.
-pub fn efficacy_lm_per_w(spectrum: &Spectrum) -> Option<f64> {
-    let watts = spectrum.integral();
+pub fn efficacy_lm_per_w<S: Sampled>(spectrum: &S) -> Option<f64> {
+    let watts = spectrum.power();
     (watts > 0.0).then(|| luminous(spectrum, Adapted::Photopic) / watts)
 }
 
@@ -107,7 +105,7 @@ pub fn efficacy_lm_per_w(spectrum: &Spectrum) -> Option<f64> {
 ///
 /// A light of which nothing is seen (ultraviolet alone has no luminance), or a value that is negative or
 /// not finite.
-pub fn scale_to(spectrum: &Spectrum, value: f64, eye: Adapted) -> Result<f64, PhotometryError> {
+pub fn scale_to<S: Sampled>(spectrum: &S, value: f64, eye: Adapted) -> Result<f64, PhotometryError> {
     if !(value >= 0.0 && value.is_finite()) {
         return Err(PhotometryError::NotAnAmount(value));
     }
@@ -123,7 +121,7 @@ pub fn scale_to(spectrum: &Spectrum, value: f64, eye: Adapted) -> Result<f64, Ph
 mod tests {
     use super::*;
     use crate::lights::light;
-    use crate::spectra::STEP_NM;
+    use crate::spectra::{STEP_NM, Spectrum};
 
     #[test]
     fn one_watt_at_555_nm_is_683_lumens() {

@@ -1,10 +1,12 @@
 //! What sees: standard observers, cones and rods by name, and any other sensor from its curves.
 //!
 //! Sums over spectra are taken at the samples of the grid, every 5 nm, as CIE 15 has it for practical
-//! use; the curves are CIE's values at these wavelengths, not means.
+//! use; the curves are CIE's values at these wavelengths, not means. Sums over a [`FineSpectrum`] are taken every nm, with the
+//! CIE's values by 1 nm.
 
 mod list;
 
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use schemars::JsonSchema;
@@ -12,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::names::{UnknownName, plain};
 use crate::spectra::table::Table;
-use crate::spectra::{Outside, Spectrum};
+use crate::spectra::{FineSpectrum, Outside, Sampled, Spectrum};
 
 pub use list::{ObserverInfo, observers};
 
@@ -94,12 +96,42 @@ pub fn observer(name: &str) -> Result<Observer, UnknownName> {
     })
 }
 
-/// V(λ), the luminous efficiency by day.
-pub(crate) fn photopic() -> &'static Spectrum {
-    static V: LazyLock<Spectrum> = LazyLock::new(|| {
-        TABLE.spectrum("photopic:V", Outside::Zero).expect("the table of observers has a column for V")
-    });
-    &V
+/// The observer that comes with the crate, and its curves by 1 nm.
+struct Known {
+    observer: Observer,
+    fine: Vec<FineSpectrum>,
+}
+
+static KNOWN: LazyLock<Vec<Known>> = LazyLock::new(|| {
+    let table = Table::parse(include_str!("../../data/observers_1nm.csv"));
+    let known = |info: &ObserverInfo| {
+        let observer = observer(info.name).expect("a listed observer loads");
+        let fine = |channel: &Channel| match info.name {
+            "cie1931" => fine_1931(&channel.name),
+            // V is y of CIE 1931.
+            "photopic" => fine_1931("y"),
+            name => table
+                .sampled(&format!("{name}:{}", channel.name), Outside::Zero)
+                .expect("the table has all channels of the other observers"),
+        };
+        let fine = observer.channels.iter().map(fine).collect();
+        Known { observer, fine }
+    };
+    observers().iter().map(known).collect()
+});
+
+/// A colour-matching function of CIE 1931 by 1 nm.
+fn fine_1931(name: &str) -> FineSpectrum {
+    let axis = ["x", "y", "z"].iter().position(|axis| *axis == name).expect("an axis of CIE 1931");
+    let (nm, values): (Vec<f64>, Vec<f64>) =
+        cie1931_by_1_nm().iter().map(|(nm, xyz)| (*nm, xyz[axis])).unzip();
+    FineSpectrum::from_table(&nm, &values, Outside::Zero).expect("the functions are a table")
+}
+
+/// An observer that comes with the crate, kept.
+pub(crate) fn kept(name: &str) -> &'static Observer {
+    let found = KNOWN.iter().find(|known| known.observer.name == name);
+    &found.expect("the name of a listed observer").observer
 }
 
 impl Default for Observer {
@@ -121,15 +153,25 @@ impl Observer {
         self.channels.iter().map(|channel| channel.sensitivity.dot(light)).collect()
     }
 
+    /// The curves of the channels by 1 nm: those of the CIE for observers that come with the crate, interpolated (Sprague,
+    /// CIE 167:2005) for others.
+    pub fn fine_sensitivities(&self) -> Cow<'static, [FineSpectrum]> {
+        match KNOWN.iter().find(|known| known.observer.channels == self.channels) {
+            Some(known) => Cow::Borrowed(&known.fine),
+            None => self.channels.iter().map(|channel| channel.sensitivity.to_fine(Outside::Zero)).collect(),
+        }
+    }
+
     /// The first three responses; 0 where there are fewer channels.
-    fn first_three(&self, light: &Spectrum) -> [f64; 3] {
-        core::array::from_fn(|i| self.channels.get(i).map_or(0.0, |channel| channel.sensitivity.dot(light)))
+    fn first_three<S: Sampled>(&self, light: &S) -> [f64; 3] {
+        let responses = light.responses(self);
+        core::array::from_fn(|i| responses.get(i).copied().unwrap_or(0.0))
     }
 
     /// The response by which XYZ are divided: Y, or the only channel of an efficiency.
     ///
     /// NaN for observers that have no luminance.
-    fn luminance(&self, light: &Spectrum) -> f64 {
+    fn luminance<S: Sampled>(&self, light: &S) -> f64 {
         let [first, second, _] = self.first_three(light);
         match self.kind {
             ObserverKind::Xyz => second,
@@ -144,7 +186,7 @@ impl Observer {
 /// For an observer of kind `Xyz`. The efficiencies V and V′ give `[1, 0, 0]`. All three are NaN where there
 /// is nothing to scale by: light that the observer does not see, or an observer without luminance (take
 /// [`Observer::response`] there).
-pub fn xyz_of_light(light: &Spectrum, observer: &Observer) -> [f64; 3] {
+pub fn xyz_of_light<S: Sampled>(light: &S, observer: &Observer) -> [f64; 3] {
     let luminance = observer.luminance(light);
     observer.first_three(light).map(|response| response / luminance)
 }
@@ -164,9 +206,9 @@ pub fn xyz_of_light(light: &Spectrum, observer: &Observer) -> [f64; 3] {
 /// assert!((y - 0.2).abs() < 0.01);
 /// # Ok::<_, glanz_color::UnknownName>(())
 /// ```
-pub fn xyz_of_reflectance(reflectance: &Spectrum, light: &Spectrum, observer: &Observer) -> [f64; 3] {
+pub fn xyz_of_reflectance<S: Sampled>(reflectance: &S, light: &S, observer: &Observer) -> [f64; 3] {
     let luminance = observer.luminance(light);
-    observer.first_three(&(*reflectance * *light)).map(|response| response / luminance)
+    observer.first_three(&reflectance.times(light)).map(|response| response / luminance)
 }
 
 /// The CIE 1931 functions by 1 nm, 360 … 830 nm: wavelengths and x, y, z.

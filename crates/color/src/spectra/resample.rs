@@ -139,7 +139,10 @@ impl Spectrum {
         let curve = Curve { nm, values, outside };
         Ok(match nm.iter().all(|nm| nm % STEP_NM == 0.0) {
             true => Self::from_fn(|nm| curve.at(nm)),
-            false => curve.projected(),
+            false => {
+                let means = curve.projected(&Grid::DRAWN);
+                Self(core::array::from_fn(|i| means[i]))
+            }
         })
     }
 
@@ -153,22 +156,68 @@ impl Spectrum {
     ///
     /// [`TableError`] says which line's wavelength or power is not possible.
     pub fn from_lines(lines: &[(f64, f64)]) -> Result<Self, TableError> {
-        let mut spectrum = Self::ZERO;
-        for (index, &(nm, power)) in lines.iter().enumerate() {
-            check_point(index, nm, power)?;
-            let position = (nm - FIRST_NM) / STEP_NM;
-            let left = position.floor();
-            for (sample, fraction) in [(left, left + 1.0 - position), (left + 1.0, position - left)] {
-                if (0.0..SAMPLES as f64).contains(&sample) {
-                    spectrum.0[sample as usize] += power * fraction / STEP_NM;
-                }
-            }
-        }
-        Ok(spectrum)
+        let samples = Grid::DRAWN.lines(lines)?;
+        Ok(Self(core::array::from_fn(|i| samples[i])))
     }
 }
 
-fn check(nm: &[f64], values: &[f64]) -> Result<(), TableError> {
+/// Wavelengths at equal steps.
+pub(super) struct Grid {
+    /// The first wavelength, in nm.
+    pub(super) first: f64,
+    /// The last wavelength, in nm.
+    pub(super) last: f64,
+    /// The step, in nm.
+    pub(super) step: f64,
+    /// How many wavelengths there are.
+    pub(super) samples: usize,
+}
+
+impl Grid {
+    /// The grid of [`Spectrum`].
+    const DRAWN: Self = Self { first: FIRST_NM, last: LAST_NM, step: STEP_NM, samples: SAMPLES };
+
+    /// Lines as power per nm at each sample.
+    pub(super) fn lines(&self, lines: &[(f64, f64)]) -> Result<Vec<f64>, TableError> {
+        let mut values = vec![0.0; self.samples];
+        for (index, &(nm, power)) in lines.iter().enumerate() {
+            check_point(index, nm, power)?;
+            let position = (nm - self.first) / self.step;
+            let left = position.floor();
+            for (sample, fraction) in [(left, left + 1.0 - position), (left + 1.0, position - left)] {
+                if (0.0..self.samples as f64).contains(&sample) {
+                    values[sample as usize] += power * fraction / self.step;
+                }
+            }
+        }
+        Ok(values)
+    }
+
+    /// Adds ∫ of a piece of a curve times each triangle. It lies within one step around the grid.
+    fn add_segment(&self, sums: &mut [f64], from: (f64, f64), to: (f64, f64)) {
+        let position = |nm: f64| (nm - self.first) / self.step;
+        let value = |nm: f64| lerp(from.1, to.1, (nm - from.0) / (to.0 - from.0));
+        let mut left = position(from.0).floor();
+        let mut a = from.0;
+        while a < to.0 {
+            let b = to.0.min(self.first + (left + 1.0) * self.step);
+            let (va, vb) = (value(a), value(b));
+            // Both factors are linear here, so this is exact: ∫ = Δ/6 (f₀g₀ + 4 f½g½ + f₁g₁).
+            let (ga, gb) = (position(a) - left, position(b) - left);
+            let rising = (b - a) / 6.0 * (va * ga + (va + vb) * (ga + gb) + vb * gb);
+            let whole = (b - a) / 2.0 * (va + vb);
+            for (sample, part) in [(left, whole - rising), (left + 1.0, rising)] {
+                if (0.0..self.samples as f64).contains(&sample) {
+                    sums[sample as usize] += part;
+                }
+            }
+            a = b;
+            left += 1.0;
+        }
+    }
+}
+
+pub(super) fn check(nm: &[f64], values: &[f64]) -> Result<(), TableError> {
     if nm.len() != values.len() {
         return Err(TableError::Lengths { wavelengths: nm.len(), values: values.len() });
     }
@@ -195,24 +244,24 @@ fn check_point(index: usize, nm: f64, value: f64) -> Result<(), TableError> {
 }
 
 /// A table as a curve; it has at least two points, in increasing order.
-struct Curve<'a> {
-    nm: &'a [f64],
-    values: &'a [f64],
-    outside: Outside,
+pub(super) struct Curve<'a> {
+    pub(super) nm: &'a [f64],
+    pub(super) values: &'a [f64],
+    pub(super) outside: Outside,
 }
 
 impl Curve<'_> {
-    fn first(&self) -> (f64, f64) {
+    pub(super) fn first(&self) -> (f64, f64) {
         (self.nm[0], self.values[0])
     }
 
-    fn last(&self) -> (f64, f64) {
+    pub(super) fn last(&self) -> (f64, f64) {
         let last = self.nm.len() - 1;
         (self.nm[last], self.values[last])
     }
 
     /// The value at a wavelength.
-    fn at(&self, nm: f64) -> f64 {
+    pub(super) fn at(&self, nm: f64) -> f64 {
         let (first, last) = (self.first(), self.last());
         if !(first.0..=last.0).contains(&nm) {
             return match self.outside {
@@ -227,48 +276,25 @@ impl Curve<'_> {
     }
 
     /// The means under the grid's triangles.
-    fn projected(&self) -> Spectrum {
-        let mut sums = Spectrum::ZERO;
-        let (low, high) = (FIRST_NM - STEP_NM, LAST_NM + STEP_NM);
+    pub(super) fn projected(&self, grid: &Grid) -> Vec<f64> {
+        let mut sums = vec![0.0; grid.samples];
+        let (low, high) = (grid.first - grid.step, grid.last + grid.step);
         let (first, last) = (self.first(), self.last());
         let hold = self.outside == Outside::Hold;
-        if first.0 > low && (hold || first.0 <= FIRST_NM) {
-            add_segment(&mut sums, (low, first.1), (first.0.min(high), first.1));
+        if first.0 > low && (hold || first.0 <= grid.first) {
+            grid.add_segment(&mut sums, (low, first.1), (first.0.min(high), first.1));
         }
-        if last.0 < high && (hold || last.0 >= LAST_NM) {
-            add_segment(&mut sums, (last.0.max(low), last.1), (high, last.1));
+        if last.0 < high && (hold || last.0 >= grid.last) {
+            grid.add_segment(&mut sums, (last.0.max(low), last.1), (high, last.1));
         }
         for (nm, values) in self.nm.windows(2).zip(self.values.windows(2)) {
             let (a, b) = (nm[0].max(low), nm[1].min(high));
             if a < b {
                 let value = |at: f64| lerp(values[0], values[1], (at - nm[0]) / (nm[1] - nm[0]));
-                add_segment(&mut sums, (a, value(a)), (b, value(b)));
+                grid.add_segment(&mut sums, (a, value(a)), (b, value(b)));
             }
         }
-        sums * (1.0 / STEP_NM)
-    }
-}
-
-/// Adds ∫ of a piece of a curve times each triangle. It lies within 5 nm around the grid.
-fn add_segment(sums: &mut Spectrum, from: (f64, f64), to: (f64, f64)) {
-    let position = |nm: f64| (nm - FIRST_NM) / STEP_NM;
-    let value = |nm: f64| lerp(from.1, to.1, (nm - from.0) / (to.0 - from.0));
-    let mut left = position(from.0).floor();
-    let mut a = from.0;
-    while a < to.0 {
-        let b = to.0.min(FIRST_NM + (left + 1.0) * STEP_NM);
-        let (va, vb) = (value(a), value(b));
-        // Both factors are linear here, so this is exact: ∫ = Δ/6 (f₀g₀ + 4 f½g½ + f₁g₁).
-        let (ga, gb) = (position(a) - left, position(b) - left);
-        let rising = (b - a) / 6.0 * (va * ga + (va + vb) * (ga + gb) + vb * gb);
-        let whole = (b - a) / 2.0 * (va + vb);
-        for (sample, part) in [(left, whole - rising), (left + 1.0, rising)] {
-            if (0.0..SAMPLES as f64).contains(&sample) {
-                sums.0[sample as usize] += part;
-            }
-        }
-        a = b;
-        left += 1.0;
+        sums.iter().map(|sum| sum * (1.0 / grid.step)).collect()
     }
 }
 

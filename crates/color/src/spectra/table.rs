@@ -1,6 +1,7 @@
 //! The tables that come with the crate: CSV texts written by `cargo xtask data`.
 
 use crate::spectra::resample::Outside;
+use crate::spectra::sampled::Sampled;
 use crate::spectra::spectrum::Spectrum;
 
 /// Columns over one list of wavelengths; a cell may be empty.
@@ -38,8 +39,13 @@ impl Table {
 
     /// A column on the grid.
     pub(crate) fn spectrum(&self, name: &str, outside: Outside) -> Option<Spectrum> {
+        self.sampled(name, outside)
+    }
+
+    /// A column, as it is drawn or by 1 nm.
+    pub(crate) fn sampled<S: Sampled>(&self, name: &str, outside: Outside) -> Option<S> {
         let (nm, values) = self.points(name)?;
-        Some(Spectrum::from_table(&nm, &values, outside).expect("an embedded column is a table"))
+        Some(S::tabled(&nm, &values, outside).expect("an embedded column is a table"))
     }
 }
 

@@ -164,7 +164,7 @@ impl Fluorophore {
 }
 
 /// A Gaussian over wavenumber, 1 at its peak, whose half maxima are `fwhm` apart in nm.
-fn band(nm: f64, peak: f64, fwhm: f64) -> f64 {
+pub(super) fn band(nm: f64, peak: f64, fwhm: f64) -> f64 {
     // With half maxima at the wavenumbers 1/peak ± d: 1/(1/peak − d) − 1/(1/peak + d) = fwhm.
     let half = ((1.0 + (fwhm / peak) * (fwhm / peak)).sqrt() - 1.0) / fwhm;
     let x = (1.0 / nm - 1.0 / peak) / half;

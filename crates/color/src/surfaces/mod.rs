@@ -1,5 +1,6 @@
 //! Surfaces: reflectances, indices of refraction, fluorescence and re-radiation.
 
+pub mod dyes;
 pub(crate) mod fluorescent;
 pub(crate) mod fluorophore;
 pub(crate) mod ior;

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use crate::names::{UnknownName, plain};
 use crate::spectra::table::Table;
-use crate::spectra::{Outside, Spectrum};
+use crate::spectra::{FineSpectrum, Outside, Sampled, Spectrum};
 
 /// What is known about a reflectance.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,8 +31,22 @@ static SAMPLES: LazyLock<Table> = LazyLock::new(|| Table::parse(include_str!("..
 ///
 /// [`UnknownName`] suggests near names.
 pub fn reflectance(name: &str) -> Result<Spectrum, UnknownName> {
+    sampled(name)
+}
+
+/// The same by 1 nm, for numbers: the table interpolated (Sprague, CIE 167:2005).
+///
+/// # Errors
+///
+/// [`UnknownName`] suggests near names.
+pub fn fine_reflectance(name: &str) -> Result<FineSpectrum, UnknownName> {
+    sampled(name)
+}
+
+/// A reflectance, as it is drawn or by 1 nm.
+fn sampled<S: Sampled>(name: &str) -> Result<S, UnknownName> {
     let wanted = plain(name);
-    let found = |table: &Table| table.spectrum(&wanted, Outside::Hold);
+    let found = |table: &Table| table.sampled(&wanted, Outside::Hold);
     found(&CHECKER).or_else(|| found(&SAMPLES)).ok_or_else(|| {
         UnknownName::not_found("reflectance", name.trim(), reflectances().iter().map(|info| info.name))
     })

@@ -11,6 +11,7 @@
 //! ```
 
 mod chromaticity;
+mod color_vectors;
 mod cones;
 mod efficiency;
 mod lobe3d;
@@ -23,6 +24,7 @@ mod spectra;
 mod vectors;
 
 pub use chromaticity::{ChromaticityDiagram, Mark};
+pub use color_vectors::ColorVectors;
 pub use cones::cones;
 pub use efficiency::{EfficiencyChart, EfficiencyLine, EfficiencyPanel};
 pub use lobe3d::{LobeBodies, LobeBody};

@@ -227,6 +227,10 @@ words! {
     Gamuts: "primaries", "primaires";
     Marks: "marked colours", "couleurs marquées";
     // Samples of spectra.
+    ColorVectorGraphic: "Colour vector graphic, ANSI/IES TM-30-20", "Diagramme des vecteurs de couleur, ANSI/IES TM-30-20";
+    LocalFidelity: "local fidelity Rf,h", "fidélité locale Rf,h";
+    ChromaShift: "chroma shift Rcs,h in %", "décalage de chroma Rcs,h en %";
+    HueShift: "hue shift Rhs,h", "décalage de teinte Rhs,h";
     Efficiency: "Efficiency of representations", "Efficacité des représentations";
     EfficiencyOver: "Mean ΔE₀₀ over the {0} surfaces of '{1}', against the whole spectrum",
         "ΔE₀₀ moyen sur les {0} surfaces de « {1} », par rapport au spectre entier";

@@ -87,24 +87,56 @@ fn hexadecimal(digits: &str) -> Result<Values, String> {
     (0..3).map(value).collect::<Option<Vec<f64>>>().map(Values).ok_or_else(wrong)
 }
 
-/// Beyond this a device's colour is meant on another scale: no display is ten times as bright as its white.
+/// Beyond this a number is meant on another scale: no display is ten times as bright as its white.
 const ANOTHER_SCALE: f64 = 10.0;
 
-/// Numbers up to 255 where 1 is white are a mistake, and no colour.
+/// The channels whose number 1 is white, and the scale on which people give it otherwise: 255 of a device, 100 of X, Y, Z and
+/// of lightness.
+fn other_scale(model: &str, channels: &[Channel]) -> Option<f64> {
+    match model {
+        "xyz" | "xyy" | "oklab" | "oklch" => Some(100.0),
+        _ => channels.iter().all(|channel| channel.range == [0.0, 1.0]).then_some(255.0),
+    }
+}
+
+/// Numbers up to 255 or 100 where 1 is white are a mistake, and no colour.
 fn check_scale(model: &str, values: &[f64]) -> Result<(), Failure> {
-    let is_device = |channel: &Channel| channel.range == [0.0, 1.0];
     let info = Model::from_name(model).map_err(|error| Failure::Usage(error.to_string()))?.info();
-    let is_far = |value: &&f64| **value > ANOTHER_SCALE;
-    match values.iter().find(is_far).filter(|_| info.channels.iter().all(is_device)) {
-        Some(value) => {
-            let scaled: Vec<_> = values.iter().map(|value| number(value / 255.0)).collect();
-            let scaled = scaled.join(",");
-            Err(Failure::Usage(format!(
-                "{} of {model} is on another scale: 1 is white; from 0 to 255 it would be {scaled}",
-                number(*value)
-            )))
-        }
-        None => Ok(()),
+    let Some(scale) = other_scale(info.name, info.channels) else { return Ok(()) };
+    let is_hue = |at: usize| info.channels.get(at).is_some_and(|channel| channel.limit == Limit::Cyclic);
+    let is_far = |(at, value): &(usize, &f64)| **value > ANOTHER_SCALE && !is_hue(*at);
+    let Some((_, value)) = values.iter().enumerate().find(is_far) else { return Ok(()) };
+    let is_scaled = |at: usize| match info.name {
+        "xyy" => at == 2,
+        "oklab" | "oklch" => !is_hue(at),
+        _ => true,
+    };
+    let scaled = |(at, value): (usize, &f64)| number(if is_scaled(at) { value / scale } else { *value });
+    let scaled: Vec<_> = values.iter().enumerate().map(scaled).collect();
+    Err(Failure::Usage(format!(
+        "{} of {model} is on another scale: 1 is white; from 0 to {scale} it would be {}",
+        number(*value),
+        scaled.join(",")
+    )))
+}
+
+/// Says of what was given that no surface and no display has it.
+fn note_given(model: &str, channels: &[Channel], values: &[f64]) {
+    let is_device =
+        channels.iter().all(|channel| channel.range == [0.0, 1.0]) && model != "xyy" && model != "lms";
+    let tells = |channel: &Channel| is_device || matches!(channel.name, "L" | "L*" | "Y");
+    let outside = channels.iter().zip(values).filter(|(channel, value)| {
+        let [low, high] = channel.range;
+        let high = if channel.name == "Y" { 1.0 } else { high };
+        let slack = OUTSIDE * high.abs().max(1.0);
+        tells(channel) && high.is_finite() && !(low - slack..=high + slack).contains(*value)
+    });
+    let outside: Vec<_> =
+        outside.map(|(channel, value)| format!("{} {}", channel.name, number(*value))).collect();
+    if !outside.is_empty() {
+        let what =
+            if is_device { "no display shows it" } else { "it is darker than black or brighter than white" };
+        print::note(format_args!("note: {model} was given with {}: {what}", outside.join(", ")));
     }
 }
 
@@ -122,6 +154,8 @@ impl ConvertArgs {
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(error.to_string());
         check_scale(&self.from, &self.values.0)?;
         let found = convert(&self.from, &self.to, &self.values.0).map_err(|error| usage(&error))?;
+        let given = Model::from_name(&self.from).map_err(|error| usage(&error))?;
+        note_given(given.info().name, given.info().channels, &self.values.0);
         let model = Model::from_name(&self.to).map_err(|error| usage(&error))?;
         let channels = model.info().channels;
         let found = settled(channels, found);

@@ -7,12 +7,13 @@ use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
 use glanz_color::colorimetry::{lab, relative_xyz};
 use glanz_color::difference::ciede2000;
-use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum};
+use glanz_color::{EnergyReport, Observer, ObserverKind, Reradiation, Spectrum, fluorescent};
 use glanz_plot::{NamedSpectrum, ReradiationMap};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args::{BesidePlotArgs, PlotTarget, check_folder, light_words};
+use crate::input::dyes::DyeArgs;
 use crate::input::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source};
 use crate::print::failure::Failure;
 use crate::print::files::save_csv;
@@ -22,6 +23,8 @@ use crate::print::{self, FormatArgs, decimals, finite, number};
 pub(crate) const EXAMPLES: &str = "Examples:
   glanz color fluorescence paper-note-pink --light D65,A,UV365
   glanz color fluorescence HERPIORA.BFC --plot matrix.png --csv factors.csv
+  glanz color fluorescence rhodamine-b --absorbance 2 --base white-9.5
+  glanz color fluorescence --excitation ex.csv --emission em.csv --quantum-yield 0.9
 
 XYZ are relative to the perfect diffuser under the same light, whose Y is 100; under light that is
 hardly seen, as that of a black light, they grow very large, and the chromaticity tells the
@@ -40,9 +43,12 @@ const LEAST_POWER: f64 = 1e-3;
 /// Options of `glanz color fluorescence`.
 #[derive(Args, Debug)]
 pub(crate) struct FluorescenceArgs {
-    /// A material from `glanz color list fluorescent`, or a file
+    /// A material from `glanz color list fluorescent`, a dye from `glanz color list dyes`, or a file
     #[arg(value_name = "NAME|FILE")]
-    material: String,
+    material: Option<String>,
+
+    #[command(flatten)]
+    dye: DyeArgs,
 
     /// Lights between commas: names or files
     #[arg(long, alias = "under", value_name = "LIGHT,…", default_value = "D65,A,UV365")]
@@ -86,7 +92,7 @@ impl FluorescenceArgs {
         let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
         let lights = light_words(&self.light)?;
-        let material = fluorescent_source(&self.material)?;
+        let material = self.material()?;
         let observer = observer_source(&self.observer)?;
         if observer.kind != ObserverKind::Xyz {
             return Err(Failure::Usage(format!("'{}' has no X, Y, Z, which are told here", observer.name)));
@@ -100,6 +106,17 @@ impl FluorescenceArgs {
         match self.format.is_json() {
             true => print::json(&document(&material, &observer, &rows, &energy)),
             false => print::text(&table(&material, &rows, &energy)),
+        }
+    }
+
+    fn material(&self) -> Result<FluorescentSource, Failure> {
+        // The materials come first: 'quinine' is a vessel of it.
+        match self.material.as_deref() {
+            Some(word) if fluorescent(word).is_ok() && self.dye.is_default() => fluorescent_source(word),
+            word => match (self.dye.layer(word)?, word) {
+                (Some(layer), _) => Ok(layer),
+                (None, word) => fluorescent_source(word.unwrap_or_default()),
+            },
         }
     }
 

@@ -43,6 +43,8 @@ enum Kind {
     Metals,
     /// Materials that glow
     Fluorescent,
+    /// Dyes by their spectra of absorption and emission
+    Dyes,
     /// Colour models
     Models,
 }
@@ -61,7 +63,7 @@ struct Entry {
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
     /// The entries of each kind that was asked for, all without one: lights, observers, reflectances, metals,
-    /// fluorescent, models
+    /// fluorescent, dyes, models
     #[serde(flatten)]
     lists: BTreeMap<&'static str, Vec<EntryFacts>>,
 }
@@ -92,6 +94,12 @@ struct EntryFacts {
     /// Of fluorescent materials: whether the figures are measured
     #[serde(skip_serializing_if = "Option::is_none")]
     measured: Option<bool>,
+    /// Of dyes: photons emitted for each absorbed
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quantum_yield: Option<f64>,
+    /// Of dyes: where the quantum yield comes from
+    #[serde(skip_serializing_if = "Option::is_none")]
+    yield_source: Option<&'static str>,
     /// Of colour models: whether they are made of sRGB and hold no other colour
     #[serde(skip_serializing_if = "Option::is_none")]
     srgb_only: Option<bool>,
@@ -116,8 +124,15 @@ struct ChannelFacts {
 }
 
 impl Kind {
-    const ALL: [Self; 6] =
-        [Self::Lights, Self::Observers, Self::Reflectances, Self::Metals, Self::Fluorescent, Self::Models];
+    const ALL: [Self; 7] = [
+        Self::Lights,
+        Self::Observers,
+        Self::Reflectances,
+        Self::Metals,
+        Self::Fluorescent,
+        Self::Dyes,
+        Self::Models,
+    ];
 
     fn name(self) -> &'static str {
         match self {
@@ -126,6 +141,7 @@ impl Kind {
             Self::Reflectances => "reflectances",
             Self::Metals => "metals",
             Self::Fluorescent => "fluorescent",
+            Self::Dyes => "dyes",
             Self::Models => "models",
         }
     }
@@ -136,6 +152,7 @@ impl Kind {
             Self::Models => "numbers",
             Self::Observers => "channels",
             Self::Fluorescent => "figures",
+            Self::Dyes => "yield",
             _ => "nm",
         }
     }
@@ -147,6 +164,7 @@ impl Kind {
             Self::Reflectances => reflectance_entries(),
             Self::Metals => metal_entries(),
             Self::Fluorescent => fluorescent_entries(),
+            Self::Dyes => dye_entries(),
             Self::Models => model_entries(),
         }
     }
@@ -285,6 +303,24 @@ fn fluorescent_entries() -> Vec<Entry> {
         },
     };
     fluorescents().iter().map(entry).collect()
+}
+
+fn dye_entries() -> Vec<Entry> {
+    let entry = |info: &glanz_color::dyes::DyeInfo| Entry {
+        name: info.name.to_owned(),
+        title: info.title.to_owned(),
+        range: number(info.quantum_yield),
+        source: format!("{}; yield: {}", info.source, info.yield_source),
+        facts: EntryFacts {
+            name: info.name,
+            title: info.title,
+            source: Some(info.source),
+            quantum_yield: Some(info.quantum_yield),
+            yield_source: Some(info.yield_source),
+            ..EntryFacts::default()
+        },
+    };
+    glanz_color::dyes::dyes().iter().map(entry).collect()
 }
 
 fn model_entries() -> Vec<Entry> {

@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args::{BesidePlotArgs, light_words};
+use crate::input::resolution::CoarseTable;
 use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
@@ -23,7 +24,7 @@ The index is the special metamerism index, change of illuminant, of CIE 15: the 
 reference, and the index of another light is the ΔE*ab (CIE 1976) of the pair under it. If the
 pair does not match under the reference, X, Y and Z of the second surface under the other light
 are first multiplied by X1/X2, Y1/Y2 and Z1/Z2 of the reference, so that nothing but the change
-counts. The same with ΔE00 stands beside it.";
+counts. The same with ΔE00 stands beside it. Sums are by 1 nm, as for 'glanz color spectrum'.";
 
 /// Options of `glanz color metamers`.
 #[derive(Args, Debug)]
@@ -47,6 +48,16 @@ pub(crate) struct MetamersArgs {
     #[command(flatten)]
     table: TableArgs,
 
+    /// What joins the values of a table that are more than 5 nm apart
+    #[arg(
+        long,
+        value_enum,
+        value_name = "CURVE",
+        default_value = "lines",
+        help_heading = "Files of spectra"
+    )]
+    interpolation: CoarseTable,
+
     #[command(flatten)]
     plot: BesidePlotArgs,
 
@@ -64,11 +75,22 @@ struct Row {
 }
 
 impl MetamersArgs {
+    /// A surface by name or file.
+    fn surface(&self, word: &str) -> Result<Source, Failure> {
+        let source = source(word, Some(SpectrumKind::Surface), &self.table)?;
+        match source.kind {
+            SpectrumKind::Surface => Ok(source.interpolated(Some(self.interpolation))),
+            SpectrumKind::Light => {
+                Err(Failure::Usage(format!("'{word}' is a light; a pair of surfaces is compared")))
+            }
+        }
+    }
+
     /// Compares the pair under each light.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
         let lights = light_words(&self.light)?;
-        let mut pair = [surface(&self.first, &self.table)?, surface(&self.second, &self.table)?];
+        let mut pair = [self.surface(&self.first)?, self.surface(&self.second)?];
         if pair[0].name == pair[1].name || pair.iter().any(|surface| is_generic(&surface.name)) {
             pair[0].name = self.first.clone();
             pair[1].name = self.second.clone();
@@ -80,7 +102,7 @@ impl MetamersArgs {
         }
         let mut rows: Vec<Row> = Vec::new();
         for word in &lights {
-            let light = light_source_with(word, &self.table)?;
+            let light = light_source_with(word, &self.table)?.interpolated(Some(self.interpolation));
             let reference = rows.first().map(|row| row.xyz);
             rows.push(row(&pair, &light, &observer, reference)?);
         }
@@ -158,17 +180,6 @@ fn is_generic(name: &str) -> bool {
     name.split(|c: char| !c.is_alphanumeric()).all(|word| word.is_empty() || WORDS.contains(&word))
 }
 
-/// A surface by name or file.
-fn surface(word: &str, table: &TableArgs) -> Result<Source, Failure> {
-    let source = source(word, Some(SpectrumKind::Surface), table)?;
-    match source.kind {
-        SpectrumKind::Surface => Ok(source),
-        SpectrumKind::Light => {
-            Err(Failure::Usage(format!("'{word}' is a light; a pair of surfaces is compared")))
-        }
-    }
-}
-
 fn row(
     pair: &[Source; 2],
     light: &Source,
@@ -176,8 +187,8 @@ fn row(
     reference: Option<[[f64; 3]; 2]>,
 ) -> Result<Row, Failure> {
     let unseen = || Failure::Usage(format!("the observer does not see the light '{}'", light.name));
-    let relative = |s: &Source| relative_xyz(&(s.spectrum * light.spectrum), &light.spectrum, observer);
-    let white = relative_xyz(&light.spectrum, &light.spectrum, observer).ok_or_else(unseen)?;
+    let relative = |s: &Source| relative_xyz(&(&s.fine * &light.fine), &light.fine, observer);
+    let white = relative_xyz(&light.fine, &light.fine, observer).ok_or_else(unseen)?;
     let first = relative(&pair[0]).ok_or_else(unseen)?;
     let second = relative(&pair[1]).ok_or_else(unseen)?;
     let code = |xyz| DisplayColor::adapted(xyz, white).map_or(String::new(), DisplayColor::hex);

@@ -2,8 +2,9 @@
 
 use clap::{Args, Subcommand};
 use glanz_color::chromaticity::Chromaticity;
+use glanz_color::tm30::evaluate;
 use glanz_color::{SpectrumKind, catalog_spectrum};
-use glanz_plot::figure::Mark;
+use glanz_plot::figure::{ColorVectors, Mark};
 use glanz_plot::{
     ChromaticityDiagram, Figure, Lang, NamedSpectrum, ReradiationMap, WavelengthChart, Word, cones, meyer,
     spectra,
@@ -42,6 +43,12 @@ pub(crate) enum PlotCommand {
     /// A re-radiation matrix as a heat map
     #[command(after_help = "Example:\n  glanz color plot matrix paper-note-yellow -o matrix.png")]
     Matrix(MatrixArgs),
+    /// How a light shows colours: the colour vector graphic of TM-30
+    #[command(after_help = "Example:\n  glanz color plot tm30 FL2 -o vectors.svg
+
+The circle is the reference of the same colour temperature, the red line the light: inside of the
+circle colours are duller, outside more saturated, and the arrows tell how hues turn.")]
+    Tm30(Tm30Args),
     /// The error of colours over the number of samples of the spectrum
     #[command(after_help = "Example:\n  glanz color plot efficiency --light D65,A,FL11 -o efficiency.svg")]
     Efficiency(EfficiencyArgs),
@@ -87,6 +94,20 @@ pub(crate) struct MatrixArgs {
     output: PlotOutputArgs,
 }
 
+/// Options of `glanz color plot tm30`.
+#[derive(Args, Debug)]
+pub(crate) struct Tm30Args {
+    /// A light from `glanz color list lights`, or a file
+    #[arg(value_name = "NAME|FILE")]
+    light: String,
+
+    #[command(flatten)]
+    table: TableArgs,
+
+    #[command(flatten)]
+    output: PlotOutputArgs,
+}
+
 /// Options of `glanz color plot efficiency`.
 #[derive(Args, Debug)]
 pub(crate) struct EfficiencyArgs {
@@ -106,6 +127,7 @@ impl PlotCommand {
             Self::Cones(_) => "cones",
             Self::Meyer(_) => "meyer",
             Self::Matrix(_) => "matrix",
+            Self::Tm30(_) => "tm30",
             Self::Efficiency(_) => "efficiency",
         }
     }
@@ -123,6 +145,7 @@ impl PlotCommand {
                 let FluorescentSource { name, matrix, .. } = fluorescent_source(&args.material)?;
                 Box::new(ReradiationMap { name, matrix, factors: None, lang })
             }
+            Self::Tm30(args) => Box::new(args.vectors(lang)?),
             Self::Efficiency(args) => Box::new(args.what.find()?.chart(lang)),
         };
         target.save(figure.as_mut())
@@ -134,6 +157,7 @@ impl PlotCommand {
             Self::Chromaticity(args) => &args.output,
             Self::Cones(output) | Self::Meyer(output) => output,
             Self::Matrix(args) => &args.output,
+            Self::Tm30(args) => &args.output,
             Self::Efficiency(args) => &args.output,
         }
     }
@@ -172,6 +196,7 @@ impl SpectraArgs {
             ("--unit", table.unit.is_some()),
             ("--scale", table.scale.is_some()),
             ("--column", table.column.is_some()),
+            ("--pixel", table.pixel.is_some()),
         ];
         let given = given.into_iter().find(|(_, is)| *is);
         match given.filter(|_| self.spectra.iter().all(|word| catalog_spectrum(word).is_ok())) {
@@ -191,13 +216,25 @@ impl SpectraArgs {
     }
 }
 
+impl Tm30Args {
+    fn vectors(&self, lang: Lang) -> Result<ColorVectors, Failure> {
+        let light = source(&self.light, Some(SpectrumKind::Light), &self.table)?;
+        if light.kind != SpectrumKind::Light {
+            return Err(Failure::Usage(format!("'{}' is a surface; lights show colours", self.light)));
+        }
+        let rendition = evaluate(&light.fine)
+            .map_err(|error| Failure::new(format_args!("'{}' has no Rf: {error}", self.light)))?;
+        Ok(ColorVectors { name: light.name, rendition, lang })
+    }
+}
+
 impl ChromaticityArgs {
     fn diagram(&self, lang: Lang) -> Result<ChromaticityDiagram, Failure> {
         let lights = words(&self.mark).map_err(|error| Failure::Usage(format!("--mark: {error}")))?;
         let mut marks = Vec::new();
         for word in &lights {
             let light = light_source(word)?;
-            let xy = Chromaticity::of_light(&light.spectrum)
+            let xy = Chromaticity::of_light(&light.fine)
                 .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{word}'")))?;
             marks.push(Mark { name: light.name, xy });
         }

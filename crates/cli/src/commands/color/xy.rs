@@ -86,10 +86,16 @@ impl XyArgs {
         let light = light_source(&self.white)?;
         let white = match light.name.as_str() {
             "E" => Chromaticity::E,
-            name => Chromaticity::of_light(&light.spectrum)
+            name => Chromaticity::of_light(&light.fine)
                 .ok_or_else(|| Failure::Usage(format!("no observer sees the light '{name}'")))?,
         };
         let found = dominant(color, white).ok();
+        if let Some(purity) = found.map(|found| found.purity).filter(|purity| *purity > 1.0) {
+            let purity = fixed(purity, 3);
+            print::note(format_args!(
+                "note: no light has this chromaticity: it lies outside of the spectral locus (purity {purity})"
+            ));
+        }
         let temperature = color_temperature(color).ok();
         let document = Document {
             xy: [color.x, color.y],

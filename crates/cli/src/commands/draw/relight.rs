@@ -178,7 +178,7 @@ struct LightFacts {
 fn describe((name, color): (&String, &LightColor)) -> LightFacts {
     let name = name.clone();
     let LightColor::Spectrum(spectrum) = color else { return LightFacts { name, xy: None } };
-    let [x, y, z] = xyz_of_light(spectrum, &Observer::default());
+    let [x, y, z] = xyz_of_light(&**spectrum, &Observer::default());
     LightFacts { name, xy: Some([x / (x + y + z), y / (x + y + z)]) }
 }
 

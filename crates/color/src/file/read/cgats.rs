@@ -44,6 +44,7 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadEr
         fields: Vec::new(),
         spectra: Vec::new(),
         sets: None,
+        is_said: first != "SPECT",
         notes: Vec::new(),
     };
     let mut last = 0;
@@ -53,6 +54,12 @@ pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadEr
             reader.line(line, text)?;
         }
         last = line;
+    }
+    if !reader.is_said {
+        note(
+            &mut reader.notes,
+            "it has no MEAS_TYPE: taken as light (--as surface, or as = \"surface\", for a reflectance)",
+        );
     }
     if reader.part != Part::Keywords {
         let expected = if reader.part == Part::Data { "END_DATA" } else { "END_DATA_FORMAT" };
@@ -117,6 +124,8 @@ struct Reader<'a> {
     spectra: Vec<NamedSpectrum>,
     /// How many samples the file says there are, and how many there are in this table.
     sets: Option<(f64, usize)>,
+    /// Whether the file tells what its values are.
+    is_said: bool,
     notes: Vec<String>,
 }
 
@@ -143,6 +152,7 @@ impl Reader<'_> {
     fn keyword(&mut self, text: &str) {
         let value = |name: &str| Some(text.strip_prefix(name)?.trim().trim_matches('"').to_lowercase());
         if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")) {
+            self.is_said = true;
             self.quantity = match told.as_str() {
                 "emission" | "emissive" | "ambient" | "ambient_flash" | "light" => Quantity::Light,
                 _ if told.starts_with("transmi") => Quantity::Transmittance,
@@ -154,6 +164,7 @@ impl Reader<'_> {
             let lower = text.to_lowercase();
             if of_display || ["emission", "emissive", "radiance"].iter().any(|word| lower.contains(word)) {
                 self.quantity = Quantity::Light;
+                self.is_said = true;
             }
         }
         if let Some(norm) = text.strip_prefix("SPECTRAL_NORM") {

@@ -35,6 +35,8 @@ mod bfc;
 mod cgats;
 mod cxf;
 pub(crate) mod error;
+#[cfg(test)]
+mod instrument_tests;
 mod ior;
 mod jcamp;
 mod matrix;
@@ -56,13 +58,23 @@ pub use cxf::read_cxf;
 pub use error::{Place, ReadError, excerpt};
 pub use ior::{NamedIor, ior_partner, read_ior, read_ior_pair};
 pub use matrix::read_matrix_csv;
-pub use named::{NamedSpectrum, Quantity};
+pub use named::{NamedSpectrum, Quantity, processed};
 pub use power::{PowerUnit, Radiometry};
 pub use reradiation::NamedReradiation;
 pub use settle::{ReadOptions, ValueScale};
 pub use spdx::read_spdx;
 pub use table::read_csv;
 pub use units::Scale;
+
+/// How files begin that hold spectra, but no text, and what they are.
+const BINARY: [(&[u8], &str); 6] = [
+    (b"TM25", "a ray file of TM-25: rays, whose spectra are in their own binary sections"),
+    (b"PK\x03\x04", "a ZIP archive, such as a .ProcSpec of Ocean Insight or an .xlsx spreadsheet"),
+    (b"\xd0\xcf\x11\xe0", "a binary spreadsheet (.xls)"),
+    (b"MATLAB 5.0 MAT-file", "a binary file of MATLAB (.mat)"),
+    (b"\x89HDF", "a binary HDF5 file"),
+    (b"AVS8", "a binary file of AvaSoft 8"),
+];
 
 /// The beginning of a file in which its format shows.
 const SNIFFED: usize = 4096;
@@ -89,6 +101,10 @@ pub fn read_spectra_with(
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     if bytes.starts_with(&EXR_MAGIC) {
         return read_pixel(bytes, file, options);
+    }
+    if let Some((_, what)) = BINARY.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        let expected = "a table of text, .spdx, CxF, CGATS or JCAMP-DX (export the spectrum as text)";
+        return Err(ReadError::malformed(file, Place::File, expected, *what));
     }
     let text = text::decode(bytes, file)?;
     let mut spectra = match format(&text, file)? {

@@ -1,7 +1,6 @@
 //! What a file of spectra holds: named spectra, as they were measured.
 
-use super::settle::GREATEST_PERCENT;
-use crate::spectra::{FIRST_NM, LAST_NM, Outside, Spectrum, TableError};
+use crate::spectra::{FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, Spectrum, TableError};
 
 /// What the values of a spectrum are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,7 +27,8 @@ impl Quantity {
     pub(super) fn of(text: &str) -> Self {
         let lower = text.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-        if has(&["reflect", "réflect", "remission", "radiance factor"]) {
+        let is_word = |word: &str| lower.split(|c: char| !c.is_alphanumeric()).any(|found| found == word);
+        if has(&["reflect", "réflect", "remission", "radiance factor"]) || is_word("refl") {
             Self::Reflectance
         } else if has(&["transmi"]) {
             Self::Transmittance
@@ -60,6 +60,10 @@ impl Quantity {
         matches!(self, Self::Reflectance | Self::Transmittance | Self::Absorptance)
     }
 }
+
+/// Fractions of light beyond this are counts, or on another scale, whatever a file says: iridescent feathers give back four
+/// times the light of a white standard.
+const GREATEST_FRACTION: f64 = 10.0;
 
 /// Where values far below 0 are no noise.
 const SEEN_NM: core::ops::RangeInclusive<f64> = 400.0..=700.0;
@@ -97,9 +101,40 @@ impl NamedSpectrum {
     ///
     /// [`TableError`] where there is but one wavelength, or a value is no number, or less than noise makes it.
     pub fn to_spectrum(&self, outside: Option<Outside>) -> Result<(Spectrum, Vec<String>), TableError> {
+        let (clipped, noise) = self.without_noise()?;
+        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
+        notes.extend(noise);
+        Ok((spectrum, notes))
+    }
+
+    /// The spectrum by 1 nm, for numbers: what it holds of a table, [`FineSpectrum`] says. What is clipped and what is
+    /// refused is as for [`NamedSpectrum::to_spectrum`].
+    ///
+    /// # Errors
+    ///
+    /// [`TableError`], as for [`NamedSpectrum::to_spectrum`].
+    pub fn to_fine(
+        &self,
+        outside: Option<Outside>,
+        interpolation: Interpolation,
+    ) -> Result<FineSpectrum, TableError> {
+        let (clipped, _) = self.without_noise()?;
+        FineSpectrum::interpolated(&self.nm, &clipped, outside.unwrap_or(self.outside()), interpolation)
+    }
+
+    /// The mean step between the wavelengths, in nm; 0 for one alone.
+    pub fn step_nm(&self) -> f64 {
+        match self.nm.as_slice() {
+            [first, .., last] => (last - first) / (self.nm.len() - 1) as f64,
+            _ => 0.0,
+        }
+    }
+
+    /// The values without those below 0, and what is to be told of them.
+    fn without_noise(&self) -> Result<(Vec<f64>, Option<String>), TableError> {
         self.check_band()?;
         let greatest = self.within_band();
-        if self.quantity.is_ratio() && greatest > GREATEST_PERCENT {
+        if self.quantity.is_ratio() && greatest > GREATEST_FRACTION {
             return Err(TableError::Scale { greatest });
         }
         let least = -NOISE * self.scale();
@@ -112,13 +147,9 @@ impl NamedSpectrum {
         }
         let (count, lowest) = below().fold((0, 0.0), |(n, low), (_, value)| (n + 1, value.min(low)));
         let clipped: Vec<f64> = self.values.iter().map(|value| value.max(0.0)).collect();
-        let (spectrum, mut notes) = self.resampled(&clipped, outside)?;
-        if count > 0 {
-            let name = &self.name;
-            notes
-                .push(format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0"));
-        }
-        Ok((spectrum, notes))
+        let name = &self.name;
+        let told = || format!("{count} values of '{name}' below 0, down to {lowest}, are taken as noise: 0");
+        Ok((clipped, (count > 0).then(told)))
     }
 
     /// The greatest value where it is used: instruments give noise beyond.
@@ -165,10 +196,14 @@ impl NamedSpectrum {
         values: &[f64],
         outside: Option<Outside>,
     ) -> Result<(Spectrum, Vec<String>), TableError> {
-        let by_quantity = if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero };
-        let outside = outside.unwrap_or(by_quantity);
+        let outside = outside.unwrap_or(self.outside());
         let spectrum = Spectrum::from_table(&self.nm, values, outside)?;
         Ok((spectrum, self.coverage(outside)))
+    }
+
+    /// What it is beyond its ends, if nothing else is said.
+    fn outside(&self) -> Outside {
+        if self.quantity.is_ratio() { Outside::Hold } else { Outside::Zero }
     }
 
     /// What of the grid the spectrum does not cover, and what of the spectrum the grid does not.
@@ -195,6 +230,20 @@ impl NamedSpectrum {
         }
         notes
     }
+}
+
+/// The spectrum that an instrument made of the others that it wrote beside it: dark, reference and sample.
+///
+/// Named *processed*, or `P` beside `D`, `R` and `S`; none where there is no such, or more than one.
+pub fn processed(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
+    let is_processed = |one: &&NamedSpectrum| one.name.to_lowercase().contains("processed");
+    let mut named = spectra.iter().filter(is_processed);
+    if let Some(found) = named.next() {
+        return Some(found).filter(|_| named.next().is_none() && spectra.len() > 1);
+    }
+    let is_jaz =
+        spectra.len() > 1 && spectra.iter().all(|one| ["D", "R", "S", "P"].contains(&one.name.as_str()));
+    spectra.iter().find(|one| is_jaz && one.name == "P")
 }
 
 /// At most this many remarks are kept of a file.

@@ -61,7 +61,7 @@ impl ValueScale {
 const GREATEST_SHARE: f64 = 2.0;
 
 /// Per cent of light beyond this are none: the values are on another scale.
-pub(super) const GREATEST_PERCENT: f64 = 200.0;
+const GREATEST_PERCENT: f64 = 200.0;
 
 /// Units that say that 1 is all light.
 const FRACTIONS: [&str; 6] = ["1", "fraction", "-", "0-1", "0..1", "ratio"];

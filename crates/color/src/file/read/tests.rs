@@ -175,7 +175,8 @@ fn meters_write_pairs_of_words_and_values() {
     let (lamp, found) =
         points("Model\tX\nLUX\t486\nCCT\t5461\nR1\t90\n380nm\t0.5\n385nm\t0.75\n390nm\t1\nPeak\t390\n");
     assert_eq!(found, [(380.0, 0.5), (385.0, 0.75), (390.0, 1.0)]);
-    assert_eq!((lamp.name.as_str(), lamp.quantity), ("file", Quantity::Unknown));
+    // Only light has an illuminance and a colour temperature.
+    assert_eq!((lamp.name.as_str(), lamp.quantity), ("file", Quantity::Light));
     assert!(!lamp.notes.iter().any(|note| note.contains("unit")), "{:?}", lamp.notes);
     let (_, found) = points("Date,2020/01/01\nSpectral Data 380[nm],0.5\nSpectral Data 381[nm],0.75\n");
     assert_eq!(found, [(380.0, 0.5), (381.0, 0.75)]);

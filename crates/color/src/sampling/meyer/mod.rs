@@ -88,7 +88,7 @@ impl MeyerSamples {
     pub fn adapted(light: &Spectrum) -> Self {
         let scale = 1.0 / cie1931()[1].integral();
         let weight = |curve: &Spectrum| interpolants().map(|basis| basis.dot(&(*light * *curve)) * scale);
-        Self { weights: cie1931().each_ref().map(weight) }
+        Self { weights: cie1931().map(weight) }
     }
 
     /// XYZ of four samples.

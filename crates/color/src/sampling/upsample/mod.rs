@@ -44,7 +44,7 @@ fn weights() -> &'static [Spectrum; 3] {
         let white = tristimulus(&d65).map(|v| v / tristimulus(&d65)[1]);
         let adapt = adaptation_matrix(&BRADFORD, white, D65_XYZ);
         let to_rgb = RgbSpace::LINEAR_SRGB.from_xyz_matrix().times(&adapt);
-        let curves = cie1931().map(|curve| curve * d65 * (1.0 / tristimulus(&d65)[1]));
+        let curves = cie1931().map(|curve| *curve * d65 * (1.0 / tristimulus(&d65)[1]));
         to_rgb.0.map(|[x, y, z]| curves[0] * x + curves[1] * y + curves[2] * z)
     });
     &WEIGHTS

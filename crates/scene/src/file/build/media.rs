@@ -219,11 +219,12 @@ pub(in crate::file) fn air() -> Ior {
 }
 
 /// The keys that a film has none of, where they stand.
-fn keys_beside_a_film(table: &SpectralTable) -> [(Option<&Range<usize>>, &'static str); 13] {
+fn keys_beside_a_film(table: &SpectralTable) -> [(Option<&Range<usize>>, &'static str); 14] {
     [
         (table.scale.as_ref().map(|v| &v.span), "scale"),
         (table.spectrum.as_ref().map(|v| &v.span), "spectrum"),
         (table.reradiation.as_ref().map(|v| &v.span), "reradiation"),
+        (table.dye.as_ref().map(|v| &v.span), "dye"),
         (table.file.as_ref().map(|v| &v.span), "file"),
         (table.column.as_ref().map(|v| &v.span), "column"),
         (table.blackbody.as_ref().map(|v| &v.span), "blackbody"),

@@ -3,6 +3,7 @@
 mod appearance;
 mod builder;
 mod camera;
+mod dyes;
 mod files;
 mod geometry;
 mod lights;

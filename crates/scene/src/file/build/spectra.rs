@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale};
+use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale, processed};
 use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName};
 
 use super::builder::Builder;
@@ -174,6 +174,10 @@ impl Builder {
             ["samples"] => Ok(Function::Either(table.samples.as_ref().expect("it is given").0)),
             ["matrix"] => matrix(table.matrix.as_ref().expect("it is given")),
             ["reradiation"] => self.reradiation(table.reradiation.as_ref().expect("it is given")),
+            ["dye"] => {
+                let layer = self.dye(table.dye.as_ref().expect("it is given"))?;
+                Ok(Function::Reradiation(Arc::new(layer)))
+            }
             ["ior"] => Ok(Function::Ior(Arc::new(self.medium(table.ior.as_ref().expect("it is given"))?))),
             [] => Err(Problem::at(span, "a table in place of a colour names no function of wavelength")
                 .help(
@@ -300,6 +304,7 @@ fn functions(table: &SpectralTable) -> Vec<&'static str> {
         ("nm", table.nm.is_some() || table.value.is_some()),
         ("samples", table.samples.is_some()),
         ("reradiation", table.reradiation.is_some()),
+        ("dye", table.dye.is_some()),
         ("matrix", table.matrix.is_some()),
         ("ior", table.ior.is_some()),
     ];
@@ -415,8 +420,8 @@ fn choose<'a>(
 ) -> Result<&'a NamedSpectrum, Problem> {
     let names = || spectra.iter().map(|spectrum| spectrum.name.as_str()).collect::<Vec<_>>().join(", ");
     let Some(column) = column else {
-        return match spectra {
-            [only] => Ok(only),
+        return match (spectra, processed(spectra)) {
+            ([only], _) | (_, Some(only)) => Ok(only),
             _ => {
                 let message =
                     format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());

@@ -8,6 +8,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::dyes::DyeTable;
 use super::media::{CoatAbove, IorValue};
 use super::sampled::Sampled;
 use super::spectra_files::{AxisUnit, Column, FileQuantity, ScaleValue};
@@ -15,7 +16,7 @@ use super::values::{Amount, At, Color, Number};
 use crate::Polarization;
 
 /// A function of wavelength: exactly one of `spectrum`, `blackbody`, `gaussian`, `line`, `file`,
-/// `nm` with `value`, `samples`, `reradiation`, `matrix`, `pane`, `schlick`, and `ior` or `film_nm`.
+/// `nm` with `value`, `samples`, `reradiation`, `dye`, `matrix`, `pane`, `schlick`, and `ior` or `film_nm`.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct SpectralTable {
@@ -43,6 +44,8 @@ pub(crate) struct SpectralTable {
     /// The name of a fluorescent material (`glanz color list fluorescent`), or a file with its
     /// re-radiation matrix (BFC, CSV); surfaces only.
     pub reradiation: Option<At<String>>,
+    /// A layer of a fluorescent dye over a base; surfaces only.
+    pub dye: Option<Box<At<DyeTable>>>,
     /// Fresnel reflection: the name of a metal or glass (`glanz color list metals`), an index of refraction from 1.05
     /// to 20, n and k as "1.5+3i", in numbers or from a file; surfaces only.
     pub ior: Option<At<IorValue>>,

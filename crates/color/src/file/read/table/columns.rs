@@ -1,6 +1,7 @@
 //! One spectrum in each column, beside a column of wavelengths.
 
 use super::lines::{Cell, Line, Run, cells};
+use super::pieces::longest_piece;
 use super::{MOST_SPECTRA, Source};
 use crate::file::read::error::excerpt;
 use crate::file::read::named::note;
@@ -46,9 +47,11 @@ pub(super) fn read(
         }
     }
     let axes = axes(source, &head, &values, has_unit)?;
+    let (run, repeated) = longest_piece(source, run, axes[0].column, &mut values);
     check_neighbours(source, separator, run, &head, &axes[0], &values)?;
     let mut notes = Vec::new();
     source.tell_skipped(&source.content[..head.first], &source.content[run.end..], &mut notes);
+    notes.extend(repeated);
     let first_axis = axes[0].column;
     if first_axis > 0 {
         let columns = if first_axis == 1 { "1 column" } else { &*format!("{first_axis} columns") };
@@ -76,7 +79,12 @@ struct Head {
     quantity: Quantity,
     /// The unit of wavelengths that other lines name.
     scale: Scale,
+    /// Whether it says that the values are photons, as LI-COR's LI-1800 does.
+    is_quantum: bool,
 }
+
+/// The unit of the LI-1800 where its head says `QNTM`.
+const QUANTA: &str = "umol/m2/s/nm";
 
 impl Head {
     fn of(source: &Source<'_>, separator: Separator, run: Run) -> Result<Self, ReadError> {
@@ -104,7 +112,8 @@ impl Head {
         let others = above.iter().filter(|line| names_axis(line.text) || is_unit(line.text));
         let scale = others.map(|line| Scale::of(line.text)).find(|scale| *scale != Scale::Unknown);
         let (quantity, scale) = (source.quantity_of(above), scale.unwrap_or_default());
-        Ok(Self { first, columns, title, quantity, scale })
+        let is_quantum = above.iter().any(|line| line.text.contains("QNTM"));
+        Ok(Self { first, columns, title, quantity, scale, is_quantum })
     }
 
     /// What is said of a column.
@@ -130,7 +139,7 @@ fn headers(line: &Line<'_>, separator: Separator, run: Run) -> Option<Vec<String
     };
     // Numbers behind a word that is no axis are a value of the head, such as `IRR 2.6`.
     let is_pair = |fields: &[String]| {
-        let is_number = |field: &String| Cell::of(field, separator).value().is_some();
+        let is_number = |field: &String| !matches!(Cell::of(field, separator), Cell::Word);
         !names_axis(&fields[0]) && fields.len() > 1 && fields[1..].iter().all(is_number)
     };
     if fits(&own) && !is_pair(&own) {
@@ -340,6 +349,12 @@ fn spectra(
     }
     if spectra.is_empty() {
         return Err(ReadError::malformed(source.file, Place::File, "at least one value", "none"));
+    }
+    if head.is_quantum {
+        for spectrum in spectra.iter_mut().filter(|one| one.unit.is_empty() && !one.quantity.is_ratio()) {
+            spectrum.unit = QUANTA.to_owned();
+            spectrum.quantity = Quantity::Light;
+        }
     }
     // What the head says is of all columns, unless these tell themselves apart.
     if spectra.iter().all(|spectrum| spectrum.quantity == Quantity::Unknown) {

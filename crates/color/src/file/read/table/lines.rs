@@ -98,7 +98,7 @@ pub(super) struct Run {
     /// The most fields of a line up to its last value.
     pub(super) width: usize,
     /// The least fields of a line, with empty ones at its end.
-    fields: usize,
+    pub(super) fields: usize,
     /// How many lines it has; comments between them do not count.
     pub(super) count: usize,
 }

@@ -11,6 +11,7 @@
 
 mod columns;
 mod lines;
+mod pieces;
 mod rows;
 
 use super::error::clean;
@@ -19,6 +20,20 @@ use super::units::{MAX_NAME, Scale};
 use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 use crate::file::read::error::excerpt;
 use lines::Line;
+
+/// Keys of the heads of meters that only light has.
+const OF_LIGHT: [&str; 10] = [
+    "lux",
+    "illuminance",
+    "cct",
+    "duv",
+    "ppfd",
+    "pfd",
+    "cri",
+    "fc",
+    "foot candle",
+    "correlated color temperature",
+];
 
 /// The most spectra of a file.
 pub(super) const MOST_SPECTRA: usize = 10_000;
@@ -38,8 +53,12 @@ pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<N
     let content = lines::content(text);
     let source = Source { file, content: &content, unit };
     let found = lines::find(&content);
-    let count = found.map_or(0, |(_, run)| run.count);
-    if let Some(rows) = rows::find(&content).filter(|rows| rows.wavelengths() > 2 || count < 3) {
+    let (first, count) = found.map_or((0, 0), |(_, run)| (run.first, run.count));
+    // Three numbers in the head of a long table are no wavelengths of rows.
+    let is_table = |rows: &rows::Rows| {
+        count < 3 || (rows.wavelengths() > 2 && (first <= rows.below() || count <= rows.wavelengths()))
+    };
+    if let Some(rows) = rows::find(&content).filter(is_table) {
         return rows.read(&source);
     }
     match found {
@@ -107,7 +126,15 @@ impl Source<'_> {
                 _ => return Quantity::Unknown,
             }
         }
-        found
+        let is_of_light = |line: &&Line<'_>| {
+            let key = line.text.split(['\t', ',', ';', '[', '(', ':']).next().unwrap_or_default();
+            OF_LIGHT.iter().any(|word| key.trim().eq_ignore_ascii_case(word))
+        };
+        match found {
+            // Only light has an illuminance and a colour temperature.
+            Quantity::Unknown if head.iter().filter(is_of_light).count() >= 2 => Quantity::Light,
+            found => found,
+        }
     }
 }
 

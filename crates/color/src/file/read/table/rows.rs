@@ -77,6 +77,11 @@ impl Rows {
         self.nm.len()
     }
 
+    /// The place of the line below the wavelengths.
+    pub(super) fn below(&self) -> usize {
+        self.head + 1
+    }
+
     /// Whether a line has a number where its first value should be, and no word where values are.
     fn holds(&self, line: &Line<'_>) -> bool {
         let row = self.values(line);

@@ -1,26 +1,27 @@
 //! `glanz color spectrum`: the colour numbers of a light or a surface.
 
-use std::borrow::Cow;
+mod document;
+mod light;
+mod surface;
+
 use std::fmt::Write;
 
 use clap::Args;
 use glanz_color::chromaticity::Chromaticity;
-use glanz_color::colorimetry::{DisplayColor, dominant_wavelength, lab, relative_xyz};
-use glanz_color::cri::color_rendering;
+use glanz_color::colorimetry::{DisplayColor, dominant_wavelength, lab};
 use glanz_color::models::Lab;
-use glanz_color::photometry::{Adapted, efficacy_lm_per_w, luminous};
-use glanz_color::temperature::{MOST_DUV, color_temperature};
-use glanz_color::{Observer, ObserverKind, Spectrum, SpectrumKind};
+use glanz_color::{FineSpectrum, Observer, Sampled, SpectrumKind};
 use glanz_plot::{NamedSpectrum, WavelengthChart, Word, spectra};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::args::{BesidePlotArgs, PlotTarget, check_folder};
+use crate::input::resolution::{Coarse, CoarseTable};
 use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
 use crate::print::files::save_csv;
 use crate::print::{self, FormatArgs, decimals, finite, fixed, number, wavelength};
+
+pub(crate) use document::Document;
 
 /// Shown below the help.
 pub(crate) const EXAMPLES: &str = "Examples:
@@ -34,7 +35,12 @@ is relative to the light, that of a light to D65. sRGB of a surface is adapted f
 D65 by Bradford; that of a light is as bright as a screen can be. Dominant wavelength, purity and
 colour temperature are those of the CIE 1931 observer, as they are defined; the white is the light
 for a surface, equal energy for a light. Files: CSV and other text tables, .spdx (IES TM-27),
-CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.";
+CGATS, CxF3. FILE:COLUMN chooses one of several spectra, by name or number from 1.
+
+Numbers are summed by 1 nm: of finer tables with the observer between its wavelengths, of tables
+up to 5 nm by Sprague's interpolation (CIE 167:2005), of coarser ones by lines unless
+--interpolation sprague. 'drawn by 5 nm' tells how far the colour of a picture is from them, whose
+grid has steps of 5 nm.";
 
 /// The scale of X, Y, Z that are printed: Y of the white.
 const WHITE_Y: f64 = 100.0;
@@ -57,6 +63,10 @@ pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     table: TableArgs,
 
+    /// What joins the values of a table that are more than 5 nm apart: lines unless said
+    #[arg(long, value_enum, value_name = "CURVE", help_heading = "Files of spectra")]
+    interpolation: Option<CoarseTable>,
+
     #[command(flatten)]
     plot: BesidePlotArgs,
 
@@ -75,49 +85,6 @@ struct Facts {
     json: Map<String, Value>,
 }
 
-/// The colour numbers of a light or a surface.
-#[derive(Debug, Serialize)]
-#[serde(transparent)]
-pub(crate) struct Document(Map<String, Value>);
-
-/// The keys follow from what the spectrum is of and who sees it, so the schema is written here.
-impl JsonSchema for Document {
-    fn schema_name() -> Cow<'static, str> {
-        "Spectrum".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let number = json!({ "type": "number" });
-        let nullable = json!({ "type": ["number", "null"] });
-        let text = json!({ "type": "string" });
-        let numbers = |count: usize| json!({ "type": "array", "items": { "type": "number" }, "minItems": count, "maxItems": count });
-        json_schema!({
-            "description": "The colour numbers of a light or a surface",
-            "type": "object",
-            "required": ["name", "title", "observer", "kind", "nm", "values"],
-            "properties": {
-                "name": text, "title": text, "observer": text, "kind": { "enum": ["light", "surface"] },
-                "nm": { "type": "array", "items": { "type": "number" } },
-                "values": { "type": "array", "items": { "type": ["number", "null"] } },
-                "under": text, "xyz": numbers(3), "xy": numbers(2), "uv1976": numbers(2), "lab": numbers(3),
-                "srgb": {
-                    "type": "object",
-                    "required": ["values", "code", "in_gamut"],
-                    "properties": { "values": numbers(3), "code": text, "in_gamut": { "type": "boolean" } },
-                    "additionalProperties": false,
-                },
-                "dominant_nm": nullable, "purity": number, "complementary_nm": number, "cct_k": nullable,
-                "duv": number, "cct_is_meaningful": { "type": "boolean" }, "ra": number,
-                "r": { "type": "array", "items": { "type": "number" } }, "efficacy_lm_per_w": nullable,
-                "sp_ratio": nullable, "unit": text, "luminous": nullable, "scotopic": nullable,
-                "luminous_unit": text,
-            },
-            "patternProperties": { "^response_": { "type": ["number", "null"] } },
-            "additionalProperties": false,
-        })
-    }
-}
-
 impl Facts {
     fn line(&mut self, label: &'static str, text: impl Into<String>) {
         self.lines.push((label, text.into()));
@@ -133,7 +100,7 @@ impl SpectrumArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        let source = source(&self.spectrum, None, &self.table)?;
+        let source = source(&self.spectrum, None, &self.table)?.interpolated(self.interpolation);
         if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";
             return Err(Failure::Usage(format!("'{}' {message}", self.spectrum)));
@@ -145,9 +112,10 @@ impl SpectrumArgs {
         facts.value("observer", observer.name.as_str());
         facts.line("observer", format!("{}, {}", observer.name, observer.title));
         match source.kind {
-            SpectrumKind::Light => light_facts(&mut facts, &source, &observer),
+            SpectrumKind::Light => light::light_facts(&mut facts, &source, &observer),
             SpectrumKind::Surface => {
-                surface_facts(&mut facts, &source, &light_source_with(&self.light, &self.table)?, &observer)
+                let light = light_source_with(&self.light, &self.table)?.interpolated(self.interpolation);
+                surface::surface_facts(&mut facts, &source, &light, &observer);
             }
         }
         facts.value("nm", source.spectrum.points().map(|(nm, _)| nm).collect::<Vec<_>>());
@@ -203,7 +171,7 @@ fn screen_facts(facts: &mut Facts, screen: DisplayColor, how: &str) {
     facts.line("sRGB", format!("{}  {} ({how}{clipped})", decimals(&srgb, 4), screen.hex()));
 }
 
-fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &str) {
+fn hue_facts(facts: &mut Facts, color: &FineSpectrum, white: Chromaticity, name: &str) {
     let Some((dominant, complement)) = dominant_wavelength(color, white) else {
         facts.value("dominant_nm", Value::Null);
         let why = match Chromaticity::of_light(color) {
@@ -226,9 +194,14 @@ fn hue_facts(facts: &mut Facts, color: &Spectrum, white: Chromaticity, name: &st
 }
 
 /// The responses of an observer that has no X, Y, Z.
-fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>, observer: &Observer) {
-    let responses = observer.response(light);
-    let whites = white.map(|white| observer.response(white));
+fn response_facts(
+    facts: &mut Facts,
+    light: &FineSpectrum,
+    white: Option<&FineSpectrum>,
+    observer: &Observer,
+) {
+    let responses = light.responses(observer);
+    let whites = white.map(|white| white.responses(observer));
     for (index, (channel, response)) in observer.channels.iter().zip(&responses).enumerate() {
         let relative = whites.as_ref().map_or(*response, |whites| response / whites[index]);
         facts.value(&format!("response_{}", channel.name), finite(relative));
@@ -243,97 +216,10 @@ fn response_facts(facts: &mut Facts, light: &Spectrum, white: Option<&Spectrum>,
     facts.line("responses", format!("{named}{relative}"));
 }
 
-fn light_facts(facts: &mut Facts, source: &Source, observer: &Observer) {
-    let light = &source.spectrum;
-    facts.value("kind", "light");
-    if observer.kind != ObserverKind::Xyz {
-        response_facts(facts, light, None, observer);
-    }
-    let d65 = glanz_color::light("D65").expect("D65 comes with the library");
-    if let (Some(xyz), Some(white)) =
-        (relative_xyz(light, light, observer), relative_xyz(&d65, &d65, observer))
-    {
-        color_facts(facts, xyz, white);
-        screen_facts(facts, DisplayColor::of_light(xyz), "as bright as it can be");
-    } else if observer.kind == ObserverKind::Xyz {
-        facts.line("XYZ", "none: the observer does not see this light");
-    }
-    hue_facts(facts, light, Chromaticity::E, "equal energy");
-    temperature_facts(facts, light);
-    power_facts(facts, source);
-}
-
-fn temperature_facts(facts: &mut Facts, light: &Spectrum) {
-    let Some(Ok(found)) = Chromaticity::of_light(light).map(color_temperature) else {
-        facts.value("cct_k", Value::Null);
-        facts.line("CCT", "none: no black body is near");
-        return;
-    };
-    let far = found.duv.abs() > MOST_DUV;
-    facts.value("cct_k", found.cct_k);
-    facts.value("duv", found.duv);
-    facts.value("cct_is_meaningful", !far);
-    let warning = if far { " (too far from black bodies to mean much)" } else { "" };
-    facts.line("CCT", format!("{:.1} K, Duv {:+.4}{warning}", found.cct_k, found.duv));
-    if far {
-        return;
-    }
-    match color_rendering(light) {
-        Ok(rendering) => {
-            facts.value("ra", rendering.ra);
-            facts.value("r", rendering.r.to_vec());
-            facts.line("Ra", format!("{:.1} (R9 {:.1})", rendering.ra, rendering.r[8]));
-        }
-        Err(error) => facts.line("Ra", format!("none: {error}")),
-    }
-}
-
-/// What the light is in photometric units; absolute figures only where its unit is understood.
-fn power_facts(facts: &mut Facts, source: &Source) {
-    let light = &source.spectrum;
-    let (day, night) = (luminous(light, Adapted::Photopic), luminous(light, Adapted::Scotopic));
-    facts.value("efficacy_lm_per_w", efficacy_lm_per_w(light).and_then(finite));
-    facts.value("sp_ratio", finite(night / day));
-    facts.value("unit", source.unit.as_str());
-    if let Some(efficacy) = efficacy_lm_per_w(light) {
-        facts.line("efficacy", format!("{efficacy:.1} lm/W of 300 to 780 nm"));
-    }
-    facts.line(
-        "S/P ratio",
-        finite(night / day).map_or("none, it is not seen".to_owned(), |_| fixed(night / day, 3)),
-    );
-    let Some(unit) = source.power_unit else {
-        if !source.unit.is_empty() {
-            facts.line("luminous", format!("none: the unit '{}' is not understood", source.unit));
-        }
-        return;
-    };
-    let (day, night) = (unit.factor * day, unit.factor * night);
-    let name = unit.radiometry.photometric_unit();
-    facts.value("luminous", finite(day));
-    facts.value("scotopic", finite(night));
-    facts.value("luminous_unit", name);
-    facts.line("luminous", format!("{} {name} by day, {} at night", number(day), number(night)));
-}
-
-fn surface_facts(facts: &mut Facts, source: &Source, light: &Source, observer: &Observer) {
-    let seen = source.spectrum * light.spectrum;
-    facts.value("kind", "surface");
-    facts.value("under", light.name.as_str());
-    facts.line("under", format!("{}, {}", light.name, light.title));
-    if observer.kind != ObserverKind::Xyz {
-        response_facts(facts, &seen, Some(&light.spectrum), observer);
-    }
-    let white = relative_xyz(&light.spectrum, &light.spectrum, observer);
-    if let (Some(xyz), Some(white)) = (relative_xyz(&seen, &light.spectrum, observer), white) {
-        color_facts(facts, xyz, white);
-        if let Some(screen) = DisplayColor::adapted(xyz, white) {
-            screen_facts(facts, screen, &format!("adapted from {}", light.name));
-        }
-    } else if observer.kind == ObserverKind::Xyz {
-        facts.line("XYZ", "none: the observer does not see this light");
-    }
-    if let Some(white) = Chromaticity::of_light(&light.spectrum) {
-        hue_facts(facts, &seen, white, &light.name);
-    }
+/// How far the colour would be off if the values of a coarse table were joined by smooth curves.
+fn coarse_facts(facts: &mut Facts, coarse: &Coarse, de2000: f64) {
+    let step = number(coarse.step_nm);
+    facts.value("interpolation", json!({ "step_nm": coarse.step_nm, "sprague_de2000": de2000 }));
+    let choose = format!("--interpolation sprague: ΔE00 {de2000:.2} from this");
+    facts.line("interpolation", format!("lines between values {step} nm apart; {choose}"));
 }
