@@ -15,7 +15,7 @@ const SIZE: u32 = 96;
 const EDGE: f64 = 1.0 / 128.0;
 
 fn pane() -> Material {
-    Material { alpha: 0.5, alpha_mode: AlphaMode::Blend, ..glow(Rgb([1.0, 0.5, 0.25])) }
+    Material { opacity: 0.5, alpha_mode: AlphaMode::Blend, ..glow(Rgb([1.0, 0.5, 0.25])) }
 }
 
 fn scene_of(mesh: Mesh, camera: Camera) -> Scene {

@@ -8,7 +8,7 @@ use common::{picture, transparent};
 use glanz_bsdf::Shape;
 use glanz_picture::Frame;
 use glanz_render::Session;
-use glanz_scene::{Light, Lobe, Material, Mesh, Scene};
+use glanz_scene::{Camera, Light, Lobe, Material, Mesh, Scene};
 
 /// The scene with its general lobes as a program's own models, and how many those are.
 fn with_own_models(scene: &Scene) -> (Scene, usize) {
@@ -49,6 +49,7 @@ fn a_cheap_model_of_a_programs_own_is_not_dark() {
         Scene::new()
             .with_mesh(Mesh::builtin("sphere").unwrap(), Material::of_lobes("own", lobes))
             .with_light(Light::directional([-1.0, -1.0, -1.0], [1.0; 3]))
+            .with_camera(Camera::new([0.0, 0.0, 4.0], [0.0; 3]))
     };
     let drawn = |shapes| picture(&scene(shapes), 60, 40, &transparent());
     let (matte, shiny) = (Shape::named("lambert", &[]).unwrap(), Shape::named("blinn-phong", &[]).unwrap());

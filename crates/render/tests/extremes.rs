@@ -209,7 +209,7 @@ fn huge_and_tiny_coordinates_give_numbers() {
             add_point_light(&mut scene, DVec3::ONE, Attenuation::PHYSICAL);
             scene.materials[0].opacity = 0.5;
             if round % 2 == 1 {
-                scene.materials[0].opacity_mode = AlphaMode::Blend;
+                scene.materials[0].alpha_mode = AlphaMode::Blend;
             }
             assert_sane_in_every_way(scene, &format!("coordinates up to 1e{most}, round {round}"));
         }
