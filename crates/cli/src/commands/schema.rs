@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 36] = [
+const SCHEMAS: [Named; 37] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -63,6 +63,7 @@ const SCHEMAS: [Named; 36] = [
     ("color-plot-cones", schema::<PlotData>),
     ("color-plot-meyer", schema::<PlotData>),
     ("color-plot-matrix", schema::<PlotData>),
+    ("color-plot-tm30", schema::<PlotData>),
     ("color-plot-efficiency", schema::<PlotData>),
 ];
 

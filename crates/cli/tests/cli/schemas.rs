@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 34] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 35] = [
     (
         "render",
         &[
@@ -104,6 +104,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 34] = [
     ("color-plot-cones", &[&["color", "plot", "cones", "-o", "-"]]),
     ("color-plot-meyer", &[&["color", "plot", "meyer", "-o", "-"]]),
     ("color-plot-matrix", &[&["color", "plot", "matrix", "paper-note-pink", "-o", "-"]]),
+    ("color-plot-tm30", &[&["color", "plot", "tm30", "FL2", "-o", "-"]]),
     ("color-plot-efficiency", &[&["color", "plot", "efficiency", "--light", "D65", "-o", "-"]]),
 ];
 

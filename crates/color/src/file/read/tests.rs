@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::file::write::{write_csv, write_matrix_csv, write_spdx};
-use crate::spectra::{Outside, Spectrum, lambda_nm};
+use crate::spectra::{Outside, Spectrum, TableError, lambda_nm};
 use crate::surfaces::reradiation::Reradiation;
 
 const CSV: &str = "# a comment\nWavelength (nm),red reflectance (%),\"lamp, warm [W/m2/nm]\"\n\
@@ -72,7 +72,12 @@ fn check(spectra: &[NamedSpectrum]) {
         assert!(!spectrum.nm.is_empty() && !spectrum.name.is_empty());
         assert!(spectrum.nm.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(spectrum.values.iter().all(|value| value.is_finite()));
-        assert_eq!(spectrum.to_spectrum(None).is_ok(), spectrum.nm.len() > 1);
+        match spectrum.to_spectrum(None) {
+            Ok((found, _)) => assert!(spectrum.nm.len() > 1 && found.is_finite()),
+            // What is told of more than one wavelength is a value that cannot be meant, or none where it counts.
+            Err(TableError::OutOfBand { .. } | TableError::Negative { .. } | TableError::Scale { .. }) => {}
+            Err(error) => assert!(spectrum.nm.len() == 1, "{error}"),
+        }
     }
 }
 
@@ -534,4 +539,14 @@ proptest! {
         let text: String = pieces.into_iter().map(|i| PIECES[i]).collect();
         survives(text.as_bytes());
     }
+}
+
+/// Two bytes of a matrix that is no spectrum: values that no reflectance has.
+#[test]
+fn a_matrix_that_is_taken_for_a_table_survives() {
+    let mut bytes = matrix_samples()[0].clone().into_bytes();
+    let length = bytes.len() as f64;
+    bytes[(0.713_466_095_274_350_1 * length) as usize] = 1;
+    bytes.truncate((0.952_845_118_701_186_6 * length) as usize);
+    survives(&bytes);
 }

@@ -106,10 +106,10 @@ impl Builder {
                     .help("such as { n = 0.2, k = 3.0 }, { nm = [...], n = [...], k = [...] } or { file = \"Au.yml\" }"));
             }
         };
-        if !table.name.is_empty() {
-            ior.name.clone_from(&table.name);
-        }
-        if !table.source.is_empty() {
+        // A name, even an empty one, is of a medium as a scene holds it.
+        if let Some(name) = &table.name {
+            (ior.name, ior.source) = (name.clone(), table.source.clone());
+        } else if !table.source.is_empty() {
             ior.source.clone_from(&table.source);
         }
         Ok(ior)

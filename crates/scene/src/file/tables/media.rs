@@ -60,8 +60,7 @@ impl<'de> Deserialize<'de> for IorValue {
 #[serde(deny_unknown_fields)]
 pub(crate) struct IorTable {
     /// A name for people.
-    #[serde(default)]
-    pub name: String,
+    pub name: Option<String>,
     /// A file of n and k: a text table, a record (YAML) of refractiveindex.info, or the n of a pair of `.spd` files.
     pub file: Option<At<String>>,
     /// The wavelengths in nm of lists `n` and `k`, increasing.
