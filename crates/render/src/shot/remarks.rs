@@ -70,7 +70,10 @@ impl Shot {
             remarks.push(self.nothing_in_view(scene));
         } else if is_light && has_light(scene) {
             remarks.extend(self.darkness(scene, surfaces)?);
-            remarks.extend(self.clipping(scene, surfaces));
+            // Files of linear light hold what no screen shows.
+            if matches!(picture, PictureData::Codes8 { .. } | PictureData::Codes16 { .. }) {
+                remarks.extend(self.clipping(scene, surfaces));
+            }
         }
         Ok(remarks)
     }
