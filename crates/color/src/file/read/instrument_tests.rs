@@ -77,3 +77,14 @@ fn counts_that_a_file_calls_per_cent_are_refused() {
     let error = spectra[0].to_spectrum(None).unwrap_err();
     assert!(error.to_string().contains("which value is all light"), "{error}");
 }
+
+/// Logs of a hand-held spectrometer: a row for each measurement, with its mode before the values.
+#[test]
+fn each_row_may_say_what_it_is_of() {
+    let log = "Date,Mode,Tag,400,500,600\n3/8/2022,Reflectance,leaf,5,12,40\n3/8/2022,Absorbance,leaf,1,0,2\n\
+               3/8/2022,Power,leaf,1,0,2\n";
+    let spectra = read_spectra(log.as_bytes(), "log.csv").unwrap();
+    let kinds: Vec<_> = spectra.iter().map(|spectrum| spectrum.quantity).collect();
+    assert_eq!(kinds, [Quantity::Reflectance, Quantity::Transmittance, Quantity::Unknown]);
+    assert_eq!((spectra[0].values[1], spectra[1].values[0]), (0.12, 0.1));
+}

@@ -8,6 +8,10 @@ use crate::file::read::text::{Separator, fields};
 use crate::file::read::units::{Column, LIKELY_NM, MAX_NAME, Scale};
 use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError};
 
+/// Fields that say what a row is of.
+const QUANTITIES: [&str; 7] =
+    ["reflectance", "transmittance", "transmission", "absorbance", "irradiance", "radiance", "radiant flux"];
+
 /// A row of wavelengths, and what follows it.
 pub(super) struct Rows {
     /// The place of the row of wavelengths among the lines.
@@ -114,7 +118,8 @@ impl Rows {
                 break;
             }
             let name = self.name(line, &corners, source, spectra.len());
-            spectra.push(self.spectrum(source, line, &row, name)?);
+            let quantity = self.quantity(line);
+            spectra.push(NamedSpectrum { quantity, ..self.spectrum(source, line, &row, name)? });
             source.check_count(spectra.len(), line.number)?;
         }
         source.tell_skipped(&source.content[..self.head], foot, &mut notes);
@@ -127,11 +132,20 @@ impl Rows {
             said.map_or_else(|| source.quantity_of(&source.content[..=self.head]), |one| one.quantity);
         let unit = corners.iter().map(|one| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
-            spectrum.quantity = quantity;
+            if spectrum.quantity == Quantity::Unknown {
+                spectrum.quantity = quantity;
+            }
             spectrum.unit = unit.to_owned();
             spectrum.notes.splice(0..0, notes.iter().cloned());
         }
         Ok(spectra)
+    }
+
+    /// What a row says that it is: a field before its values that is a quantity and nothing else, such as `Reflectance`.
+    fn quantity(&self, line: &Line<'_>) -> Quantity {
+        let mut fields = fields(line.text, self.separator).take(self.first);
+        let is_quantity = |field: &str| QUANTITIES.iter().any(|word| field.trim().eq_ignore_ascii_case(word));
+        fields.find(|field| is_quantity(field)).map_or(Quantity::Unknown, Quantity::of)
     }
 
     /// The name of a row: its words, or one made from the file's name.
