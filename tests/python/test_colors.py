@@ -19,6 +19,7 @@ import numpy as np  # noqa: E402
 
 GLANZ = os.environ.get("GLANZ", "target/debug/glanz")
 GRID = np.arange(300.0, 781.0, 5.0)
+FINE = np.arange(300.0, 831.0)
 
 # Names in glanz and in colour-science.
 OBSERVERS = {
@@ -42,16 +43,27 @@ def glanz(*arguments):
     return json.loads(run.stdout)
 
 
-def on_grid(distribution, hold):
+def on_grid(distribution, hold, grid=GRID):
     """Values at every 5 nm; beyond the table the value at its end, or 0."""
     nm, values = distribution.domain, distribution.range
     ends = {} if hold else {"left": 0.0, "right": 0.0}
-    return np.interp(GRID, nm, values, **ends)
+    return np.interp(grid, nm, values, **ends)
 
 
-def curves(name):
+def by_1_nm(distribution, hold):
+    """Values at every nm, between those of a table by Sprague's polynomials (CIE 167:2005). Daylight is linear between
+    its wavelengths by definition (CIE 15:2018)."""
+    fine = distribution.copy()
+    is_daylight = distribution.name.startswith("D") and distribution.name[1:].isdigit()
+    if fine.shape.interval > 1.0 and not is_daylight:
+        shape = colour.SpectralShape(fine.shape.start, fine.shape.end, 1.0)
+        fine.interpolate(shape, interpolator=colour.SpragueInterpolator)
+    return on_grid(fine, hold, FINE)
+
+
+def curves(name, grid=FINE):
     table = colour.MSDS_CMFS[OBSERVERS[name]]
-    return np.array([np.interp(GRID, table.domain, column, left=0.0, right=0.0) for column in table.values.T])
+    return np.array([np.interp(grid, table.domain, column, left=0.0, right=0.0) for column in table.values.T])
 
 
 class Surfaces(unittest.TestCase):
@@ -69,8 +81,8 @@ class Surfaces(unittest.TestCase):
             found = list(pool.map(compute, jobs))
         worst = 0.0
         for (patch, light, observer), xyz in zip(jobs, found):
-            power = on_grid(colour.SDS_ILLUMINANTS[light], hold=False)
-            share = on_grid(patches[patch], hold=True)
+            power = by_1_nm(colour.SDS_ILLUMINANTS[light], hold=False)
+            share = by_1_nm(patches[patch], hold=True)
             bars = curves(observer)
             expected = 100.0 * (bars @ (power * share)) / (bars[1] @ power)
             error = np.max(np.abs(np.array(xyz) / expected - 1.0))
@@ -196,7 +208,7 @@ class Pictures(unittest.TestCase):
             nm, pixels = colour.read_spectral_image_Fichet2021(path)["S0"]
         np.testing.assert_array_equal(nm, GRID)
         daylight = on_grid(colour.SDS_ILLUMINANTS["D65"], hold=False)
-        bars = curves("cie1931")
+        bars = curves("cie1931", GRID)
         unit = daylight / (5.0 * (bars[1] @ daylight))
         patches = colour.SDS_COLOURCHECKERS["ISO 17321-1"]
         for number, name in enumerate(patches):

@@ -31,7 +31,7 @@ const NOISE: f64 = -0.02;
 /// let brass = read_ior(table.as_bytes(), "brass.csv")?;
 /// let (medium, remarks) = brass.to_ior()?;
 /// assert!((medium.k.at(500.0) - 2.3).abs() < 1e-12);
-/// assert_eq!(remarks.len(), 1, "beyond its ends it is held: {remarks:?}");
+/// assert_eq!(remarks.len(), 2, "beyond their ends n and k are held: {remarks:?}");
 /// # Ok::<(), glanz_color::read::ReadError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
