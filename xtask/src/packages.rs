@@ -1,5 +1,7 @@
 //! Whether the crates can be published: what their manifests say, which files they hold, and that they build from those.
 
+use std::path::{Path, PathBuf};
+
 use serde_json::Value;
 
 use crate::workspace::{Workspace, run, run_quietly};
@@ -31,8 +33,31 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
             return Err(Failure::new(format!("the package {name} {fault}")));
         }
     }
+    forget_unpacked(&metadata)?;
     let verify = if std::env::var_os("CI").is_some() { "" } else { "--no-verify" };
     run(&mut workspace.cargo(&format!("package --workspace --exclude xtask --allow-dirty --quiet {verify}")))
+}
+
+/// Removes what Cargo unpacked when these packages were built before. It keeps that by name and version, and would build with
+/// the files of then.
+fn forget_unpacked(metadata: &Value) -> Result<()> {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(Path::new(&std::env::var_os("HOME")?).join(".cargo")));
+    let registries = home.and_then(|home| std::fs::read_dir(home.join("registry/src")).ok());
+    for registry in registries.into_iter().flatten().flatten() {
+        // Registries in a folder, such as that of packages that are not published yet, have a hash for a name.
+        if !registry.file_name().to_string_lossy().starts_with('-') {
+            continue;
+        }
+        for package in published(metadata) {
+            let [name, version] = ["name", "version"].map(|key| package[key].as_str().unwrap_or_default());
+            let unpacked = registry.path().join(format!("{name}-{version}"));
+            if unpacked.is_dir() {
+                std::fs::remove_dir_all(&unpacked).map_err(Failure::during("removing old packages"))?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The packages that are not marked as private.

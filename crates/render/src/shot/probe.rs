@@ -20,7 +20,7 @@ impl Shot {
     /// let probe = Shot::new(&scene)?.probe(16, 16)?;
     /// let surface = probe.surface.expect("the sphere is in the middle");
     /// let point = &surface.points[0];
-    /// assert!(point.normal[2] > 0.99 && point.lights[0].arrival.is_some());
+    /// assert!(point.cos_view > 0.9 && point.lights[0].arrival.is_some());
     /// assert!((surface.light[0] - probe.middle[0]).abs() < 1e-5);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
