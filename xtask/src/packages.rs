@@ -33,14 +33,17 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
             return Err(Failure::new(format!("the package {name} {fault}")));
         }
     }
-    forget_unpacked(&metadata)?;
+    if forget_unpacked(&metadata)? {
+        forget_built(workspace)?;
+    }
     let verify = if std::env::var_os("CI").is_some() { "" } else { "--no-verify" };
     run(&mut workspace.cargo(&format!("package --workspace --exclude xtask --allow-dirty --quiet {verify}")))
 }
 
 /// Removes what Cargo unpacked when these packages were built before. It keeps that by name and version, and would build with
-/// the files of then.
-fn forget_unpacked(metadata: &Value) -> Result<()> {
+/// the files of then. Tells whether there was anything.
+fn forget_unpacked(metadata: &Value) -> Result<bool> {
+    let mut found = false;
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(Path::new(&std::env::var_os("HOME")?).join(".cargo")));
     let registries = home.and_then(|home| std::fs::read_dir(home.join("registry/src")).ok());
@@ -54,7 +57,19 @@ fn forget_unpacked(metadata: &Value) -> Result<()> {
             let unpacked = registry.path().join(format!("{name}-{version}"));
             if unpacked.is_dir() {
                 std::fs::remove_dir_all(&unpacked).map_err(Failure::during("removing old packages"))?;
+                found = true;
             }
+        }
+    }
+    Ok(found)
+}
+
+/// Makes Cargo build these packages again: what comes from a registry it takes to be as it was.
+fn forget_built(workspace: &Workspace) -> Result<()> {
+    let entries = std::fs::read_dir(workspace.path("target/debug/.fingerprint"));
+    for entry in entries.into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().starts_with("glanz") {
+            std::fs::remove_dir_all(entry.path()).map_err(Failure::during("removing old builds"))?;
         }
     }
     Ok(())
