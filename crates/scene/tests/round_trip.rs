@@ -92,6 +92,26 @@ fn every_scene_of_examples_and_gold_pictures_survives() {
     assert!(count > 25, "{count} scenes");
 }
 
+/// A medium that is the same at all wavelengths is no complex number of that name, unless it is written as one.
+#[test]
+fn media_keep_their_names_also_empty_ones() {
+    for name in ["", "mine", "1.5+3i"] {
+        let (eta, k) = (Spectrum::constant(1.5), Spectrum::constant(3.0));
+        let medium = Arc::new(Ior { name: name.to_owned(), eta, k, source: String::new() });
+        let coat = CoatedBoundary {
+            below: Boundary::Medium(Arc::clone(&medium)),
+            coat: Ior::constant(1.5),
+            alpha: 0.1,
+        };
+        let mirror = || Shape::named("mirror", &[]).expect("it is known");
+        let lobes =
+            vec![Lobe::new(mirror(), Tint::Ior(medium)), Lobe::new(mirror(), Tint::Coated(Arc::new(coat)))];
+        let mut scene = Scene::default();
+        scene.materials.push(Material::of_lobes("m", lobes));
+        assert_same(&scene, &saved_and_loaded(&scene), name);
+    }
+}
+
 #[test]
 fn models_survive() {
     let mut triangles = 0;

@@ -54,6 +54,11 @@ fn surface(text: &mut String, found: &ProbedSurface, scene: &Scene, shot: &Shot)
     for point in &found.points {
         self::point(text, point, found, scene, shot);
     }
+    sum(text, found);
+}
+
+/// What the points come to.
+fn sum(text: &mut String, found: &ProbedSurface) {
     if !found.is_exact() {
         let message = "the points above are the corners of the triangle; the pixel gets the light of the polygon's corners along its scan line";
         line(text, format_args!("  {message}"));

@@ -10,6 +10,7 @@ use super::{PointPlace, ProbedPoint, ProbedSurface, Record};
 use crate::cpu::Renderer;
 use crate::cpu::frame::FrameView;
 use crate::cpu::lighting::point::{ShadingPoint, mixed};
+use crate::prepare::PreparedMaterial;
 use crate::view::{Aovs, DrawOptions, Samples, View};
 use crate::{Backend, DebugView, Prepared};
 
@@ -103,10 +104,7 @@ impl Looked<'_> {
             Shading::Gouraud => self.gouraud([u, v], &corners, back, base),
         };
         let material = &self.frame.materials[prepared.material];
-        let emission = match &material.mix {
-            Some(mix) => mixed(&mix.emission, &emitted),
-            None => core::array::from_fn(|c| material.emission[c] * emitted[c]),
-        };
+        let emission = emission(material, &emitted);
         let mut light = [0.0; 3];
         for point in &points {
             light = add(light, point.light.map(|c| c * point.weight));
@@ -190,6 +188,14 @@ impl Looked<'_> {
             probed(&self.lit(&point, color, mixes), place, weight, world)
         };
         corners.vertices.into_iter().zip(weights).map(corner).collect()
+    }
+}
+
+/// Light of a surface's own, of which textures leave so much.
+fn emission(material: &PreparedMaterial, left: &[f32; 3]) -> [f32; 3] {
+    match &material.mix {
+        Some(mix) => mixed(&mix.emission, left),
+        None => core::array::from_fn(|c| material.emission[c] * left[c]),
     }
 }
 
