@@ -6,7 +6,7 @@ use crate::cpu::probe::Record;
 use crate::cpu::shading::polygons::PolygonView;
 use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
 use crate::view::camera::ViewCamera;
-use crate::view::lights::ViewLights;
+use crate::view::lights::{ViewLights, pixel_width};
 use crate::view::materials::shown_materials;
 use crate::view::objects::{Pass, ViewObject};
 use crate::view::{DebugView, DrawOptions, View, samples};
@@ -95,6 +95,12 @@ impl<'a> FrameView<'a> {
             any_gouraud,
             any_mix,
         }
+    }
+
+    /// The same with the rims of cones as these options have them.
+    pub(super) fn with_rims_of(self, options: &DrawOptions) -> Self {
+        let pixel = pixel_width(&self.camera, options);
+        Self { lights: self.lights.with_pixel(pixel), ..self }
     }
 
     /// The same for a frame that holds numbers in place of light; every surface hides what is behind it.

@@ -87,6 +87,22 @@ impl Backend for Renderer {
 }
 
 impl Renderer {
+    /// A frame of one sample in the middle of each pixel, lit as the pixels of another with these options are.
+    pub(crate) fn middle(
+        &mut self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        of: &DrawOptions,
+    ) -> Frame {
+        let mut out = Frame::default();
+        let frame = FrameView::new(prepared, view, options).with_rims_of(of);
+        shape_frame(&mut out, prepared, view, options);
+        let bands = plane_bands(&mut out, ViewBackground::of(&frame).fixed());
+        self.draw_all(&frame, bands);
+        out
+    }
+
     /// A frame that holds what lies behind the light of its pixels.
     pub(crate) fn record(
         &mut self,

@@ -33,6 +33,10 @@ pub struct ViewLights<'a> {
     pub list: Vec<ViewLight<'a>>,
     /// What casts shadows.
     pub bvh: Option<ViewBvh<'a>>,
+    /// The width of a pixel where it is shaded once for several samples, in m, and what a metre of distance adds to it:
+    /// so far the hard rim of a cone reaches in the picture, as the edge of a surface does. None where each sample is
+    /// shaded by itself.
+    pub pixel: Option<[f32; 2]>,
 }
 
 /// What casts shadows, relative to the camera.
@@ -132,20 +136,26 @@ impl<'a> ViewLights<'a> {
             .collect();
         let bvh = prepared.bvh.as_deref();
         // Where each sample is shaded by itself, or is the centre, it is on its own triangle.
-        let beside = options.samples > Samples::One && !options.supersample;
-        let scale = if beside { camera.inverse_scale * HALF_DIAGONAL } else { 0.0 };
+        let pixel = pixel_width(camera, options);
         let bvh = bvh.map(|bvh| ViewBvh {
             bvh,
             camera: (camera.position - DVec3::from_array(bvh.center)).as_vec3().to_array(),
-            pixel: if camera.perspective { [0.0, scale] } else { [scale, 0.0] },
+            pixel: pixel.map_or([0.0; 2], |width| width.map(|width| width * HALF_DIAGONAL)),
         });
-        Self { list, bvh }
+        Self { list, bvh, pixel }
     }
 
     /// The environment that is seen behind everything: the first.
     pub fn environment(&self) -> Option<&ViewLight<'a>> {
         self.list.iter().find(|light| matches!(light, ViewLight::Environment { .. }))
     }
+}
+
+/// See [`ViewLights::pixel`].
+pub(crate) fn pixel_width(camera: &ViewCamera, options: &DrawOptions) -> Option<[f32; 2]> {
+    let width = camera.inverse_scale;
+    let shades_once = options.samples > Samples::One && !options.supersample;
+    shades_once.then_some(if camera.perspective { [0.0, width] } else { [width, 0.0] })
 }
 
 impl<'a> ViewLight<'a> {

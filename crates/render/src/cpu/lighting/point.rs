@@ -19,6 +19,8 @@ pub(crate) struct ShadingPoint<R> {
     pub alpha_scale: R,
     /// What a texture says of metal.
     pub metal: R,
+    /// Of a pixel, its width; see [`crate::view::lights::ViewLights::pixel`]. None of vertices and facets.
+    pub pixel: Option<[f32; 2]>,
 }
 
 impl<R: Real> ShadingPoint<R> {
@@ -26,7 +28,7 @@ impl<R: Real> ShadingPoint<R> {
     #[inline(always)]
     pub(crate) fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
         let one = normal.x.one();
-        Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one }
+        Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one, pixel: None }
     }
 }
 

@@ -69,6 +69,12 @@ impl<'a> ShadeLights<'a> {
         let fast_path = view.bvh.is_none() && view.list.iter().all(simple);
         Self { view, fast_path }
     }
+
+    /// With rims of cones as wide as pixels of this width; see [`ViewLights::pixel`].
+    pub(crate) fn with_pixel(mut self, pixel: Option<[f32; 2]>) -> Self {
+        self.view.pixel = pixel;
+        self
+    }
 }
 
 impl<'a> Deref for ShadeLights<'a> {

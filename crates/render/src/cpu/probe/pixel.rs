@@ -12,7 +12,7 @@ use crate::cpu::frame::FrameView;
 use crate::cpu::lighting::point::{ShadingPoint, mixed};
 use crate::prepare::PreparedMaterial;
 use crate::view::{Aovs, DrawOptions, Samples, View};
-use crate::{Backend, DebugView, Prepared};
+use crate::{DebugView, Prepared};
 
 /// What a pixel of the picture has with one sample in its middle, and the surface there, taken apart.
 pub(crate) fn probe(
@@ -24,10 +24,10 @@ pub(crate) fn probe(
     let mut renderer = Renderer::new();
     let aovs = Aovs { depth: true, normal: true, object: true };
     let options = DrawOptions { samples: Samples::One, supersample: false, aovs, ..*draw };
-    let drawn = renderer.draw(prepared, view, &options);
+    let drawn = renderer.middle(prepared, view, &options, draw);
     let index = pixel.1 as usize * drawn.width + pixel.0 as usize;
     let middle = drawn.rgb.each_ref().map(|plane| plane[index]);
-    let frame = FrameView::new(prepared, view, &options);
+    let frame = FrameView::new(prepared, view, &options).with_rims_of(draw);
     // The nearest surface, also one that lets through what is behind it.
     let nearest = renderer.record(prepared, view, &options, Record::Opacity);
     let object = (nearest.object[index] as usize).checked_sub(1);
@@ -146,6 +146,7 @@ impl Looked<'_> {
     ) -> ProbedPoint {
         let [x, y, z] = self.normal;
         let mut point = ShadingPoint::plain(relative, Vec3::new(x, y, z), wo);
+        point.pixel = self.frame.lights.pixel;
         let [alpha_scale, metal, has_tangent] = self.record(renderer, Record::Roughness);
         (point.alpha_scale, point.metal) = (alpha_scale, metal);
         if has_tangent > 0.0 {

@@ -170,7 +170,7 @@ impl Lit<'_> {
 
 /// Some lights with the shadows of all.
 fn lights_of<'a>(list: Vec<ViewLight<'a>>, all: &ShadeLights<'a>) -> ShadeLights<'a> {
-    ShadeLights::new(ViewLights { list, bvh: all.bvh })
+    ShadeLights::new(ViewLights { list, bvh: all.bvh, pixel: all.pixel })
 }
 
 pub(super) fn array(v: Vec3<f32>) -> [f32; 3] {

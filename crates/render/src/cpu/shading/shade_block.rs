@@ -168,7 +168,7 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
         let (position, wo) = self.frame.camera.unproject(self.px, self.py, place.distance);
         let normal = Vec3::new(x, y, z);
         let normal = if self.frame.options.raw_normals { normal } else { unit(normal) };
-        ShadingPoint::plain(position, normal, wo)
+        ShadingPoint { pixel: self.frame.lights.pixel, ..ShadingPoint::plain(position, normal, wo) }
     }
 
     /// Texture coordinates at another pixel position, for the footprint of textures; also beyond the
