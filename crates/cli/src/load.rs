@@ -18,15 +18,18 @@ const OVERRIDE: &str = "override";
 /// A scene and what belongs to it.
 pub(crate) type Input = Opened;
 
+/// Values of a scene beside those of `--set`, and the option that gives them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct More<'a> {
+    pub option: &'static str,
+    pub values: &'a [(String, String)],
+}
+
 impl InputArgs {
     /// Reads the file, with the values that `--set` gives and then those in `more`. The camera that
     /// `camera` names is among the input's cameras.
-    pub(crate) fn load(
-        &self,
-        camera: Option<&CameraArgs>,
-        more: &[(String, String)],
-    ) -> Result<Input, Failure> {
-        let sets = self.set.iter().chain(more).cloned().collect();
+    pub(crate) fn load(&self, camera: Option<&CameraArgs>, more: More<'_>) -> Result<Input, Failure> {
+        let sets = self.set.iter().chain(more.values).cloned().collect();
         let mut options = LoadOptions { allow_outside: self.allow_outside, sets };
         // A scene finds a camera of its models itself, if its own `camera` is a name.
         let is_scene = self.is_stdin() || is_scene_file(&self.input);
@@ -37,11 +40,25 @@ impl InputArgs {
             false => open(&self.input, &options),
         };
         let mut input = opened.map_err(|error| match error {
-            OpenError::Scene(error) => failure_of_scene(self.under_its_name(error)),
+            OpenError::Scene(error) => {
+                let option = self.option_of(&error.text, more);
+                failure_of_scene(self.under_its_name(error), option)
+            }
             OpenError::Model(error) => self.failure_of_model(&error),
         })?;
         input.cameras.extend(camera.map(str::to_owned).zip(input.scene.camera));
         Ok(input)
+    }
+
+    /// The option that gave a value, `PATH = VALUE`, which is wrong.
+    fn option_of(&self, text: &str, more: More<'_>) -> &'static str {
+        let path = text.split(" = ").next().unwrap_or_default();
+        let is_in = |values: &[(String, String)]| values.iter().any(|(own, _)| own == path);
+        match path {
+            _ if is_in(more.values) => more.option,
+            "camera" if !is_in(&self.set) => "--camera",
+            _ => "--set",
+        }
     }
 
     /// An error of a scene from stdin, which has no file.
@@ -88,10 +105,10 @@ pub(crate) fn input_of_stage(scene: Scene) -> Input {
     Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true }
 }
 
-/// Tells an error of a scene file with the line that it is in.
-pub(crate) fn failure_of_scene(error: FileError) -> Failure {
+/// Tells an error of a scene file with the line that it is in, or of a value from the command line with its option.
+pub(crate) fn failure_of_scene(error: FileError, option: &str) -> Failure {
     let from_set = error.path == Path::new(OVERRIDE);
-    let place = if from_set { "--set".to_owned() } else { error.path.display().to_string() };
+    let place = if from_set { option.to_owned() } else { error.path.display().to_string() };
     let report = match &error.span {
         Some(span) => Report::new(&error.message).source(&place, error.text.to_string(), span.clone()),
         None => Report::new(format_args!("{place}: {}", without_number(&error.message))),

@@ -55,7 +55,7 @@ impl Progress {
             self.bar = Some(self.new_bar());
         }
         if let Some(bar) = &self.bar {
-            bar.set_message(self.message(part));
+            bar.set_message(self.message(part, self.start.elapsed()));
             bar.set_position(self.position(part));
         }
     }
@@ -66,20 +66,33 @@ impl Progress {
         (self.done * STEPS + within).min(self.total * STEPS) as u64
     }
 
-    /// What the bar says: the things that are done, or how much of a single one.
-    fn message(&self, part: f64) -> String {
-        match self.total {
-            1 => format!("{} per cent", self.position(part) * 100 / STEPS as u64),
+    /// What the bar says: the things that are done, or how much of a single one, and how long the rest takes if it goes
+    /// on as it went.
+    fn message(&self, part: f64, taken: Duration) -> String {
+        let position = self.position(part);
+        let done = match self.total {
+            1 => format!("{} per cent", position * 100 / STEPS as u64),
             total => format!("{}/{total} {}", self.done, self.what),
-        }
+        };
+        let rest = (self.total * STEPS) as u64 - position;
+        let seconds = taken.as_secs_f64() * rest as f64 / position.max(1) as f64;
+        format!("{done}, {} left", rounded(seconds.ceil() as u64))
     }
 
     fn new_bar(&self) -> ProgressBar {
-        let style = ProgressStyle::with_template("{wide_bar} {msg}, {eta} left")
-            .expect("the template is well-formed");
+        let style = ProgressStyle::with_template("{wide_bar} {msg}").expect("the template is well-formed");
         let length = Some((self.total * STEPS) as u64);
         let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr());
         bar.with_style(style).with_elapsed(self.start.elapsed())
+    }
+}
+
+/// A time in its two greatest units.
+fn rounded(seconds: u64) -> String {
+    match seconds {
+        0..60 => format!("{seconds} s"),
+        60..3600 => format!("{} min {} s", seconds / 60, seconds % 60),
+        _ => format!("{} h {} min", seconds / 3600, seconds % 3600 / 60),
     }
 }
 
@@ -104,13 +117,14 @@ mod tests {
             film.step();
         }
         assert_eq!(seen, [0, 500, 1000, 1000, 1500, 2000, 2000, 2500, 3000, 3000, 3500, 4000]);
-        assert_eq!(film.message(0.0), "4/4 frames");
+        assert_eq!(film.message(0.0, Duration::from_secs(9)), "4/4 frames, 0 s left");
     }
 
     #[test]
     fn a_single_picture_is_told_in_per_cent() {
         let picture = Progress::of_one_picture();
-        assert_eq!(picture.message(0.42), "42 per cent");
+        assert_eq!(picture.message(0.25, Duration::from_secs(30)), "25 per cent, 1 min 30 s left");
+        assert_eq!(picture.message(0.001, Duration::from_millis(400)), "0 per cent, 6 min 40 s left");
         assert_eq!(picture.position(7.0), 1000);
     }
 }

@@ -42,5 +42,5 @@ pub use prepare::{
     prepare,
 };
 pub use session::Session;
-pub use shot::{SaveError, Shot, ShotError, ShotOptions, Step};
+pub use shot::{Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step};
 pub use view::{Aovs, DebugView, DrawOptions, Samples, SamplesError, View, ViewError};

@@ -4,6 +4,7 @@ use clap::Args;
 use glanz_bsdf::LightTerm;
 
 use crate::args::{InputArgs, choices};
+use crate::load::More;
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs, Summary};
 
@@ -13,7 +14,7 @@ Examples:
   glanz info model.glb
   glanz info scene.toml --format json
   glanz info scene.toml --model ward
-  glanz info examples/kite.toml --vertices";
+  glanz info examples/kite.toml --vertices --matrices";
 
 /// Options of `glanz info`.
 #[derive(Args, Debug)]
@@ -29,6 +30,10 @@ pub(crate) struct InfoArgs {
     #[arg(long)]
     vertices: bool,
 
+    /// Tell the matrices that a vertex shader gets: view, projection, and of each object model and normals
+    #[arg(long)]
+    matrices: bool,
+
     #[command(flatten)]
     format: FormatArgs,
 }
@@ -36,14 +41,19 @@ pub(crate) struct InfoArgs {
 impl InfoArgs {
     /// Tells it.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let mut input = self.input.load(None, &[])?;
+        let mut input = self.input.load(None, More::default())?;
         if let Some(model) = &self.model {
             let lobes = input.scene.materials.iter_mut().flat_map(|material| &mut material.lobes);
             for lobe in lobes.filter(|lobe| lobe.shape.info().term == LightTerm::Specular) {
                 lobe.shape = lobe.shape.as_model(model).map_err(|error| Failure::Usage(error.to_string()))?;
             }
         }
-        let summary = Summary { input: &input, path: self.input.name(), vertices: self.vertices };
+        let summary = Summary {
+            input: &input,
+            path: self.input.name(),
+            vertices: self.vertices,
+            matrices: self.matrices,
+        };
         match self.format.format {
             Format::Json => print::json(&summary.document()),
             Format::Text => print::text(&summary.text()),

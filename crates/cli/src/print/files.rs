@@ -21,13 +21,13 @@ pub(crate) fn save_csv(path: &Path, spectra: &[(&str, &Spectrum)]) -> Result<(),
     Ok(())
 }
 
-/// Tells that a contact sheet was written, and to programs what each picture of it sets.
+/// Tells that a contact sheet was written, and to programs what each picture of it sets and what there is to note.
 pub(crate) fn tell_sheet(
     target: &Target,
     (width, height): (usize, usize),
     cells: &[Vec<(String, String)>],
     per_row: usize,
-    format: FormatArgs,
+    (format, notes): (FormatArgs, Vec<String>),
 ) -> Result<(), Failure> {
     let Target::File(path) = target else {
         return Ok(());
@@ -44,7 +44,7 @@ pub(crate) fn tell_sheet(
         values: values.iter().map(|(path, text)| (path.clone(), ValueFacts::of(text))).collect(),
     };
     let cells = cells.iter().enumerate().map(cell).collect();
-    stdout::json(&SheetDocument { file: file.clone(), width, height, cells })
+    stdout::json(&SheetDocument { file: file.clone(), width, height, cells, notes })
 }
 
 /// A sheet of pictures.
@@ -56,6 +56,8 @@ pub(crate) struct SheetDocument {
     height: usize,
     /// The pictures, row by row
     cells: Vec<CellFacts>,
+    /// What was ignored or changed of the scene's file, and what is odd about the pictures: black, clipped, a mistake
+    notes: Vec<String>,
 }
 
 /// A picture of a sheet.

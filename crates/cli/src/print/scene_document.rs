@@ -12,6 +12,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::colors;
+use super::matrices::MatrixTables;
 use super::summary::{Summary, attributes, maps};
 use super::vertices::VertexTables;
 
@@ -32,6 +33,9 @@ pub(crate) struct Document {
     /// Whether the file has no lights, and these are added
     default_lights: bool,
     cameras: Vec<CameraFacts>,
+    /// With --matrices: those of the camera and of all objects
+    #[serde(skip_serializing_if = "Option::is_none")]
+    matrices: Option<MatrixTables>,
     /// What is ignored or changed, in words
     notes: Vec<String>,
 }
@@ -210,6 +214,7 @@ impl Document {
                 (Some(camera), []) => vec![CameraFacts::of("", camera)],
                 (_, named) => named.iter().map(|(name, camera)| CameraFacts::of(name, camera)).collect(),
             },
+            matrices: summary.matrices.then(|| MatrixTables::of(scene)),
             notes: summary.input.notes.clone(),
         }
     }

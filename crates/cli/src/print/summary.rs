@@ -10,6 +10,7 @@ use glanz_scene::{
     Material, Mesh, Projection, Space,
 };
 
+use super::matrices::MatrixTables;
 use super::scene_document::Document;
 use super::{colors, vertices};
 use crate::load::Input;
@@ -25,6 +26,8 @@ pub(crate) struct Summary<'a> {
     pub path: &'a Path,
     /// Whether all vertices and facets are told.
     pub vertices: bool,
+    /// Whether the matrices of camera and objects are told.
+    pub matrices: bool,
 }
 
 impl Summary<'_> {
@@ -45,6 +48,9 @@ impl Summary<'_> {
         section(&mut text, "meshes", scene.meshes.iter().map(mesh_text));
         if self.vertices {
             scene.meshes.iter().for_each(|mesh| text.push_str(&vertices::tables(mesh)));
+        }
+        if self.matrices {
+            text.push_str(&MatrixTables::of(scene).text());
         }
         section(&mut text, "materials", scene.materials.iter().map(material_text));
         section(

@@ -88,6 +88,36 @@ fn a_black_picture_is_told_why() {
 }
 
 #[test]
+fn films_and_sheets_tell_where_they_are_black() {
+    let folder = ball();
+    let notes = |words: &[&str]| -> Vec<String> {
+        let run = folder.glanz(&[words, &["--format", "json", "--force"]].concat());
+        serde_json::from_value(run.json()["notes"].clone()).unwrap()
+    };
+    let behind = "all surfaces in view are black: no lamp reaches their front";
+    let film = ["render", "scene.toml", "--frames", "10..13", "-o", "a.gif", "--animate"];
+    let film = notes(&[&film[..], &["lights.0.direction=[0,0.1,-1]:[0,0,1]"]].concat());
+    assert_eq!(film.len(), 1, "{film:?}");
+    assert!(film[0].starts_with(&format!("frame 12: {behind}")), "{film:?}");
+    let files = ["render", "scene.toml", "--frames", "0..2", "-o", "{frame}.png", "--turntable"];
+    let files = notes(&[&files[..], &["--set", "lights=[]"]].concat());
+    assert!(files[0].starts_with("the scene has no lights"), "{files:?}");
+    let vary = "lights.0.direction=[0,0,-1],[0,0,1]";
+    let sheet = notes(&["sweep", "scene.toml", "--vary", vary, "--size", "48x36", "-o", "a.png"]);
+    assert!(sheet[0].starts_with(&format!("lights.0.direction=[0,0,1]: {behind}")), "{sheet:?}");
+    for words in [
+        ["relight", "scene.toml", "--light", "A,D65"].as_slice(),
+        &["modes", "scene.toml"],
+        &["shade-compare", "scene.toml"],
+    ] {
+        let words = [words, &["-o", "a.png", "--set", "lights.0.intensity=0.5"]].concat();
+        assert_eq!(notes(&words), Vec::<String>::new());
+        let dark = notes(&[&words[..], &["--set", "lights.0.direction=[0,0,1]"]].concat());
+        assert!(dark.len() == 1 && dark[0].starts_with(behind), "{dark:?}");
+    }
+}
+
+#[test]
 fn a_clipped_picture_is_told_how_much_and_why() {
     let bright = notes(&["--set", "materials.red.diffuse=5"]);
     assert_eq!(bright.len(), 2, "{bright:?}");
@@ -100,6 +130,10 @@ fn a_clipped_picture_is_told_how_much_and_why() {
     );
     let lamp = note(&["--set", "lights.0.intensity=4"]);
     assert!(lamp.contains("lower the lights or the colours; --ev -"), "{lamp}");
+    let lamp = note(&["--set", "lights.0.intensity=4", "--ev", "1"]);
+    let advised = lamp.split("--ev ").nth(1).unwrap().split(' ').next().unwrap();
+    let taken = format!("--ev={advised}");
+    assert_eq!(notes(&["--set", "lights.0.intensity=4", &taken]), Vec::<String>::new(), "{lamp}");
     assert_eq!(notes(&["--set", "lights.0.intensity=4", "--tone-map", "reinhard"]), Vec::<String>::new());
     assert_eq!(
         notes(&["--background", "#ffffff"]),

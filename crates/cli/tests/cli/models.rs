@@ -173,7 +173,7 @@ fn old_names_of_options_work_with_a_remark() {
     let run = folder.glanz(&["color", "efficiency", "--light", "D65", "--set", "samples"]);
     assert_eq!(run.stderr, "note: --set is called --surfaces now\n");
     let run =
-        folder.glanz(&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--cell", "8x8", "-o", "a.png"]);
+        folder.glanz(&["sweep", "scene.toml", "--vary", "render.ev=-2,-1", "--cell", "8x8", "-o", "a.png"]);
     assert_eq!(run.stderr, "note: --cell is called --size now\nwrote a.png\n");
     let run = folder.glanz(&["material", "sheet", "gold", "--size", "16", "-o", "b.png"]);
     assert_eq!(run.stderr, "note: --size is WxH now, such as 16x16\nwrote b.png\n");

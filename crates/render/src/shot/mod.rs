@@ -14,4 +14,5 @@ pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
 pub(crate) use mistaken::mistaken;
 pub use options::ShotOptions;
+pub use remarks::{Remark, RemarkKind};
 pub(crate) use sight::Sight;

@@ -22,6 +22,52 @@ const SMALL: f64 = 160.0;
 /// Light of 1, but for rounding.
 const WHITE: f32 = 1.0 + 1e-4;
 
+/// What is odd about a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RemarkKind {
+    /// A mistake is drawn on purpose, or would change nothing.
+    Mistake,
+    /// The scene has no objects.
+    NoObjects,
+    /// The scene has no lights.
+    NoLights,
+    /// No object is in view.
+    NothingInView,
+    /// All that is seen is black, or gets ambient light alone.
+    Dark,
+    /// Much is above white.
+    Clipped,
+}
+
+/// What is to be said about a picture, by [`Shot::remarks`]: what it is about, and a sentence for people.
+///
+/// ```
+/// use glanz_render::{Remark, RemarkKind};
+///
+/// let remark = Remark { kind: RemarkKind::NoLights, text: "the scene has no lights".to_owned() };
+/// assert_eq!(remark.to_string(), "the scene has no lights");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    /// What it is about; its numbers may differ from picture to picture.
+    pub kind: RemarkKind,
+    /// The sentence, without a full stop.
+    pub text: String,
+}
+
+impl Remark {
+    fn new(kind: RemarkKind, text: impl Into<String>) -> Self {
+        Self { kind, text: text.into() }
+    }
+}
+
+impl core::fmt::Display for Remark {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
 /// What the surfaces of a picture look like.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Surfaces {
@@ -48,38 +94,42 @@ impl Shot {
     /// let scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(32, 24);
     /// let mut shot = Shot::new(&scene)?;
     /// let picture = shot.picture(glanz_picture::output::PictureKind::Codes8, &mut |_| ())?;
-    /// assert!(shot.remarks(&scene, &picture)?[0].starts_with("the scene has no lights"));
+    /// assert!(shot.remarks(&scene, &picture)?[0].text.starts_with("the scene has no lights"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// As [`Shot::frame`].
-    pub fn remarks(&mut self, scene: &Scene, picture: &PictureData) -> Result<Vec<String>, ShotError> {
-        let mut remarks = self.mistake_remark();
+    pub fn remarks(&mut self, scene: &Scene, picture: &PictureData) -> Result<Vec<Remark>, ShotError> {
+        let mut remarks: Vec<_> = self.mistake_remark().into_iter().collect();
         if scene.objects.is_empty() {
-            remarks.push("the scene has no objects: the picture shows its background alone".to_owned());
+            let text = "the scene has no objects: the picture shows its background alone";
+            remarks.push(Remark::new(RemarkKind::NoObjects, text));
             return Ok(remarks);
         }
         let is_light = self.sight.draw.show.is_light();
         if is_light && !has_light(scene) {
             let help = "add [[lights]], or [ambient] light for ambient terms";
-            remarks.push(format!("the scene has no lights, so its surfaces are black: {help}"));
+            let text = format!("the scene has no lights, so its surfaces are black: {help}");
+            remarks.push(Remark::new(RemarkKind::NoLights, text));
         }
         let Some(surfaces) = self.doubts(scene, picture)? else { return Ok(remarks) };
         if surfaces.pixels == 0 {
-            remarks.push(self.nothing_in_view(scene));
+            remarks.push(Remark::new(RemarkKind::NothingInView, self.nothing_in_view(scene)));
         } else if is_light && has_light(scene) {
-            remarks.extend(self.darkness(scene, surfaces)?);
+            let dark = self.darkness(scene, surfaces)?;
+            remarks.extend(dark.map(|text| Remark::new(RemarkKind::Dark, text)));
             // Files of linear light hold what no screen shows.
             if matches!(picture, PictureData::Codes8 { .. } | PictureData::Codes16 { .. }) {
-                remarks.extend(self.clipping(scene, surfaces));
+                let clipped = self.clipping(scene, surfaces);
+                remarks.extend(clipped.map(|text| Remark::new(RemarkKind::Clipped, text)));
             }
         }
         Ok(remarks)
     }
 
-    fn mistake_remark(&self) -> Vec<String> {
-        let Some(mistake) = self.mistake else { return Vec::new() };
+    fn mistake_remark(&self) -> Option<Remark> {
+        let mistake = self.mistake?;
         let (_, name, about) = *glanz_scene::Mistake::ALL
             .iter()
             .find(|(known, ..)| *known == mistake)
@@ -90,7 +140,7 @@ impl Shot {
             |error| error.to_string(),
             |()| format!("drawn with the mistake '{name}' on purpose: {about}"),
         );
-        vec![effect]
+        Some(Remark::new(RemarkKind::Mistake, effect))
     }
 
     /// What the surfaces look like, where the picture gives reason to look closer.
@@ -183,7 +233,9 @@ impl Shot {
         if share < if sums.is_empty() { MUCH_CLIPPED } else { CLIPPED_BY_SUMS } {
             return None;
         }
-        let stops = -libm::log2(f64::from(surfaces.most));
+        // Down to a tenth, so that it does show all.
+        let stops = f64::from(self.sight.develop.ev) - libm::log2(f64::from(surfaces.most));
+        let stops = (stops * 10.0).floor() / 10.0;
         let cause = match sums.as_slice() {
             [] => "lower the lights or the colours".to_owned(),
             sums => sums.join("; "),

@@ -9,6 +9,18 @@ use crate::{Film, Polarization, Tint};
 
 /// A smooth boundary that light meets from inside of a coat. What it reflects goes to and fro between both: see
 /// [`coated_reflectance`](glanz_bsdf::coated_reflectance). What the coat itself reflects is not in it.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use glanz_color::Ior;
+/// use glanz_scene::{Boundary, CoatedBoundary};
+///
+/// let copper = Boundary::Medium(Arc::new(glanz_color::ior("Cu")?));
+/// let lacquered = CoatedBoundary { below: copper, coat: Ior::constant(1.5), alpha: 0.05 };
+/// assert_eq!(lacquered.eta(), 1.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoatedBoundary {
     /// The boundary below.
@@ -20,6 +32,17 @@ pub struct CoatedBoundary {
 }
 
 /// What reflects by Fresnel's law.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use glanz_color::{Ior, Rgb};
+/// use glanz_scene::{Boundary, Tint};
+///
+/// let glass = Tint::Ior(Arc::new(Ior::constant(1.5)));
+/// assert!(matches!(Boundary::of(&glass), Some(Boundary::Medium(_))));
+/// assert_eq!(Boundary::of(&Tint::Rgb(Rgb([0.5; 3]))), None);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Boundary {
     /// The boundary to a medium.

@@ -3,8 +3,11 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use glanz_picture::output::{Animation, Format, Metadata, write_apng, write_atomically, write_gif};
+use glanz_picture::output::{
+    Animation, Format, Metadata, PictureData, write_apng, write_atomically, write_gif,
+};
 use glanz_render::Shot;
+use glanz_scene::Scene;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -13,9 +16,11 @@ use super::render::{RenderArgs, sha256};
 use crate::args::{Target, check_folder};
 use crate::encode;
 use crate::frames::Template;
+use crate::load::More;
 use crate::pipeline::{self, Plan, turn};
 use crate::print;
 use crate::print::failure::Failure;
+use crate::print::remarked::Remarked;
 use crate::print::timings::Timings;
 use crate::progress::Progress;
 
@@ -29,6 +34,8 @@ pub(crate) struct Document {
     /// Of each frame a number for the content of its scene, as PNG and OpenEXR files carry it; with --turntable only the
     /// camera turns, which does not change it
     scene_hashes: Vec<String>,
+    /// What was ignored or changed of the file, and what is odd about the frames: black, clipped, a mistake
+    notes: Vec<String>,
 }
 
 /// Where the frames go.
@@ -52,8 +59,13 @@ enum Moving {
 struct Frames<'a> {
     args: &'a RenderArgs,
     count: usize,
+    /// The number of the first one.
+    first: u32,
     /// The scene of the last frame, and of the next ones while nothing in it moves.
-    scene: Option<(Plan, Shot)>,
+    scene: Option<(Plan, Shot, Scene)>,
+    /// What the first frame's file tells beside its scene.
+    notes: Vec<String>,
+    remarked: Remarked,
     /// Of each frame that was drawn, the hash of its scene.
     hashes: Vec<String>,
 }
@@ -66,7 +78,7 @@ impl RenderArgs {
             return Err(Failure::Usage(message.to_owned()));
         }
         let output = self.output()?;
-        let mut frames = Frames::new(self, range.len());
+        let mut frames = Frames::new(self, &range);
         let files = match &output {
             Output::Files(template, format) => self.files(range, template, *format, &mut frames)?,
             Output::Film(path, format) => vec![self.moving(path, *format, &mut frames)?],
@@ -79,10 +91,12 @@ impl RenderArgs {
             }
             [] => {}
         }
+        let remarks = frames.remarked.tell();
         if self.format.is_json() {
             let sha256 = files.iter().map(|file| sha256(file)).collect::<Result<_, _>>()?;
             let files = files.iter().map(|file| file.display().to_string()).collect();
-            return print::json(&Document { files, sha256, scene_hashes: frames.hashes });
+            let notes = frames.notes.into_iter().chain(remarks).collect();
+            return print::json(&Document { files, sha256, scene_hashes: frames.hashes, notes });
         }
         Ok(())
     }
@@ -130,7 +144,11 @@ impl RenderArgs {
         for (index, name) in names.iter().enumerate() {
             let (_, shot) = frames.frame(index)?;
             let picture = pipeline::picture(shot, kind, &mut Timings::default(), &mut progress)?;
-            picture.save(name, &shot.metadata())?;
+            let metadata = shot.metadata();
+            if frames.wants(index) {
+                frames.look(index, &picture)?;
+            }
+            picture.save(name, &metadata)?;
             progress.step();
         }
         Ok(names)
@@ -160,6 +178,9 @@ impl RenderArgs {
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
             let (_, shot) = frames.frame(index)?;
             let canvas = pipeline::codes(shot, &mut Timings::default(), &mut progress)?;
+            if frames.wants(index) {
+                frames.look(index, &canvas.clone().into())?;
+            }
             progress.step();
             Ok(canvas.rgba)
         });
@@ -173,8 +194,28 @@ impl RenderArgs {
 }
 
 impl<'a> Frames<'a> {
-    fn new(args: &'a RenderArgs, count: usize) -> Self {
-        Self { args, count, scene: None, hashes: Vec::new() }
+    fn new(args: &'a RenderArgs, range: &Range<u32>) -> Self {
+        Self {
+            args,
+            count: range.len(),
+            first: range.start,
+            scene: None,
+            notes: Vec::new(),
+            remarked: Remarked::default(),
+            hashes: Vec::new(),
+        }
+    }
+
+    /// Whether frame `index` is one of those to look at.
+    fn wants(&self, index: usize) -> bool {
+        Remarked::wants(index, self.count)
+    }
+
+    /// Looks at frame `index`, which was drawn last.
+    fn look(&mut self, index: usize, picture: &PictureData) -> Result<(), Failure> {
+        let (_, shot, scene) = self.scene.as_mut().expect("a frame was drawn");
+        let number = self.first as usize + index;
+        self.remarked.look(shot, scene, picture, || format!("frame {number}"))
     }
 
     /// How frame `index` is drawn. The file is read again only where
@@ -184,14 +225,15 @@ impl<'a> Frames<'a> {
         if self.scene.is_none() || !animate.is_empty() {
             let last = self.count.saturating_sub(1).max(1) as f64;
             let values: Vec<_> = animate.iter().map(|motion| motion.at(index as f64 / last)).collect();
-            let input = self.args.load(&values)?;
+            let input = self.args.load(More { option: "--animate", values: &values })?;
             let (plan, shot) = self.args.plan(&input)?;
             if self.scene.is_none() {
                 print::notes(&self.args.input.input, &input.notes);
+                self.notes = input.notes;
             }
-            self.scene = Some((plan, shot));
+            self.scene = Some((plan, shot, input.scene));
         }
-        let (plan, shot) = self.scene.as_mut().expect("was read for the first frame");
+        let (plan, shot, _) = self.scene.as_mut().expect("was read for the first frame");
         let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
         turn(shot, &plan.options.camera, part)?;
         if self.hashes.len() == index {

@@ -7,15 +7,17 @@ use clap::Args;
 use glanz_picture::compare::frames::{DeltaE, Developed};
 use glanz_picture::compare::{Spread, heat_colors};
 use glanz_plot::{Canvas, ContactSheet};
+use glanz_render::Shot;
 use glanz_scene::ColorMode;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::side_by_side::SideBySideArgs;
+use super::side_by_side::{SideBySideArgs, drawn};
 use crate::args::{InputArgs, Target};
 use crate::load::Input;
 use crate::pipeline;
 use crate::print::failure::Failure;
+use crate::print::remarked::Remarked;
 use crate::print::{self, Format};
 use crate::progress::Progress;
 
@@ -69,22 +71,24 @@ impl ModesArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.check()?;
         let (target, input) = self.pictures.begin(&self.input, "_modes.png", "a comparison")?;
-        let columns = self.columns(&input)?;
+        let (columns, remarked) = self.columns(&input)?;
         if columns.is_empty() {
             return Err(Failure::Usage("none of the --modes can be drawn for this observer".to_owned()));
         }
         let top = self.heat.unwrap_or_else(|| greatest(&columns));
         self.pictures.deliver(self.sheet(&columns, top)?, &target, &input)?;
-        self.tell(&target, &columns)
+        self.tell(&target, &columns, input.notes.into_iter().chain(remarked.tell()).collect())
     }
 
-    /// The pictures, and how far each is from the one that counts as right.
-    fn columns(&self, input: &Input) -> Result<Vec<Column>, Failure> {
+    /// The pictures, how far each is from the one that counts as right, and what is odd about that one.
+    fn columns(&self, input: &Input) -> Result<(Vec<Column>, Remarked), Failure> {
         let ev = self.look_ev(input)?;
         let sees_otherwise = self.sees_otherwise(input);
         let others = self.modes.iter().filter(|mode| **mode != self.against);
         let mut progress = Progress::new(1 + others.count(), "pictures");
-        let right = self.draw(input, self.against, &mut progress)?;
+        let (right, mut shot) = self.draw(input, self.against, &mut progress)?;
+        let mut remarked = Remarked::default();
+        remarked.look(&mut shot, &input.scene, &drawn(&right).into(), String::new)?;
         let mut columns = Vec::with_capacity(self.modes.len());
         for &mode in &self.modes {
             if is_meyer(mode) && sees_otherwise {
@@ -92,14 +96,19 @@ impl ModesArgs {
                 continue;
             }
             let is_right = mode == self.against;
-            let picture = if is_right { right.clone() } else { self.draw(input, mode, &mut progress)? };
+            let picture = if is_right { right.clone() } else { self.draw(input, mode, &mut progress)?.0 };
             let delta = DeltaE::between(&picture.frame, &right.frame, ev);
             columns.push(Column { mode, picture, delta });
         }
-        Ok(columns)
+        Ok((columns, remarked))
     }
 
-    fn draw(&self, input: &Input, mode: ColorMode, progress: &mut Progress) -> Result<Developed, Failure> {
+    fn draw(
+        &self,
+        input: &Input,
+        mode: ColorMode,
+        progress: &mut Progress,
+    ) -> Result<(Developed, Shot), Failure> {
         let mut look = self.pictures.look.clone();
         look.color.mode = Some(mode);
         if mode == ColorMode::Rgb {
@@ -107,9 +116,10 @@ impl ModesArgs {
             look.color.observer = None;
         }
         let plan = self.pictures.plan(input, &look)?;
-        let picture = pipeline::developed(&mut plan.shot(&input.scene)?, progress)?;
+        let mut shot = plan.shot(&input.scene)?;
+        let picture = pipeline::developed(&mut shot, progress)?;
         progress.step();
-        Ok(picture)
+        Ok((picture, shot))
     }
 
     /// The exposure at which differences are judged.
@@ -166,14 +176,13 @@ impl ModesArgs {
         };
         let mut canvas = sheet.begin()?;
         for (index, Column { picture, delta, .. }) in columns.iter().enumerate() {
-            let drawn = Canvas { width: cell.0, height: cell.1, rgba: picture.codes.clone() };
-            sheet.put(&mut canvas, index, &drawn);
+            sheet.put(&mut canvas, index, &drawn(picture));
             sheet.put(&mut canvas, count + index, &heat_map(delta, cell, top));
         }
         Ok(canvas)
     }
 
-    fn tell(&self, target: &Target, columns: &[Column]) -> Result<(), Failure> {
+    fn tell(&self, target: &Target, columns: &[Column], notes: Vec<String>) -> Result<(), Failure> {
         let Target::File(path) = target else {
             print::note(table(columns, self.against).trim_end());
             return Ok(());
@@ -187,6 +196,7 @@ impl ModesArgs {
             against: self.against.to_string(),
             pixels: columns.first().map_or(0, |column| column.delta.pixels),
             delta_e_00: columns.iter().map(of).collect(),
+            notes,
         })
     }
 }
@@ -207,6 +217,8 @@ pub(crate) struct Document {
     pixels: usize,
     /// CIEDE2000 over these pixels, by the mode
     delta_e_00: BTreeMap<String, SpreadFacts>,
+    /// What was ignored or changed of the scene's file, and what is odd about the picture: black, clipped, a mistake
+    notes: Vec<String>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]

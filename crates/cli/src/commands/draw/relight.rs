@@ -14,6 +14,7 @@ use crate::load::Input;
 use crate::pipeline;
 use crate::print;
 use crate::print::failure::Failure;
+use crate::print::remarked::Remarked;
 use crate::print::timings::Timings;
 use crate::progress::Progress;
 
@@ -42,6 +43,14 @@ pub(crate) struct RelightArgs {
     pictures: SideBySideArgs,
 }
 
+/// A light source in place of those of the scene.
+struct Source {
+    name: String,
+    color: LightColor,
+    /// How its picture is drawn.
+    look: LookArgs,
+}
+
 impl RelightArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
@@ -53,98 +62,101 @@ impl RelightArgs {
             look.color.mode = Some(ColorMode::Spectral);
         }
         let mut rows = Vec::new();
-        let looks = self.looks(&mut input, &look, &names, &spectra)?;
+        let sources = self.sources(&mut input, &look, names, spectra)?;
         let plain = without_fluorescence(&input.scene.materials);
-        let count = spectra.len() * if plain.is_some() { 2 } else { 1 };
+        let count = sources.len() * if plain.is_some() { 2 } else { 1 };
         let mut progress = Progress::new(count, "pictures");
-        let mut pictures = self.row(&mut input, &looks, &spectra, &mut progress)?;
+        let mut remarked = Remarked::default();
+        let mut pictures = self.row(&mut input, &sources, &mut progress, Some(&mut remarked))?;
         if let Some(plain) = plain {
             rows = vec!["as it is".to_owned(), "without\nfluorescence".to_owned()];
             input.scene.materials = plain;
-            pictures.extend(self.row(&mut input, &looks, &spectra, &mut progress)?);
+            pictures.extend(self.row(&mut input, &sources, &mut progress, None)?);
         }
         drop(progress);
-        self.deliver(&target, &input, &names, &spectra, rows, pictures)
+        self.pictures.deliver(sheet(&sources, rows, &pictures)?, &target, &input)?;
+        self.tell(&target, &sources, input.notes.into_iter().chain(remarked.tell()).collect())
     }
 
-    /// The look of each picture. An eye cannot take every light for white, black light least of all: such a
-    /// picture is drawn for daylight, and said to be.
-    fn looks(
+    /// The sources, with the look of each picture. An eye cannot take every light for white, black light least of all:
+    /// such a picture is drawn for daylight, and said to be.
+    fn sources(
         &self,
         input: &mut Input,
         look: &LookArgs,
-        names: &[String],
-        spectra: &[LightColor],
-    ) -> Result<Vec<LookArgs>, Failure> {
+        names: Vec<String>,
+        spectra: Vec<LightColor>,
+    ) -> Result<Vec<Source>, Failure> {
         let own = input.scene.lights.clone();
-        let mut looks = Vec::with_capacity(spectra.len());
-        for (color, name) in spectra.iter().zip(names) {
-            relight(&mut input.scene.lights, &own, color);
+        let mut sources = Vec::with_capacity(spectra.len());
+        for (color, name) in spectra.into_iter().zip(names) {
+            relight(&mut input.scene.lights, &own, &color);
             let mut daylight = look.clone();
             daylight.color.white = Some(White::D65);
-            looks.push(match (self.pictures.plan(input, look), self.pictures.plan(input, &daylight)) {
+            let look = match (self.pictures.plan(input, look), self.pictures.plan(input, &daylight)) {
                 // The white is all that differs.
                 (Err(_), Ok(_)) => {
                     print::note(format_args!("note: no eye takes {name} for white: drawn for D65"));
                     daylight
                 }
                 (plan, _) => plan.map(|_| look.clone())?,
-            });
+            };
+            sources.push(Source { name, color, look });
         }
         input.scene.lights = own;
-        Ok(looks)
+        Ok(sources)
     }
 
     /// One picture for each light.
     fn row(
         &self,
         input: &mut Input,
-        looks: &[LookArgs],
-        spectra: &[LightColor],
+        sources: &[Source],
         progress: &mut Progress,
+        mut remarked: Option<&mut Remarked>,
     ) -> Result<Vec<Canvas>, Failure> {
         let own = input.scene.lights.clone();
-        let mut pictures = Vec::with_capacity(spectra.len());
-        for (color, look) in spectra.iter().zip(looks) {
+        let mut pictures = Vec::with_capacity(sources.len());
+        for Source { name, color, look } in sources {
             relight(&mut input.scene.lights, &own, color);
             let plan = self.pictures.plan(input, look)?;
             let mut shot = plan.shot(&input.scene)?;
-            pictures.push(pipeline::codes(&mut shot, &mut Timings::default(), progress)?);
+            let picture = pipeline::codes(&mut shot, &mut Timings::default(), progress)?;
+            if let Some(remarked) = &mut remarked {
+                remarked.look(&mut shot, &input.scene, &picture.clone().into(), || name.clone())?;
+            }
+            pictures.push(picture);
             progress.step();
         }
         input.scene.lights = own;
         Ok(pictures)
     }
 
-    fn deliver(
-        &self,
-        target: &Target,
-        input: &Input,
-        names: &[String],
-        spectra: &[LightColor],
-        rows: Vec<String>,
-        pictures: Vec<Canvas>,
-    ) -> Result<(), Failure> {
-        let sheet = ContactSheet {
-            columns: names.to_vec(),
-            rows,
-            per_row: names.len(),
-            count: pictures.len(),
-            cell: (pictures[0].width, pictures[0].height),
-            ..ContactSheet::default()
-        };
-        let mut canvas = sheet.begin()?;
-        for (index, picture) in pictures.iter().enumerate() {
-            sheet.put(&mut canvas, index, picture);
-        }
-        self.pictures.deliver(canvas, target, input)?;
+    fn tell(&self, target: &Target, sources: &[Source], notes: Vec<String>) -> Result<(), Failure> {
         let Target::File(path) = target else { return Ok(()) };
         if self.pictures.format.is_json() {
-            let lights: Vec<_> = names.iter().zip(spectra).map(describe).collect();
-            return print::json(&Document { file: path.display().to_string(), lights });
+            let lights = sources.iter().map(describe).collect();
+            return print::json(&Document { file: path.display().to_string(), lights, notes });
         }
         Ok(())
     }
+}
+
+/// The pictures beside each other.
+fn sheet(sources: &[Source], rows: Vec<String>, pictures: &[Canvas]) -> Result<Canvas, Failure> {
+    let sheet = ContactSheet {
+        columns: sources.iter().map(|source| source.name.clone()).collect(),
+        rows,
+        per_row: sources.len(),
+        count: pictures.len(),
+        cell: (pictures[0].width, pictures[0].height),
+        ..ContactSheet::default()
+    };
+    let mut canvas = sheet.begin()?;
+    for (index, picture) in pictures.iter().enumerate() {
+        sheet.put(&mut canvas, index, picture);
+    }
+    Ok(canvas)
 }
 
 /// The spectra of lights by their names.
@@ -164,6 +176,8 @@ pub(crate) struct Document {
     file: String,
     /// In the order of the columns
     lights: Vec<LightFacts>,
+    /// What was ignored or changed of the scene's file, and what is odd about the pictures: black, clipped, a mistake
+    notes: Vec<String>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -175,7 +189,7 @@ struct LightFacts {
 }
 
 /// A light for programs.
-fn describe((name, color): (&String, &LightColor)) -> LightFacts {
+fn describe(Source { name, color, .. }: &Source) -> LightFacts {
     let name = name.clone();
     let LightColor::Spectrum(spectrum) = color else { return LightFacts { name, xy: None } };
     let [x, y, z] = xyz_of_light(&**spectrum, &Observer::default());

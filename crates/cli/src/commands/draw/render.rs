@@ -16,7 +16,7 @@ use crate::args::{
 };
 use crate::encode;
 use crate::frames;
-use crate::load::Input;
+use crate::load::{Input, More};
 use crate::pipeline::{self, Plan};
 use crate::print::failure::{Failure, Report, without_number};
 use crate::print::preview::PreviewMode;
@@ -162,7 +162,7 @@ impl RenderArgs {
         mut timings: Timings,
     ) -> Result<(), Failure> {
         let (mut told, plan, mut shot, picture, scene) = self.draw(kind, &mut timings)?;
-        told.remarks = shot.remarks(&scene, &picture)?;
+        told.remarks = shot.remarks(&scene, &picture)?.into_iter().map(|remark| remark.text).collect();
         let preview =
             self.preview.map(|mode| Ok::<_, Failure>((mode, pipeline::on_screen(&shot, &picture)?)));
         let preview = preview.transpose()?;
@@ -196,7 +196,7 @@ impl RenderArgs {
         kind: PictureKind,
         timings: &mut Timings,
     ) -> Result<(Told, Plan, Shot, PictureData, Scene), Failure> {
-        let input = timings.measure(Stage::Load, || self.load(&[]))?;
+        let input = timings.measure(Stage::Load, || self.load(More::default()))?;
         let (plan, mut shot) = timings.measure(Stage::Prepare, || self.plan(&input))?;
         let picture = pipeline::picture(&mut shot, kind, timings, &mut Progress::of_one_picture())?;
         let told = Told { hash: input.scene.content_hash(), notes: input.notes, remarks: Vec::new() };
@@ -204,7 +204,7 @@ impl RenderArgs {
     }
 
     /// Reads the scene, with these values set.
-    pub(crate) fn load(&self, values: &[(String, String)]) -> Result<Input, Failure> {
+    pub(crate) fn load(&self, values: More<'_>) -> Result<Input, Failure> {
         self.input.load(Some(&self.camera), values)
     }
 

@@ -10,10 +10,11 @@ use glanz_scene::Shading;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::side_by_side::SideBySideArgs;
+use super::side_by_side::{SideBySideArgs, drawn};
 use crate::args::{InputArgs, Target};
 use crate::pipeline;
 use crate::print::failure::Failure;
+use crate::print::remarked::Remarked;
 use crate::print::{self, Format};
 use crate::progress::Progress;
 
@@ -53,9 +54,14 @@ impl ShadeCompareArgs {
         let plan = self.pictures.plan(&input, &self.pictures.look)?;
         let mut pictures = Vec::with_capacity(SHADINGS.len());
         let mut progress = Progress::new(SHADINGS.len(), "pictures");
+        let mut remarked = Remarked::default();
         for (shading, _, _) in SHADINGS {
             let mut shot = plan.shot_shaded(&input.scene, shading)?;
-            pictures.push(pipeline::developed(&mut shot, &mut progress)?);
+            let picture = pipeline::developed(&mut shot, &mut progress)?;
+            if shading == Shading::Phong {
+                remarked.look(&mut shot, &input.scene, &drawn(&picture).into(), String::new)?;
+            }
+            pictures.push(picture);
             progress.step();
         }
         drop(progress);
@@ -63,10 +69,10 @@ impl ShadeCompareArgs {
         let differences: Vec<_> =
             pictures[..2].iter().map(|picture| Difference::between(picture, phong)).collect();
         self.pictures.deliver(side_by_side(&pictures, &differences)?, &target, &input)?;
-        self.tell(&target, &differences)
+        self.tell(&target, &differences, input.notes.into_iter().chain(remarked.tell()).collect())
     }
 
-    fn tell(&self, target: &Target, differences: &[Difference]) -> Result<(), Failure> {
+    fn tell(&self, target: &Target, differences: &[Difference], notes: Vec<String>) -> Result<(), Failure> {
         let Target::File(path) = target else {
             print::note(table(differences).trim_end());
             return Ok(());
@@ -80,6 +86,7 @@ impl ShadeCompareArgs {
             file: path.display().to_string(),
             to: "phong",
             difference: difference.collect(),
+            notes,
         })
     }
 }
@@ -93,6 +100,8 @@ pub(crate) struct Document {
     to: &'static str,
     /// By the shading
     difference: BTreeMap<&'static str, DifferenceFacts>,
+    /// What was ignored or changed of the scene's file, and what is odd about the picture: black, clipped, a mistake
+    notes: Vec<String>,
 }
 
 /// The distance of two pictures.
@@ -162,8 +171,7 @@ fn side_by_side(pictures: &[Developed], differences: &[Difference]) -> Result<Ca
     };
     let mut canvas = sheet.begin()?;
     for (index, picture) in pictures.iter().enumerate() {
-        let (width, height) = size(picture);
-        sheet.put(&mut canvas, index, &Canvas { width, height, rgba: picture.codes.clone() });
+        sheet.put(&mut canvas, index, &drawn(picture));
     }
     Ok(canvas)
 }

@@ -1,11 +1,12 @@
 //! What commands share that draw one scene several times, side by side.
 
 use clap::Args;
+use glanz_picture::compare::frames::Developed;
 use glanz_plot::Canvas;
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
 use crate::encode;
-use crate::load::Input;
+use crate::load::{Input, More};
 use crate::pipeline::Plan;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
@@ -29,6 +30,12 @@ pub(super) struct SideBySideArgs {
     pub format: FormatArgs,
 }
 
+/// A picture's codes.
+pub(super) fn drawn(picture: &Developed) -> Canvas {
+    let (width, height) = (picture.frame.width, picture.frame.height);
+    Canvas { width, height, rgba: picture.codes.clone() }
+}
+
 impl SideBySideArgs {
     /// Where the pictures go, without `-o` beside the scene with this ending, and the scene. `what` they are is said
     /// where they cannot be written.
@@ -42,7 +49,7 @@ impl SideBySideArgs {
         let target = self.target.resolve(&input.input, ending)?;
         encode::expect_png(&target, what)?;
         self.format.check_beside(&target)?;
-        let scene = input.load(Some(&self.camera), &[])?;
+        let scene = input.load(Some(&self.camera), More::default())?;
         print::notes(&input.input, &scene.notes);
         Ok((target, scene))
     }

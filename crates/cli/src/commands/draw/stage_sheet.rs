@@ -73,6 +73,6 @@ impl StageSheetArgs {
     ) -> Result<(), Failure> {
         let size = (sheet.width, sheet.height);
         encode::deliver(sheet.into(), target, &encode::metadata(0))?;
-        tell_sheet(target, size, cells, per_row, self.format)
+        tell_sheet(target, size, cells, per_row, (self.format, Vec::new()))
     }
 }

@@ -5,9 +5,11 @@ use glanz_plot::{Grid, Variation};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, TargetArgs, size};
 use crate::encode;
+use crate::load::More;
 use crate::pipeline::{self, Plan};
 use crate::print::failure::Failure;
 use crate::print::files::tell_sheet;
+use crate::print::remarked::Remarked;
 use crate::print::timings::Timings;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
@@ -72,14 +74,17 @@ impl SweepArgs {
         let mut progress = Progress::new(cells.len(), "pictures");
         // The sheet is made of all its scenes.
         let (mut hash, mut made) = (0_u64, Vec::new());
+        let (mut remarked, mut notes) = (Remarked::default(), Vec::new());
         for (index, values) in cells.iter().enumerate() {
-            let input = self.input.load(Some(&self.camera), values)?;
+            let input = self.input.load(Some(&self.camera), More { option: "--vary", values })?;
             let plan = Plan::new(&input, Some(self.size), &self.look, &self.camera, self.develop)?;
             let mut shot = plan.shot(&input.scene)?;
             let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);
+            remarked.look(&mut shot, &input.scene, &codes.into(), || setting(values))?;
             if index == 0 {
                 print::notes(&self.input.input, &input.notes);
+                notes = input.notes;
             }
             made = plan.options.makings();
             hash = hash.rotate_left(1) ^ input.scene.content_hash();
@@ -88,10 +93,17 @@ impl SweepArgs {
         drop(progress);
         let size = (canvas.width, canvas.height);
         encode::deliver(canvas.into(), &target, &encode::metadata_of_sheet(hash, made))?;
-        tell_sheet(&target, size, &cells, sheet.per_row, self.format)
+        notes.extend(remarked.tell());
+        tell_sheet(&target, size, &cells, sheet.per_row, (self.format, notes))
     }
 
     fn grid(&self) -> Grid<'_> {
         Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size }
     }
+}
+
+/// What a picture of the sheet sets, as words.
+fn setting(values: &[(String, String)]) -> String {
+    let words: Vec<_> = values.iter().map(|(path, value)| format!("{path}={value}")).collect();
+    words.join(" ")
 }

@@ -7,6 +7,7 @@ use super::render::RenderArgs;
 use super::watched::Watched;
 use crate::args::Target;
 use crate::interrupt;
+use crate::load::More;
 use crate::print;
 use crate::print::failure::Failure;
 use crate::print::timings::Timings;
@@ -21,7 +22,7 @@ impl RenderArgs {
             return Err(Failure::Usage(message.to_owned()));
         }
         if !self.input.input.is_file() {
-            return self.load(&[]).map(drop);
+            return self.load(More::default()).map(drop);
         }
         interrupt::is_the_end();
         let path = target.as_ref().and_then(Target::path);

@@ -102,7 +102,8 @@ fn light(kind: &str, values: &Values) -> Result<LightKind, Failure> {
     let aim = if kind == "spot" { "direction = [0, 0, -1]\n" } else { "" };
     let sets = values.iter().map(|(key, text)| (format!("lights.0.{key}"), text.clone())).collect();
     let options = LoadOptions { sets, ..LoadOptions::default() };
-    let loaded = parse_str(&(text + aim), Path::new(""), &options).map_err(failure_of_scene)?;
+    let loaded = parse_str(&(text + aim), Path::new(""), &options)
+        .map_err(|error| failure_of_scene(error, "--set"))?;
     let light = loaded
         .scene
         .lights

@@ -12,6 +12,7 @@ use glanz_render::{Probe, Shot};
 use glanz_scene::{Light, LightKind, Scene};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, PlotTarget, SizeArgs};
+use crate::load::More;
 use crate::pipeline::Plan;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
@@ -89,7 +90,7 @@ impl ProbeArgs {
     /// Takes the pixels apart.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let target = self.plot.as_deref().map(PlotTarget::of_file).transpose()?;
-        let input = self.input.load(Some(&self.camera), &[])?;
+        let input = self.input.load(Some(&self.camera), More::default())?;
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
         let mut shot = plan.shot(&input.scene)?;
         let mut notes = input.notes.clone();

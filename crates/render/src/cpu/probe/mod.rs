@@ -33,6 +33,20 @@ pub struct Probe {
 }
 
 /// The surface in the middle of a pixel.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Light, Mesh, Scene, library};
+///
+/// let scene = Scene::new()
+///     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+///     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]))
+///     .with_size(33, 33);
+/// let surface = Shot::new(&scene)?.probe(16, 16)?.surface.expect("the sphere is in the middle");
+/// assert_eq!((surface.object, surface.back, surface.opacity), (0, false, 1.0));
+/// assert!(surface.facet_normal[2].abs() > 0.9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbedSurface {
     /// The number of its object in the scene.
@@ -82,6 +96,21 @@ pub enum PointPlace {
 }
 
 /// A point that is lit.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Light, Mesh, Scene, library};
+///
+/// let scene = Scene::new()
+///     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+///     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]))
+///     .with_size(33, 33);
+/// let surface = Shot::new(&scene)?.probe(16, 16)?.surface.expect("the sphere is in the middle");
+/// let point = &surface.points[0];
+/// let cosine: f32 = point.normal.iter().zip(point.to_viewer).map(|(n, v)| n * v).sum();
+/// assert!((cosine - point.cos_view).abs() < 1e-6 && point.weight == 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbedPoint {
     /// Where it is.
@@ -108,7 +137,24 @@ pub struct ProbedPoint {
     pub light: [f32; 3],
 }
 
-/// What one light gives at a point.
+/// What one light gives at a point: the sum of what the lobes make of it.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Light, Mesh, Scene, library};
+///
+/// let scene = Scene::new()
+///     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+///     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]))
+///     .with_size(33, 33);
+/// let surface = Shot::new(&scene)?.probe(16, 16)?.surface.expect("the sphere is in the middle");
+/// let light = &surface.points[0].lights[0];
+/// let arrival = light.arrival.expect("a lamp's light comes from one direction");
+/// assert!(arrival.cos_light > 0.9 && arrival.distance.is_none() && arrival.visible.is_none());
+/// let sum: f32 = light.lobes.iter().map(|lobe| lobe.share[0]).sum();
+/// assert!((sum - light.share[0]).abs() < 1e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbedLight {
     /// Its number among the lights of the scene that are not ambient.
@@ -151,6 +197,22 @@ pub struct Arrival {
 }
 
 /// What one lobe makes of one light.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Light, Mesh, Scene, library};
+///
+/// let scene = Scene::new()
+///     .with_mesh(Mesh::builtin("sphere")?, library::material("gold")?)
+///     .with_light(Light::directional([0.0, 0.0, -1.0], [1.0; 3]))
+///     .with_size(33, 33);
+/// let surface = Shot::new(&scene)?.probe(16, 16)?.surface.expect("the sphere is in the middle");
+/// let lobe = &surface.points[0].lights[0].lobes[0];
+/// let (value, layers) = (lobe.value.expect("of a lamp"), lobe.layers.expect("of a lamp"));
+/// let tint = lobe.tint.expect("of a lamp");
+/// assert!((value * layers * tint[0] - lobe.share[0]).abs() < 1e-5 * value);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProbedLobe {
     /// Its number among the lobes of the prepared material.

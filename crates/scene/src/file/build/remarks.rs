@@ -1,5 +1,6 @@
 //! Remarks on what a scene file says, where it is hardly what was meant.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use glanz_bsdf::LightTerm;
@@ -7,12 +8,14 @@ use glanz_color::Rgb;
 
 use super::builder::Builder;
 use crate::file::error::Problem;
-use crate::file::tables::appearance::materials::MaterialTable;
 use crate::file::tables::geometry::objects::ColorsValue;
 use crate::file::tables::lights::{KindName, LightTable};
 use crate::file::tables::scene::SceneTable;
 use crate::file::tables::values::At;
-use crate::{AnotherScale, Background, Lobe, Scene, Tint};
+use crate::{AnotherScale, Background, Lobe, Material, Scene, Tint};
+
+/// So many materials are named.
+const FEW: usize = 3;
 
 impl Builder {
     /// Remarks on the scene as a whole.
@@ -51,25 +54,30 @@ impl Builder {
             return None;
         }
         let is_used = |index: usize| self.scene.objects.iter().any(|object| object.material == index);
-        let is_dark = |index: usize| {
-            let lobes = &self.scene.materials[index].lobes;
-            lobes.iter().any(|lobe| lobe.shape.info().name == "ambient" && !lobe.tint.is_black())
+        let is_dark = |material: &Material| {
+            let is_ambient = |lobe: &Lobe| lobe.shape.info().name == "ambient" && !lobe.tint.is_black();
+            material.lobes.iter().any(is_ambient)
         };
-        let own = |(name, table): (&String, &MaterialTable)| {
-            let index = *self.names.materials.get(name)?;
-            (table.library.is_none() && is_used(index) && is_dark(index)).then(|| format!("'{name}'"))
-        };
-        let materials: Vec<String> =
-            table.materials.iter().filter_map(|(name, table)| own((name, &table.value))).collect();
+        // Nobody wrote the terms of the default material, nor those that come with a model.
+        let named = self.names.materials.values().chain(self.names.library.values());
+        let named: BTreeSet<usize> = named.copied().filter(|index| is_used(*index)).collect();
+        let dark = named.into_iter().map(|index| &self.scene.materials[index]).filter(|own| is_dark(own));
+        let materials: Vec<String> = dark.map(|material| format!("'{}'", material.name)).collect();
         let lamps: Vec<String> = table.lights.iter().enumerate().filter_map(lamp_without_ambient).collect();
         if materials.is_empty() || lamps.is_empty() {
             return None;
         }
-        let terms = if materials.len() == 1 { "the ambient term of" } else { "the ambient terms of" };
+        let terms = match materials.as_slice() {
+            [one] => format!("the ambient term of {one}"),
+            few if few.len() <= FEW => format!("the ambient terms of {}", few.join(", ")),
+            many => {
+                let more = many.len() - FEW;
+                format!("the ambient terms of {} and {more} more materials", many[..FEW].join(", "))
+            }
+        };
         Some(format!(
-            "no light reaches {terms} {}: lamps send ambient terms nothing unless their key 'ambient' says so; \
+            "no light reaches {terms}: lamps send ambient terms nothing unless their key 'ambient' says so; \
              give the scene [ambient] light, or, for the picture of Glanz 0.1, {} 'ambient' with the value of 'color'",
-            materials.join(", "),
             lamps.join(", "),
         ))
     }

@@ -20,6 +20,18 @@ fn an_ambient_term_without_light_names_the_lamps_and_the_old_picture() {
 }
 
 #[test]
+fn ambient_terms_of_the_library_count_and_many_are_counted() {
+    let [note] = &notes(&format!("{LAMP}[[objects]]\nmesh = 'sphere'\nmaterial = 'gl-emerald'\n"))[..] else {
+        panic!("one remark")
+    };
+    assert!(note.starts_with("no light reaches the ambient term of 'gl-emerald'"), "{note}");
+    let balls: Vec<String> = (1..=5).map(|number| BALL.replace("ball", &format!("ball{number}"))).collect();
+    let [note] = &notes(&format!("{}{LAMP}", balls.concat()))[..] else { panic!("one remark") };
+    let many = "no light reaches the ambient terms of 'ball1', 'ball2', 'ball3' and 2 more materials: ";
+    assert!(note.starts_with(many), "{note}");
+}
+
+#[test]
 fn there_is_no_remark_where_the_ambient_term_is_thought_of() {
     let quiet = [
         format!("{BALL}{LAMP}ambient = 0.0\n"),
