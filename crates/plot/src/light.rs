@@ -93,6 +93,7 @@ impl AttenuationPlot {
             y,
             curves,
             marks: Vec::new(),
+            lang: self.lang,
         })
     }
 }
@@ -186,6 +187,7 @@ impl SpotPlot {
             y,
             curves,
             marks: Vec::new(),
+            lang: self.lang,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Where the eye is.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
 use serde::{Deserialize, Serialize};
 
 use crate::Bounds;
@@ -99,6 +99,46 @@ impl Camera {
         let right = right.unwrap_or(DVec3::X);
         [right, back.cross(right), back]
     }
+
+    /// From world coordinates to those of the camera: x to the right, y up, z backwards, the eye at 0. OpenGL's view
+    /// matrix, as `lookAt` gives it; for columns.
+    ///
+    /// ```
+    /// use glanz_scene::Camera;
+    ///
+    /// let view = Camera::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0]).view_matrix();
+    /// assert_eq!(view.transform_point3([1.0, 2.0, 0.0].into()).to_array(), [1.0, 2.0, -5.0]);
+    /// ```
+    pub fn view_matrix(&self) -> DMat4 {
+        let [right, up, back] = self.axes();
+        let row = |axis: DVec3| axis.extend(-axis.dot(self.eye));
+        DMat4::from_cols(row(right), row(up), row(back), DVec4::W).transpose()
+    }
+
+    /// From the camera's coordinates to OpenGL's clip coordinates, for a picture of this aspect ratio (width / height)
+    /// and planes at these distances in metres; for columns. Glanz itself has no such planes.
+    ///
+    /// ```
+    /// use glanz_scene::Camera;
+    ///
+    /// let camera = Camera::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0]).with_fov_deg(90.0);
+    /// let far = camera.projection_matrix(1.0, [1.0, 10.0]).project_point3([10.0, 0.0, -10.0].into());
+    /// assert!((far - glanz_scene::glam::DVec3::new(1.0, 0.0, 1.0)).length() < 1e-12);
+    /// ```
+    pub fn projection_matrix(&self, aspect: f64, [near, far]: [f64; 2]) -> DMat4 {
+        // x and y per unit, then z and w of columns (0, 0, z, 1).
+        let (y, z, w) = match self.projection {
+            Projection::Perspective { fov_y } => {
+                let z = [(near + far) / (near - far), 2.0 * near * far / (near - far)];
+                (1.0 / libm::tan(0.5 * fov_y), z, [-1.0, 0.0])
+            }
+            Projection::Orthographic { height } => {
+                (2.0 / height, [2.0 / (near - far), (near + far) / (near - far)], [0.0, 1.0])
+            }
+        };
+        let column = |i: usize| DVec4::new(0.0, 0.0, z[i], w[i]);
+        DMat4::from_cols(DVec4::X * (y / aspect), DVec4::Y * y, column(0), column(1))
+    }
 }
 
 #[cfg(test)]
@@ -113,6 +153,19 @@ mod tests {
             let [x, y, z] = camera.axes();
             assert!((x.cross(y) - z).length() < 1e-12);
             assert!((x.length() - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn both_projections_bring_what_is_in_view_into_the_cube() {
+        let camera = Camera::new([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]).with_fov_deg(90.0);
+        for (camera, side) in [(camera, 1.0), (camera.orthographic(6.0), 0.0)] {
+            for (distance, z) in [(3.0, -1.0), (12.0, 1.0)] {
+                let half = if side > 0.0 { distance } else { 3.0 };
+                let matrix = camera.projection_matrix(2.0, [3.0, 12.0]);
+                let corner = matrix.project_point3(DVec3::new(2.0 * half, half, -distance));
+                assert!((corner - DVec3::new(1.0, 1.0, z)).length() < 1e-12, "{corner}");
+            }
         }
     }
 }

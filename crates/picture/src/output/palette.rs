@@ -29,10 +29,11 @@ pub(super) fn indexed(rgba: &[u8], width: usize) -> Indexed {
     let opaque: Vec<u8> = rgba.chunks_exact(4).filter(|p| p[3] != 0).flatten().copied().collect();
     let has_holes = opaque.len() < rgba.len();
     let room = COLORS - usize::from(has_holes);
-    let palette = match few(&opaque, room) {
-        Some(exact) => return exact_frame(rgba, exact, has_holes),
-        None => NeuQuant::new(EVERY, room, &opaque),
-    };
+    let colors = distinct(&opaque);
+    if colors.len() <= room {
+        return exact_frame(rgba, colors, has_holes);
+    }
+    let palette = palette_of(&colors, room);
     let amplitude = (3.0 * mean_error(&palette, &opaque)).clamp(2.0, MOST);
     let hole = has_holes.then_some(room as u8);
     let pixel = |(i, p): (usize, &[u8])| {
@@ -56,16 +57,16 @@ pub(super) fn indexed(rgba: &[u8], width: usize) -> Indexed {
     Indexed { palette: colors, pixels, transparent: hole }
 }
 
-/// The colours of the pixels, if there are no more than `room`.
-fn few(opaque: &[u8], room: usize) -> Option<BTreeSet<[u8; 3]>> {
-    let mut colors = BTreeSet::new();
-    for pixel in opaque.chunks_exact(4) {
-        colors.insert([pixel[0], pixel[1], pixel[2]]);
-        if colors.len() > room {
-            return None;
-        }
-    }
-    Some(colors)
+/// The colours of the pixels, each once.
+fn distinct(opaque: &[u8]) -> BTreeSet<[u8; 3]> {
+    opaque.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+}
+
+/// A palette for these colours. Each counts once, however many pixels have it: a flat background would else take the
+/// palette away from the slopes of what stands before it.
+fn palette_of(colors: &BTreeSet<[u8; 3]>, room: usize) -> NeuQuant {
+    let once: Vec<u8> = colors.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
+    NeuQuant::new(EVERY, room, &once)
 }
 
 fn exact_frame(rgba: &[u8], colors: BTreeSet<[u8; 3]>, has_holes: bool) -> Indexed {
@@ -143,6 +144,21 @@ mod tests {
             [color[0], color[1], color[2]]
         });
         assert!(dithered < plain, "{dithered} with dithering, {plain} without");
+    }
+
+    #[test]
+    fn a_flat_background_takes_nothing_from_a_slope_of_colour() {
+        let alone = slope();
+        let before_grey = [alone.clone(), [64, 62, 80, 255].repeat(WIDTH * WIDTH * 8)].concat();
+        let off = |rgba: &[u8]| {
+            let frame = indexed(rgba, WIDTH);
+            off_by(&alone, |at| {
+                let color = &frame.palette[3 * usize::from(frame.pixels[at])..];
+                [color[0], color[1], color[2]]
+            })
+        };
+        let (own, with_grey) = (off(&alone), off(&before_grey));
+        assert!(with_grey < 1.1 * own, "{with_grey} before grey, {own} alone");
     }
 
     #[test]

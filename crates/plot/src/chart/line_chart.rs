@@ -7,6 +7,7 @@ use super::legend;
 use crate::data::{DataPanel, PlotData};
 use crate::page::style::{INK, LABEL, NUMBER, Rgb8};
 use crate::page::{Anchor, Figure, Page, Rect};
+use crate::words::Lang;
 
 /// The size of the area of the values in points.
 const AREA: (f64, f64) = (720.0, 440.0);
@@ -31,6 +32,7 @@ pub struct LineMark {
 /// Curves in a pair of axes.
 ///
 /// ```
+/// use glanz_plot::words::Lang;
 /// use glanz_plot::{Axis, Curve, Figure, LineChart};
 ///
 /// let points = (0..=90).map(|angle| (f64::from(angle), f64::from(angle).to_radians().cos())).collect();
@@ -42,6 +44,7 @@ pub struct LineMark {
 ///     y: Axis::exact("irradiance", (0.0, 1.0), 5),
 ///     curves: vec![curve],
 ///     marks: Vec::new(),
+///     lang: Lang::En,
 /// };
 /// assert!(chart.csv().lines().count() > 90);
 /// assert!(chart.svg()?.starts_with("<svg"));
@@ -61,6 +64,8 @@ pub struct LineChart {
     pub curves: Vec<Curve>,
     /// Values of x that are marked.
     pub marks: Vec<LineMark>,
+    /// The language of the numbers.
+    pub lang: Lang,
 }
 
 impl Figure for LineChart {
@@ -87,6 +92,10 @@ impl Figure for LineChart {
 
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
+    }
+
+    fn lang(&self) -> Lang {
+        self.lang
     }
 }
 
@@ -128,6 +137,8 @@ pub struct SideBySide {
     pub subtitle: String,
     /// The charts; their subtitles are not shown.
     pub charts: Vec<LineChart>,
+    /// The language of the numbers.
+    pub lang: Lang,
 }
 
 impl Figure for SideBySide {
@@ -162,6 +173,10 @@ impl Figure for SideBySide {
 
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
+    }
+
+    fn lang(&self) -> Lang {
+        self.lang
     }
 }
 

@@ -84,6 +84,10 @@ impl Figure for WavelengthChart {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 impl WavelengthChart {

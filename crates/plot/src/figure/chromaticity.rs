@@ -113,6 +113,10 @@ impl Figure for ChromaticityDiagram {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 impl ChromaticityDiagram {

@@ -63,6 +63,10 @@ impl Figure for ColorVectors {
     fn title_mut(&mut self) -> &mut String {
         &mut self.name
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 /// A point of the graphic on the page.

@@ -93,6 +93,10 @@ impl Figure for EfficiencyChart {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 fn color(index: usize) -> Rgb8 {

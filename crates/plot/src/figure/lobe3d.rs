@@ -98,6 +98,10 @@ impl Figure for LobeBodies {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 /// A face of the body, on the page.

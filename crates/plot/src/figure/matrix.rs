@@ -57,6 +57,10 @@ impl Figure for ReradiationMap {
     fn title_mut(&mut self) -> &mut String {
         &mut self.name
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 fn curves(factors: &[NamedSpectrum]) -> Vec<Curve> {

@@ -81,6 +81,10 @@ impl Figure for PolarChart {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 impl PolarChart {

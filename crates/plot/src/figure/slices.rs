@@ -85,6 +85,10 @@ impl Figure for SliceMaps {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 impl SliceMaps {

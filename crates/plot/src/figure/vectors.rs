@@ -5,7 +5,6 @@ use glanz_math::Vec3;
 use super::projection::Projection;
 use crate::chart::heading;
 use crate::data::{DataCurve, DataPanel, PlotData};
-use crate::number;
 use crate::page::style::{CURVES, GRAY, INK, LABEL, NUMBER, Rgb8, WHITE};
 use crate::page::{Anchor, Figure, Page, Rect, letters};
 use crate::words::{Lang, Word};
@@ -109,9 +108,10 @@ impl VectorDrawing {
         };
         let mut arcs = vec![arc("θ", n, wi, 0.3), arc("θ", n, r, 0.3), arc("α", r, wo, 0.62)];
         arcs.extend(h.map(|h| arc("δ", n, h, 0.78)));
-        let mut notes = vec![cosine("N·L", n, wi), cosine("N·V", n, wo), cosine("R·V", r, wo)];
-        notes.extend(h.map(|h| cosine("N·H", n, h)));
-        notes.extend(h.map(|h| cosine("L·H", wi, h)));
+        let mut notes =
+            vec![cosine("N·L", n, wi, lang), cosine("N·V", n, wo, lang), cosine("R·V", r, wo, lang)];
+        notes.extend(h.map(|h| cosine("N·H", n, h, lang)));
+        notes.extend(h.map(|h| cosine("L·H", wi, h, lang)));
         Self {
             title: lang.say(Word::Vectors, &[]),
             subtitle: lang.say(Word::VectorsLaw, &[]),
@@ -125,14 +125,18 @@ impl VectorDrawing {
 }
 
 /// `N·L = cos 50° = 0.642788`.
-fn cosine(name: &str, a: Vec3<f64>, b: Vec3<f64>) -> String {
+fn cosine(name: &str, a: Vec3<f64>, b: Vec3<f64>, lang: Lang) -> String {
     let cosine = a.dot(b).clamp(-1.0, 1.0);
-    format!("{name} = cos {}° = {}", rounded(libm::acos(cosine).to_degrees()), number(clean(cosine)))
+    format!(
+        "{name} = cos {}° = {}",
+        rounded(libm::acos(cosine).to_degrees(), lang),
+        lang.number(clean(cosine))
+    )
 }
 
 /// An angle as it is written: two decimals at most.
-fn rounded(degrees: f64) -> String {
-    number((degrees * 100.0).round() / 100.0)
+fn rounded(degrees: f64, lang: Lang) -> String {
+    lang.number((degrees * 100.0).round() / 100.0)
 }
 
 /// Nothing in place of the rounding of a cosine that is 0.
@@ -175,7 +179,7 @@ impl Figure for VectorDrawing {
         let at = (CENTER.0 - RADIUS, CENTER.1 + 0.7 * RADIUS * tilt + 1.8 * NUMBER);
         page.text(self.lang.say(Word::Surface, &[]), at, Anchor::Start, NUMBER, INK);
         let labels: Vec<_> =
-            self.arcs.iter().filter_map(|arc| draw_arc(&mut page, projection, arc)).collect();
+            self.arcs.iter().filter_map(|arc| draw_arc(&mut page, projection, arc, self.lang)).collect();
         for arrow in &self.arrows {
             draw_arrow(&mut page, projection, arrow);
         }
@@ -209,6 +213,10 @@ impl Figure for VectorDrawing {
     fn title_mut(&mut self) -> &mut String {
         &mut self.title
     }
+
+    fn lang(&self) -> Lang {
+        self.lang
+    }
 }
 
 fn draw_arrow(page: &mut Page, projection: Projection, arrow: &Arrow) {
@@ -236,7 +244,7 @@ fn label(page: &mut Page, text: &str, (x, y): (f64, f64)) {
 }
 
 /// Draws an arc of a great circle, and gives its angle and where that stands: outside of its middle.
-fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc) -> Option<(String, (f64, f64))> {
+fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc, lang: Lang) -> Option<(String, (f64, f64))> {
     let [a, b] = arc.ends.map(|[x, y, z]| Vec3::new(x, y, z));
     let angle = libm::acos(a.dot(b).clamp(-1.0, 1.0));
     // Opposite directions have no arc of their own, and none is needed between equal ones.
@@ -253,7 +261,7 @@ fn draw_arc(page: &mut Page, projection: Projection, arc: &Arc) -> Option<(Strin
     let (dx, dy) = (x - from.0, y - from.1);
     let length = libm::hypot(dx, dy).max(1e-9);
     let at = (x + 24.0 * dx / length, y + 14.0 * dy / length + 0.36 * NUMBER);
-    Some((format!("{} {}°", arc.name, rounded(angle.to_degrees())), at))
+    Some((format!("{} {}°", arc.name, rounded(angle.to_degrees(), lang)), at))
 }
 
 #[cfg(test)]

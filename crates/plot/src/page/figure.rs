@@ -7,6 +7,7 @@ use super::shapes::Page;
 use super::{pdf, png, svg};
 use crate::Error;
 use crate::data::PlotData;
+use crate::words::Lang;
 
 /// A figure: plain data that draws itself on a [`Page`] and tells its numbers.
 pub trait Figure {
@@ -20,9 +21,12 @@ pub trait Figure {
     /// The title, to be read or changed.
     fn title_mut(&mut self) -> &mut String;
 
+    /// The language of its words, and of its numbers: French has decimal commas.
+    fn lang(&self) -> Lang;
+
     /// The page with the figure on it, in its own size.
     fn page(&self) -> Page {
-        self.layout(None)
+        self.layout(None).with_numbers_in(self.lang())
     }
 
     /// The page with the figure on it, exactly so many points wide and high; a PNG has as many pixels. Letters and
@@ -31,7 +35,8 @@ pub trait Figure {
         let (width, height) = (f64::from(width), f64::from(height));
         let own = self.page();
         let scale = (width / f64::from(own.width)).min(height / f64::from(own.height)).max(1.0);
-        self.layout(Some((width / scale, height / scale))).fitted(width, height)
+        let page = self.layout(Some((width / scale, height / scale))).with_numbers_in(self.lang());
+        page.fitted(width, height)
     }
 
     /// The bytes of a file in this format. Of a given size, the page is [`sized_page`](Self::sized_page).

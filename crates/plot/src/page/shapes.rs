@@ -1,6 +1,7 @@
 //! A page as a list of shapes.
 
 use super::style::Rgb8;
+use crate::words::Lang;
 
 /// Where a text stands to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,6 +195,19 @@ impl Page {
         self.shapes.push(Shape::Text(Text { text, at, anchor, size, color, upwards: true }));
     }
 
+    /// The same with texts that are a number, and nothing else, as a language writes them: those at axes.
+    #[must_use]
+    pub fn with_numbers_in(mut self, lang: Lang) -> Self {
+        for shape in &mut self.shapes {
+            if let Shape::Text(Text { text, .. }) = shape
+                && text.replace('–', "-").parse::<f64>().is_ok()
+            {
+                *text = lang.decimal(core::mem::take(text));
+            }
+        }
+        self
+    }
+
     /// The texts.
     pub fn texts(&self) -> impl Iterator<Item = &Text> {
         self.shapes.iter().filter_map(|shape| match shape {
@@ -219,5 +233,18 @@ mod tests {
         });
         // 20 points hold four dashes of 3 and gaps of 2.
         assert_eq!(lengths.collect::<Vec<_>>(), [3.0; 4]);
+    }
+
+    #[test]
+    fn numbers_alone_are_written_as_the_language_does() {
+        let mut page = Page::new(100, 100);
+        for text in ["–0.25", "1e-3", "a.b", "0.5 of D(9300.5)"] {
+            page.text(text, (0.0, 0.0), Anchor::Start, 9.0, [0, 0, 0]);
+        }
+        let texts = |page: &Page| page.texts().map(|text| text.text.clone()).collect::<Vec<_>>();
+        let english = page.clone().with_numbers_in(Lang::En);
+        assert_eq!(texts(&english), texts(&page));
+        let french = page.with_numbers_in(Lang::Fr);
+        assert_eq!(texts(&french), ["–0,25", "1e-3", "a.b", "0.5 of D(9300.5)"]);
     }
 }

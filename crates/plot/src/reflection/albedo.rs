@@ -57,6 +57,7 @@ impl LobePlot {
             y,
             curves,
             marks: Vec::new(),
+            lang: self.lang,
         })
     }
 }

@@ -5,9 +5,9 @@ use glanz_math::{Frame, Vec3};
 
 use super::lobe::Lobe;
 use super::plot::{LobePlot, MOST_PANELS};
+use crate::Error;
 use crate::figure::{LobeBodies, LobeBody};
 use crate::words::Word;
-use crate::{Error, number};
 
 /// Rings about the axis of a lobe, closer together towards it.
 const RINGS: usize = 64;
@@ -33,7 +33,7 @@ impl LobePlot {
         }
         let label = self.quantity_name();
         let shown = match self.log {
-            true => self.lang.say(Word::Logarithmic, &[&label, &number(DECADES)]),
+            true => self.lang.say(Word::Logarithmic, &[&label, &self.lang.number(DECADES)]),
             false => label.clone(),
         };
         Ok(LobeBodies {
@@ -62,7 +62,7 @@ impl LobePlot {
             .collect();
         let values: Vec<_> = directions.iter().map(|wi| self.value(lobe, wo, *wi)).collect();
         let most = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-        let view = format!("{}, θo = {}°", lobe.label, number(theta));
+        let view = format!("{}, θo = {}°", lobe.label, self.lang.number(theta));
         if most <= 0.0 {
             return Err(Error::EmptyLobe { lobe: view });
         }
@@ -78,7 +78,7 @@ impl LobePlot {
             .zip(&values)
             .map(|(wi, value)| array(*wi * if value.is_finite() { length(*value) } else { 1.0 }));
         Ok(LobeBody {
-            caption: self.lang.say(Word::UpTo, &[&view, &number(most)]),
+            caption: self.lang.say(Word::UpTo, &[&view, &self.lang.number(most)]),
             values: directions.iter().zip(&values).map(|(wi, value)| ([wi.x, wi.y, wi.z], *value)).collect(),
             points: points.collect(),
             columns: AROUND,

@@ -3,10 +3,10 @@
 use glanz_bsdf::terms::fresnel_schlick;
 
 use super::medium::Medium;
+use crate::Error;
 use crate::chart::{Axis, Curve, LineChart, LineMark, sampled};
 use crate::page::{curve_color, dash};
 use crate::words::{Lang, Word};
-use crate::{Error, number};
 
 /// The most media of a plot.
 const MOST_MEDIA: usize = 8;
@@ -62,7 +62,7 @@ impl FresnelPlot {
             false => Axis::exact(label, (0.0, 1.0), 5),
         };
         let from = if self.media.iter().any(leads_out) { Word::FromMedium } else { Word::FromAir };
-        let below = self.lang.say(from, &[&number(self.lambda_nm)]);
+        let below = self.lang.say(from, &[&self.lang.number(self.lambda_nm)]);
         Ok(LineChart {
             title: self.lang.say(Word::Fresnel, &[]),
             subtitle: if self.polarized { self.lang.say(Word::Polarisations, &[&below]) } else { below },
@@ -70,6 +70,7 @@ impl FresnelPlot {
             y,
             curves,
             marks,
+            lang: self.lang,
         })
     }
 

@@ -4,11 +4,11 @@ use glanz_bsdf::Side;
 
 use super::lobe::Lobe;
 use super::plot::{LobePlot, MOST_CURVES, Quantity};
+use crate::Error;
 use crate::chart::{Axis, Curve, LineChart, LineMark, sampled};
 use crate::figure::{PolarChart, Ray};
 use crate::page::{Rgb8, curve_color, dash};
 use crate::words::Word;
-use crate::{Error, number};
 
 /// How near to the horizon, in degrees, values of f do not decide on the scale.
 const HORIZON: f64 = 3.0;
@@ -61,7 +61,7 @@ impl LobePlot {
         let several = self.lobes.len() > 1;
         let mark = |(index, theta): (usize, &f64)| LineMark {
             x: *theta,
-            label: self.lang.say(Word::MirrorAt, &[&number(*theta)]),
+            label: self.lang.say(Word::MirrorAt, &[&self.lang.number(*theta)]),
             color: if several { RAY } else { curve_color(index) },
         };
         let ticks = (-12..=12)
@@ -79,6 +79,7 @@ impl LobePlot {
                 Vec::new()
             },
             curves,
+            lang: self.lang,
         })
     }
 
@@ -92,7 +93,7 @@ impl LobePlot {
                     true => (lobe_index, dash(view_index)),
                     false => (view_index, None),
                 };
-                let view = format!("θo = {}°", number(*theta));
+                let view = format!("θo = {}°", self.lang.number(*theta));
                 curves.push(Curve {
                     name: if several {
                         format!("{}, {view}", lobe.label)

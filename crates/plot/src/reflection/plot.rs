@@ -5,9 +5,9 @@ use glanz_math::Vec3;
 
 use super::factor::Factor;
 use super::lobe::Lobe;
+use crate::Error;
 use crate::page::Figure;
 use crate::words::{Lang, Word};
-use crate::{Error, number};
 
 /// The most curves of a plot.
 pub(super) const MOST_CURVES: usize = 64;
@@ -205,15 +205,17 @@ impl LobePlot {
     pub(super) fn subtitle(&self, more: &str) -> String {
         let mut parts = vec![more.to_owned()];
         if self.lobes.iter().any(|lobe| lobe.shape.info().anisotropic) {
-            parts.push(self.lang.say(Word::ViewerAtPhi, &[&number(self.phi_deg)]));
+            parts.push(self.lang.say(Word::ViewerAtPhi, &[&self.lang.number(self.phi_deg)]));
         }
         match &self.factor {
             Factor::One => {}
             Factor::Reflectance(name, _) => {
-                parts.push(self.lang.say(Word::TimesReflectance, &[name, &number(self.lambda_nm)]));
+                parts.push(self.lang.say(Word::TimesReflectance, &[name, &self.lang.number(self.lambda_nm)]));
             }
             Factor::Fresnel(medium) => {
-                parts.push(self.lang.say(Word::TimesFresnel, &[&medium.name, &number(self.lambda_nm)]));
+                parts.push(
+                    self.lang.say(Word::TimesFresnel, &[&medium.name, &self.lang.number(self.lambda_nm)]),
+                );
             }
         }
         parts.retain(|part| !part.is_empty());

@@ -7,10 +7,10 @@ use glanz_math::Vec3;
 use super::lobe::Lobe;
 use super::medium::Medium;
 use super::plot::{LobePlot, MOST_CURVES};
+use crate::Error;
 use crate::chart::{Axis, Curve, LineChart, SideBySide, sampled};
 use crate::page::{curve_color, curve_dash, dash};
 use crate::words::Word;
-use crate::{Error, number};
 
 impl LobePlot {
     /// The factors D and G of microfacet models, and the Fresnel reflectance F of a medium, side by side. G is that
@@ -34,6 +34,7 @@ impl LobePlot {
             title: self.title(Word::Factors),
             subtitle: self.subtitle(""),
             charts: vec![self.distribution(), self.shadowing(), self.reflectance(medium)],
+            lang: self.lang,
         })
     }
 
@@ -62,7 +63,7 @@ impl LobePlot {
         };
         let x = Axis::quarter_turn(self.lang.say(Word::FacetAngle, &[]));
         let title = self.lang.say(Word::DTitle, &[]);
-        LineChart { title, subtitle: String::new(), x, y, curves, marks: Vec::new() }
+        LineChart { title, subtitle: String::new(), x, y, curves, marks: Vec::new(), lang: self.lang }
     }
 
     /// G over the angle of the light in the plane of incidence, while the viewer stays where it is. So half vectors
@@ -81,7 +82,7 @@ impl LobePlot {
                     lobe.shape.shadowing(&DirectionPair::new(wo, wi)).unwrap_or(f64::NAN)
                 };
                 curves.push(Curve {
-                    name: format!("{}, θo = {}°", lobe.label, number(*theta)),
+                    name: format!("{}, θo = {}°", lobe.label, self.lang.number(*theta)),
                     points: sampled(value, (-89.99, 89.99), &[*theta, -*theta], |v| v),
                     color: curve_color(index),
                     dash: if self.theta_deg.len() > 1 { dash(view) } else { curve_dash(index) },
@@ -99,6 +100,7 @@ impl LobePlot {
             y: Axis::exact("G", (0.0, 1.0), 5),
             curves,
             marks: Vec::new(),
+            lang: self.lang,
         }
     }
 
@@ -111,7 +113,7 @@ impl LobePlot {
             color: curve_color(6),
             dash,
         };
-        let exact = self.lang.say(Word::AtNm, &[&medium.name, &number(self.lambda_nm)]);
+        let exact = self.lang.say(Word::AtNm, &[&medium.name, &self.lang.number(self.lambda_nm)]);
         let curves = vec![
             curve(exact, None, &|c| medium.reflectance(c)),
             curve("Schlick 1994".to_owned(), dash(1), &|c| fresnel_schlick(c, f0)),
@@ -119,7 +121,7 @@ impl LobePlot {
         let title = self.lang.say(Word::FTitle, &[]);
         let y = Axis::exact("F", (0.0, 1.0), 5);
         let x = Axis::quarter_turn(self.lang.say(Word::FacetIncidence, &[]));
-        LineChart { title, subtitle: String::new(), x, y, curves, marks: Vec::new() }
+        LineChart { title, subtitle: String::new(), x, y, curves, marks: Vec::new(), lang: self.lang }
     }
 }
 

@@ -60,6 +60,26 @@ impl Lang {
         }
     }
 
+    /// A number as [`number`](crate::number) writes it, in French with a decimal comma.
+    ///
+    /// ```
+    /// use glanz_plot::words::Lang;
+    ///
+    /// assert_eq!(Lang::Fr.number(0.25), "0,25");
+    /// assert_eq!(Lang::En.number(0.25), "0.25");
+    /// ```
+    pub fn number(self, value: f64) -> String {
+        self.decimal(crate::number(value))
+    }
+
+    /// The text of a number as this language writes it.
+    pub(crate) fn decimal(self, number: String) -> String {
+        match self {
+            Self::En => number,
+            Self::Fr => number.replace('.', ","),
+        }
+    }
+
     /// Parts of a sentence, one after the other.
     pub(crate) fn join(self, parts: &[String]) -> String {
         parts.join(match self {
