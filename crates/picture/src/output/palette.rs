@@ -1,6 +1,7 @@
 //! Pictures of 256 colours: a palette for each, and ordered dithering between its colours.
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 use color_quant::NeuQuant;
 
@@ -8,6 +9,8 @@ use color_quant::NeuQuant;
 const COLORS: usize = 256;
 /// Of how many pixels one is looked at when a palette is made: of all.
 const EVERY: i32 = 1;
+/// The most colours that are kept for many pixels that have them.
+const MOST_FLAT: usize = 64;
 /// The greatest amplitude of dithering, in codes: more would be seen as a pattern.
 const MOST: f32 = 24.0;
 /// Bayer's matrix of 8×8 is made of the bits of x and y; it has no mean.
@@ -23,54 +26,65 @@ pub(super) struct Indexed {
     pub transparent: Option<u8>,
 }
 
-/// Finds a palette for RGBA pixels, in rows of this width, whose alpha is 0 or 255. Few colours are kept as they are;
-/// more are dithered, as strongly as the palette is coarse, so that slopes of colour do not break up into patches.
+/// Finds a palette for RGBA pixels, in rows of this width, whose alpha is 0 or 255. Few colours are kept as they are, and
+/// those of many that are frequent; all others are dithered, as strongly as the palette is coarse, so that slopes of colour
+/// do not break up into patches.
 pub(super) fn indexed(rgba: &[u8], width: usize) -> Indexed {
-    let opaque: Vec<u8> = rgba.chunks_exact(4).filter(|p| p[3] != 0).flatten().copied().collect();
-    let has_holes = opaque.len() < rgba.len();
+    let counts = counts(rgba);
+    let has_holes = rgba.chunks_exact(4).any(|p| p[3] == 0);
     let room = COLORS - usize::from(has_holes);
-    let colors = distinct(&opaque);
-    if colors.len() <= room {
-        return exact_frame(rgba, colors, has_holes);
+    if counts.len() <= room {
+        return exact_frame(rgba, counts.into_keys().collect(), has_holes);
     }
-    let palette = palette_of(&colors, room);
-    let amplitude = (3.0 * mean_error(&palette, &opaque)).clamp(2.0, MOST);
+    let flat = frequent(&counts);
+    // Each of the others counts once, however many pixels have it.
+    let others = counts.into_keys().filter(|color| flat.binary_search(color).is_err());
+    let others: Vec<u8> = others.flat_map(|[r, g, b]| [r, g, b, 255]).collect();
+    let palette = NeuQuant::new(EVERY, room - flat.len(), &others);
+    let amplitude = (3.0 * mean_error(&palette, &others)).clamp(2.0, MOST);
     let hole = has_holes.then_some(room as u8);
     let pixel = |(i, p): (usize, &[u8])| {
+        let color = [p[0], p[1], p[2]];
         if p[3] == 0 {
             return hole.unwrap_or_default();
         }
-        // Another phase for each channel: the palette is as coarse across grey as along it.
-        let exact = palette.index_of(&[p[0], p[1], p[2], 255]);
-        if palette.lookup(exact).is_some_and(|color| color[..3] == p[..3]) {
-            // A flat background stays flat.
-            return exact as u8;
+        if let Ok(number) = flat.binary_search(&color) {
+            return number as u8;
         }
+        // Another phase for each channel: the palette is as coarse across grey as along it.
         let (x, y) = (i % width, i / width);
         let shifted = [(p[0], x, y), (p[1], x + 3, y + 5), (p[2], x + 5, y + 2)]
             .map(|(code, x, y)| (f32::from(code) + amplitude * offset(x, y)).round().clamp(0.0, 255.0) as u8);
-        palette.index_of(&[shifted[0], shifted[1], shifted[2], 255]) as u8
+        (flat.len() + palette.index_of(&[shifted[0], shifted[1], shifted[2], 255])) as u8
     };
     let pixels = rgba.chunks_exact(4).enumerate().map(pixel).collect();
-    let mut colors = palette.color_map_rgb();
+    let mut colors = flat.as_flattened().to_vec();
+    colors.extend(palette.color_map_rgb());
     colors.extend(hole.iter().flat_map(|_| [0; 3]));
     Indexed { palette: colors, pixels, transparent: hole }
 }
 
-/// The colours of the pixels, each once.
-fn distinct(opaque: &[u8]) -> BTreeSet<[u8; 3]> {
-    opaque.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
+/// The colours of the pixels that are opaque, and how many have each.
+fn counts(rgba: &[u8]) -> BTreeMap<[u8; 3], usize> {
+    let mut counts = BTreeMap::new();
+    for pixel in rgba.chunks_exact(4).filter(|p| p[3] != 0) {
+        *counts.entry([pixel[0], pixel[1], pixel[2]]).or_insert(0) += 1;
+    }
+    counts
 }
 
-/// A palette for these colours. Each counts once, however many pixels have it: a flat background would else take the
-/// palette away from the slopes of what stands before it.
-fn palette_of(colors: &BTreeSet<[u8; 3]>, room: usize) -> NeuQuant {
-    let once: Vec<u8> = colors.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
-    NeuQuant::new(EVERY, room, &once)
+/// The colours that many pixels have, a flat background before all, in order.
+fn frequent(counts: &BTreeMap<[u8; 3], usize>) -> Vec<[u8; 3]> {
+    let total: usize = counts.values().sum();
+    let mut many: Vec<_> = counts.iter().filter(|(_, count)| **count * COLORS > total).collect();
+    many.sort_by_key(|(color, count)| (Reverse(**count), **color));
+    many.truncate(MOST_FLAT);
+    let mut colors: Vec<_> = many.into_iter().map(|(color, _)| *color).collect();
+    colors.sort_unstable();
+    colors
 }
 
-fn exact_frame(rgba: &[u8], colors: BTreeSet<[u8; 3]>, has_holes: bool) -> Indexed {
-    let list: Vec<[u8; 3]> = colors.into_iter().collect();
+fn exact_frame(rgba: &[u8], list: Vec<[u8; 3]>, has_holes: bool) -> Indexed {
     let hole = has_holes.then_some(list.len() as u8);
     let pixel = |p: &[u8]| match p[3] {
         0 => hole.unwrap_or_default(),
@@ -159,6 +173,9 @@ mod tests {
         };
         let (own, with_grey) = (off(&alone), off(&before_grey));
         assert!(with_grey < 1.1 * own, "{with_grey} before grey, {own} alone");
+        let frame = indexed(&before_grey, WIDTH);
+        let last = 3 * usize::from(frame.pixels[frame.pixels.len() - 1]);
+        assert_eq!(frame.palette[last..last + 3], [64, 62, 80], "grey stays flat");
     }
 
     #[test]
