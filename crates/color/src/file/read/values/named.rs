@@ -24,7 +24,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// The quantity that a header's text names.
-    pub(super) fn of(text: &str) -> Self {
+    pub(in crate::file::read) fn of(text: &str) -> Self {
         let lower = text.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
         let is_word = |word: &str| lower.split(|c: char| !c.is_alphanumeric()).any(|found| found == word);
@@ -153,7 +153,7 @@ impl NamedSpectrum {
     }
 
     /// The greatest value where it is used: instruments give noise beyond.
-    pub(super) fn within_band(&self) -> f64 {
+    pub(in crate::file::read) fn within_band(&self) -> f64 {
         let points = self.nm.iter().zip(&self.values);
         let seen = points.filter(|(nm, _)| (FIRST_NM..=LAST_NM).contains(*nm));
         seen.map(|(_, value)| *value).fold(0.0, f64::max)
@@ -250,7 +250,7 @@ pub fn processed(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
 const MOST_NOTES: usize = 16;
 
 /// Adds a remark, if it is new and there are not too many.
-pub(super) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
+pub(in crate::file::read) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
     let text = text.into();
     if notes.len() < MOST_NOTES && !notes.contains(&text) {
         notes.push(text);

@@ -4,16 +4,17 @@
 //! its own `StartWL` or that of the colour specification it refers to, the step that specification's
 //! `Increment`. It is named by its object; if an object has several, by its specification too.
 
-use super::error::{clean, excerpt};
-use super::table::{MOST_SPECTRA, stem};
-use super::text::expect_number;
-use super::units::{MAX_NAME, Scale};
-use super::{NamedSpectrum, Quantity, ReadError, read_as, xml};
+use super::xml;
+use crate::file::read::error::{clean, excerpt};
+use crate::file::read::table::{MOST_SPECTRA, stem};
+use crate::file::read::text::expect_number;
+use crate::file::read::units::{MAX_NAME, Scale};
+use crate::file::read::{NamedSpectrum, Quantity, ReadError, read_as};
 use roxmltree::Node;
 use std::collections::HashMap;
 
 /// The root element.
-pub(super) const ROOT: &str = "CxF";
+pub(in crate::file::read) const ROOT: &str = "CxF";
 
 /// Reads the spectra of a CxF3 file. `file` is its name for messages.
 ///
@@ -25,7 +26,7 @@ pub fn read_cxf(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
 }
 
 /// The spectra of a text as the file has them, before their scale is settled.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+pub(in crate::file::read) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
     let document = xml::parse(text, file)?;
     let root = xml::root(&document, ROOT, file)?;
     let ranges = ranges(root, file)?;

@@ -2,7 +2,7 @@
 
 use super::named::note;
 use super::units::{Scale, is_percent, photons};
-use super::{NamedSpectrum, PowerUnit, Quantity};
+use crate::file::read::{NamedSpectrum, PowerUnit, Quantity};
 use crate::spectra::units::photon_energy_j;
 
 /// What is known of a file beside its bytes.
@@ -67,7 +67,7 @@ const GREATEST_PERCENT: f64 = 200.0;
 const FRACTIONS: [&str; 6] = ["1", "fraction", "-", "0-1", "0..1", "ratio"];
 
 /// Brings the values of a file to fractions of light, or to power by wavelength.
-pub(super) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions) {
+pub(in crate::file::read) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions) {
     for spectrum in &mut *spectra {
         match (options.quantity, options.default_quantity) {
             (Some(quantity), _) => spectrum.quantity = quantity,

@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 
-use super::*;
+use crate::file::read::*;
+
+mod instruments;
 use crate::file::write::{write_csv, write_matrix_csv, write_spdx};
 use crate::spectra::{Outside, Spectrum, TableError, lambda_nm};
 use crate::surfaces::reradiation::Reradiation;

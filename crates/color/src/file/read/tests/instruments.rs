@@ -1,6 +1,6 @@
 //! What instruments write.
 
-use super::*;
+use crate::file::read::*;
 
 #[test]
 fn of_two_tables_of_the_same_wavelengths_the_finer_is_taken() {

@@ -7,18 +7,18 @@
 //! skipped; `SPECTRAL_NORM` is the value that stands for 1; samples are named by `SAMPLE_NAME`, else `SAMPLE_ID`. Values are those that `MEAS_TYPE` says,
 //! else light in files of kind SPECT and CCSS, of displays, and where a keyword speaks of emission, else reflectance.
 
-use super::error::{clean, excerpt};
-use super::named::note;
-use super::table::{MOST_SPECTRA, stem};
-use super::text::{Separator, expect_number, fields, lines, number};
-use super::units::{LIKELY_NM, MAX_NAME};
-use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
+use crate::file::read::error::{clean, excerpt};
+use crate::file::read::named::note;
+use crate::file::read::table::{MOST_SPECTRA, stem};
+use crate::file::read::text::{Separator, expect_number, fields, lines, number};
+use crate::file::read::units::{LIKELY_NM, MAX_NAME};
+use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 
 /// The most fields of a table.
 const MOST_FIELDS: usize = 10_000;
 
 /// Whether text is in this format.
-pub(super) fn is_cgats(text: &str) -> bool {
+pub(in crate::file::read) fn is_cgats(text: &str) -> bool {
     lines(text).any(|(_, line)| line.trim() == "BEGIN_DATA_FORMAT")
 }
 
@@ -32,7 +32,7 @@ pub fn read_cgats(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadEr
 }
 
 /// The spectra of a text as the file has them, before their scale is settled.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+pub(in crate::file::read) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
     let first = lines(text).map(|(_, line)| line.trim()).find(|line| !line.is_empty()).unwrap_or("");
     let mut reader = Reader {
         file,
