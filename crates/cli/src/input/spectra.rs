@@ -9,7 +9,7 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use glanz_color::read::{
-    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, processed, read_reradiation,
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, preferred, read_reradiation,
     read_spectra_with,
 };
 use glanz_color::{
@@ -497,50 +497,39 @@ fn told(
     Ok(spectrum)
 }
 
-/// The only spectrum that says what it is of, beside what an instrument counted for it.
-fn only_known(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
-    let mut known = spectra.iter().filter(|one| one.quantity != Quantity::Unknown);
-    known.next().filter(|_| known.next().is_none())
-}
-
-/// The spectrum that is meant: the only one, the only one that is known, or that of the column.
+/// The spectrum that is meant: the only one, that of the column, or the one that comes first, which is told.
 fn pick<'a>(
     spectra: &'a [NamedSpectrum],
     file: &str,
     column: Option<&str>,
 ) -> Result<&'a NamedSpectrum, Failure> {
     let list = || spectra.iter().map(|one| one.name.as_str()).take(12).collect::<Vec<_>>().join(", ");
-    let found = match column {
-        None => match spectra {
-            [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
-            [only] => Some(only),
-            [first, ..] => match processed(spectra)
-                .map(|found| (found, "what the instrument made of the others"))
-                .or(only_known(spectra).map(|found| (found, "the only one that says what it is of")))
-            {
-                Some((found, why)) => {
-                    let (count, name) = (spectra.len(), &found.name);
-                    print::note(format_args!("note: {file} holds {count} spectra: '{name}' is taken, {why}"));
-                    Some(found)
-                }
-                None => {
-                    let count = spectra.len();
-                    let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
-                    let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
-                    return Err(report.help(help).into());
-                }
-            },
-        },
-        Some(column) => {
-            let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-            let by_name = spectra.iter().find(|one| same(&one.name, column));
-            by_name.or_else(|| number.and_then(|index| spectra.get(index)))
+    let Some(column) = column else {
+        if let Some((found, why)) = preferred(spectra) {
+            print::note(format_args!("note: {}", taken(spectra, found, why, file)));
+            return Ok(found);
         }
+        return spectra.first().ok_or_else(|| Failure::new(format_args!("{file} holds no spectrum")));
     };
-    found.ok_or_else(|| {
-        let column = column.unwrap_or_default();
-        Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list()))
-    })
+    let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+    let by_name = spectra.iter().find(|one| same(&one.name, column));
+    by_name
+        .or_else(|| number.and_then(|index| spectra.get(index)))
+        .ok_or_else(|| Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list())))
+}
+
+/// How many of a file's other spectra are named.
+const NAMED: usize = 6;
+
+/// What is told of a spectrum that is taken of several: which, why, which others there are, and how to choose them.
+fn taken(spectra: &[NamedSpectrum], found: &NamedSpectrum, why: &str, file: &str) -> String {
+    let others = || spectra.iter().filter(|one| !std::ptr::eq(*one, found)).map(|one| one.name.as_str());
+    let more = if others().count() > NAMED { ", …" } else { "" };
+    let others = others().take(NAMED).collect::<Vec<_>>().join(", ");
+    let (count, name) = (spectra.len(), &found.name);
+    format!(
+        "{file} holds {count} spectra: '{name}' is taken, {why}; --column NAME or NUMBER takes another: {others}{more}"
+    )
 }
 
 #[cfg(test)]

@@ -48,8 +48,10 @@ pub use formats::matrix::read_matrix_csv;
 pub use formats::spdx::read_spdx;
 pub use ior::{NamedIor, ior_partner, read_ior, read_ior_pair};
 pub use table::read_csv;
-pub use values::named::{NamedSpectrum, Quantity, processed};
+pub use values::choice::{preferred, processed};
+pub use values::named::NamedSpectrum;
 pub use values::power::{PowerUnit, Radiometry};
+pub use values::quantity::Quantity;
 pub use values::reradiation::NamedReradiation;
 pub use values::settle::{ReadOptions, ValueScale};
 pub use values::units::Scale;
@@ -106,7 +108,7 @@ pub fn read_spectra_with(
         Format::Jcamp => jcamp::parse(&text, file),
         Format::Table => table::parse(&text, file, options.unit),
     }?;
-    settle::settle(&mut spectra, options);
+    settle::settle(&mut spectra, options, file);
     Ok(spectra)
 }
 
@@ -150,7 +152,7 @@ fn read_as(
     parse: impl FnOnce(&str, &str) -> Result<Vec<NamedSpectrum>, ReadError>,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = parse(&text::decode(bytes, file)?, file)?;
-    settle::settle(&mut spectra, &ReadOptions::default());
+    settle::settle(&mut spectra, &ReadOptions::default(), file);
     Ok(spectra)
 }
 

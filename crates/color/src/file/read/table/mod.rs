@@ -116,16 +116,14 @@ impl Source<'_> {
 
     /// What the lines of a head say of all spectra, where their columns say nothing: the one quantity that is named.
     fn quantity_of(&self, head: &[Line<'_>]) -> Quantity {
-        let mut found = Quantity::Unknown;
-        for quantity in head.iter().map(|line| Quantity::of(line.text)) {
-            match (quantity, found) {
-                (Quantity::Unknown, _) => {}
-                (_, Quantity::Unknown) => found = quantity,
-                _ if quantity == found => {}
-                // A lamp's irradiance and the reflectance of a standard: it is not said which.
-                _ => return Quantity::Unknown,
-            }
-        }
+        // What a line states alone comes before words among others, such as the power of a laser.
+        let stated = only(head.iter().map(|line| Quantity::stated(line.text)));
+        let found = match stated {
+            Some(Quantity::Unknown) => only(head.iter().map(|line| Quantity::of(line.text))),
+            stated => stated,
+        };
+        // A lamp's irradiance and the reflectance of a standard: it is not said which.
+        let Some(found) = found else { return Quantity::Unknown };
         let is_of_light = |line: &&Line<'_>| {
             let key = line.text.split(['\t', ',', ';', '[', '(', ':']).next().unwrap_or_default();
             OF_LIGHT.iter().any(|word| key.trim().eq_ignore_ascii_case(word))
@@ -136,6 +134,18 @@ impl Source<'_> {
             found => found,
         }
     }
+}
+
+/// The one quantity among several; unknown of none, and nothing of two that differ.
+fn only(quantities: impl Iterator<Item = Quantity>) -> Option<Quantity> {
+    let mut found = Quantity::Unknown;
+    for quantity in quantities.filter(|quantity| *quantity != Quantity::Unknown) {
+        if found != Quantity::Unknown && quantity != found {
+            return None;
+        }
+        found = quantity;
+    }
+    Some(found)
 }
 
 /// The name of a file without folders and ending.

@@ -8,10 +8,6 @@ use crate::file::read::text::{Separator, fields};
 use crate::file::read::units::{Column, LIKELY_NM, MAX_NAME, Scale};
 use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError};
 
-/// Fields that say what a row is of.
-const QUANTITIES: [&str; 7] =
-    ["reflectance", "transmittance", "transmission", "absorbance", "irradiance", "radiance", "radiant flux"];
-
 /// A row of wavelengths, and what follows it.
 pub(super) struct Rows {
     /// The place of the row of wavelengths among the lines.
@@ -143,9 +139,8 @@ impl Rows {
 
     /// What a row says that it is: a field before its values that is a quantity and nothing else, such as `Reflectance`.
     fn quantity(&self, line: &Line<'_>) -> Quantity {
-        let mut fields = fields(line.text, self.separator).take(self.first);
-        let is_quantity = |field: &str| QUANTITIES.iter().any(|word| field.trim().eq_ignore_ascii_case(word));
-        fields.find(|field| is_quantity(field)).map_or(Quantity::Unknown, Quantity::of)
+        let said = fields(line.text, self.separator).take(self.first).map(Quantity::alone);
+        said.filter(|quantity| *quantity != Quantity::Unknown).next().unwrap_or_default()
     }
 
     /// The name of a row: its words, or one made from the file's name.
