@@ -17,6 +17,9 @@ use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 /// The most fields of a table.
 const MOST_FIELDS: usize = 10_000;
 
+/// Words of keywords by which a file of kind SPECT says that it is of surfaces.
+const SAMPLES: [&str; 4] = ["color sample", "colour sample", "reflectance", "reflective"];
+
 /// Whether text is in this format.
 pub(in crate::file::read) fn is_cgats(text: &str) -> bool {
     lines(text).any(|(_, line)| line.trim() == "BEGIN_DATA_FORMAT")
@@ -151,10 +154,11 @@ impl Reader<'_> {
 
     fn keyword(&mut self, text: &str) {
         let value = |name: &str| Some(text.strip_prefix(name)?.trim().trim_matches('"').to_lowercase());
-        if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")) {
+        if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")).or(value("QUANTITY")) {
             self.is_said = true;
             self.quantity = match told.as_str() {
                 "emission" | "emissive" | "ambient" | "ambient_flash" | "light" => Quantity::Light,
+                _ if Quantity::alone(&told) != Quantity::Unknown => Quantity::alone(&told),
                 _ if told.starts_with("transmi") => Quantity::Transmittance,
                 _ => Quantity::Reflectance,
             };
@@ -165,6 +169,8 @@ impl Reader<'_> {
             if of_display || ["emission", "emissive", "radiance"].iter().any(|word| lower.contains(word)) {
                 self.quantity = Quantity::Light;
                 self.is_said = true;
+            } else if !self.is_said && SAMPLES.iter().any(|word| lower.contains(word)) {
+                (self.quantity, self.is_said) = (Quantity::Reflectance, true);
             }
         }
         if let Some(norm) = text.strip_prefix("SPECTRAL_NORM") {

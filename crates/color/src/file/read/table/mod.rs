@@ -9,9 +9,15 @@
 //! value is a wavelength at which that spectrum was not measured. A line that continues the table, but has a word or more fields
 //! in it, is an error; what else is left out is told in a remark.
 
+mod axes;
 mod columns;
+mod digits;
+mod head;
 mod lines;
+mod neighbours;
 mod pieces;
+mod points;
+mod reshape;
 mod rows;
 
 use super::error::clean;
@@ -50,6 +56,20 @@ pub fn read_csv(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
 
 /// The spectra of a text as the file has them, before their scale is settled.
 pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let (text, told) = digits::plain(text);
+    let mut spectra = match of_lines(&text, file, unit) {
+        Err((error, count)) => of_other_shape(&text, file, unit, count).ok_or(error)?,
+        Ok(spectra) => spectra,
+    };
+    for (spectrum, told) in spectra.iter_mut().zip(core::iter::repeat(&told)) {
+        told.iter().for_each(|told| note(&mut spectrum.notes, told.clone()));
+    }
+    Ok(spectra)
+}
+
+/// The spectra of lines that each hold a wavelength and its values, or all values of a spectrum. An error comes with the number
+/// of lines that hold numbers alone.
+fn of_lines(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, (ReadError, usize)> {
     let content = lines::content(text);
     let source = Source { file, content: &content, unit };
     let found = lines::find(&content);
@@ -58,13 +78,32 @@ pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<N
     let is_table = |rows: &rows::Rows| {
         count < 3 || (rows.wavelengths() > 2 && (first <= rows.below() || count <= rows.wavelengths()))
     };
-    if let Some(rows) = rows::find(&content).filter(is_table) {
-        return rows.read(&source);
+    let read = match (rows::find(&content, unit).filter(is_table), found) {
+        (Some(rows), _) => rows.read(&source),
+        (None, Some((separator, run))) => columns::read(&source, separator, run),
+        (None, None) => Err(neighbours::no_numbers(&source)),
+    };
+    read.map_err(|error| (error, count))
+}
+
+/// The spectra of a table of another shape, if it is one that is known; `count` lines hold numbers alone.
+fn of_other_shape(text: &str, file: &str, unit: Option<Scale>, count: usize) -> Option<Vec<NamedSpectrum>> {
+    let parts = match reshape::alternating(text) {
+        Some(whole) => vec![whole],
+        None => reshape::labelled(text, count),
+    };
+    let mut spectra = Vec::new();
+    for part in parts {
+        for mut spectrum in of_lines(&part.text, file, unit).ok()? {
+            spectrum.name = part.name.clone().map_or(spectrum.name, |name| clean(&name, MAX_NAME));
+            spectrum.notes.insert(0, part.note.clone());
+            spectra.push(spectrum);
+            if spectra.len() > MOST_SPECTRA {
+                return None;
+            }
+        }
     }
-    match found {
-        Some((separator, run)) => columns::read(&source, separator, run),
-        None => Err(columns::no_numbers(&source)),
-    }
+    Some(spectra).filter(|spectra| !spectra.is_empty())
 }
 
 /// A file, as lines.

@@ -1,5 +1,6 @@
 //! One spectrum in each row, under a row of wavelengths.
 
+use super::axes::is_in_micrometres;
 use super::lines::{Cell, Line, cells};
 use super::{MOST_SPECTRA, Source, stem};
 use crate::file::read::error::{clean, excerpt};
@@ -18,13 +19,15 @@ pub(super) struct Rows {
     nm: Vec<f64>,
     /// Whether a wavelength has its unit behind it.
     has_unit: bool,
+    /// Whether they stand there in µm.
+    is_um: bool,
 }
 
 /// The first row of wavelengths that has a row of as many numbers below it.
-pub(super) fn find(content: &[Line<'_>]) -> Option<Rows> {
+pub(super) fn find(content: &[Line<'_>], unit: Option<Scale>) -> Option<Rows> {
     for (at, line) in content.iter().enumerate() {
         for separator in Separator::ALL {
-            let Some(rows) = wavelengths(at, line, separator) else { continue };
+            let Some(rows) = wavelengths(at, line, separator, unit) else { continue };
             let below = content[at + 1..].iter().find(|line| !line.is_comment);
             if below.is_some_and(|line| rows.holds(line)) {
                 return Some(rows);
@@ -34,12 +37,15 @@ pub(super) fn find(content: &[Line<'_>]) -> Option<Rows> {
     None
 }
 
+/// The most wavelengths in µm of a row that are looked at.
+const LIKELY_UM: core::ops::RangeInclusive<f64> = 0.1..=30.0;
+
 /// A line as a row of wavelengths: words, then wavelengths that only rise or only fall, then maybe words.
-fn wavelengths(at: usize, line: &Line<'_>, separator: Separator) -> Option<Rows> {
+fn wavelengths(at: usize, line: &Line<'_>, separator: Separator, unit: Option<Scale>) -> Option<Rows> {
     let (mut first, mut nm, mut has_unit) = (None, Vec::new(), false);
     for (index, field) in fields(line.text, separator).enumerate() {
         match (wavelength(field, separator), first) {
-            (Some((value, unit)), _) if LIKELY_NM.contains(&value) => {
+            (Some((value, unit)), _) if LIKELY_NM.contains(&value) || LIKELY_UM.contains(&value) => {
                 first.get_or_insert(index);
                 nm.push(value);
                 has_unit |= unit;
@@ -50,9 +56,15 @@ fn wavelengths(at: usize, line: &Line<'_>, separator: Separator) -> Option<Rows>
         }
     }
     let first = first.filter(|first| *first > 0)?;
+    let is_um = matches!(unit, None | Some(Scale::Micrometres)) && !has_unit && is_in_micrometres(&nm);
+    if is_um {
+        nm.iter_mut().for_each(|nm| *nm = Scale::Micrometres.convert(*nm));
+    }
+    let is_likely = nm.iter().all(|nm| LIKELY_NM.contains(nm));
     let rises = nm.windows(2).all(|pair| pair[0] < pair[1]);
     let falls = nm.windows(2).all(|pair| pair[0] > pair[1]);
-    (nm.len() > 1 && (rises || falls)).then_some(Rows { head: at, separator, first, nm, has_unit })
+    let found = Rows { head: at, separator, first, nm, has_unit, is_um };
+    (found.nm.len() > 1 && is_likely && (rises || falls)).then_some(found)
 }
 
 /// A wavelength of the head, with whether its unit is there: `400`, `400nm`, `R400`, `SPEC_400`, `R_400nm`.
@@ -120,7 +132,9 @@ impl Rows {
         }
         source.tell_skipped(&source.content[..self.head], foot, &mut notes);
         let scale = Scale::of(head.text);
-        if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
+        if self.is_um {
+            note(&mut notes, "wavelengths taken as µm, since in nm they were X-rays");
+        } else if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
             note(&mut notes, "no unit of wavelength given: taken as nm");
         }
         let said = corners.iter().find(|column| column.quantity != Quantity::Unknown);

@@ -61,6 +61,12 @@ const SCALES: [(&str, Scale); 24] = [
     ("m", Scale::Metres),
 ];
 
+/// Whether a word is the unit of wavelengths. Single letters are words of many headers.
+pub(in crate::file::read) fn names_scale(word: &str) -> bool {
+    let plain = plain(word);
+    SCALES.iter().any(|(name, _)| *name == plain && name.len() > 1)
+}
+
 /// Words in the brackets of an axis that are no units.
 const NO_UNITS: [&str; 6] = ["vacuum", "vac", "air", "x", "axis", "λ"];
 
@@ -117,7 +123,8 @@ impl Scale {
         range.contains(&self.convert(value))
     }
 
-    fn convert(self, value: f64) -> f64 {
+    /// The wavelength in nm of a number on this scale, which may be none.
+    pub(in crate::file::read) fn convert(self, value: f64) -> f64 {
         match self {
             Self::Nanometres | Self::Unknown => value,
             Self::Micrometres => decimal(value * 1e3),
