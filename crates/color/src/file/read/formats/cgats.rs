@@ -18,7 +18,7 @@ use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 const MOST_FIELDS: usize = 10_000;
 
 /// Words of keywords by which a file of kind SPECT says that it is of surfaces.
-const SAMPLES: [&str; 4] = ["color sample", "colour sample", "reflectance", "reflective"];
+const SAMPLES: [&str; 2] = ["color sample", "colour sample"];
 
 /// Whether text is in this format.
 pub(in crate::file::read) fn is_cgats(text: &str) -> bool {

@@ -56,7 +56,7 @@ fn numbers(source: &Source<'_>, separator: Separator, run: Run, count: usize) ->
 /// The unit of values that stands behind each wavelength, as in `380(mW/m2/nm)`.
 fn take_unit(spectra: &mut [NamedSpectrum], unit: Option<&str>) {
     let Some(unit) = unit else { return };
-    for spectrum in spectra.iter_mut().filter(|one| one.unit.is_empty()) {
+    for spectrum in spectra {
         (spectrum.unit, spectrum.quantity) = (unit.to_owned(), Quantity::Light);
     }
 }

@@ -109,7 +109,9 @@ fn headers(line: &Line<'_>, separator: Separator, run: Run) -> Option<Vec<String
         let is_number = |field: &String| !matches!(Cell::of(field, separator), Cell::Word);
         !names_axis(&fields[0]) && fields.len() > 1 && fields[1..].iter().all(is_number)
     };
-    if fits(&own) && !is_pair(&own) {
+    // A line that begins with a number is one of values, not of headers.
+    let begins_with_number = |fields: &[String]| matches!(Cell::of(&fields[0], separator), Cell::Number(_));
+    if fits(&own) && !is_pair(&own) && !begins_with_number(&own) {
         return Some(own);
     }
     // The head may be separated otherwise than the numbers.

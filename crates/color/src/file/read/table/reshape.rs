@@ -20,6 +20,8 @@ pub(super) struct Reshaped {
 const FEWEST: usize = 3;
 /// The most parts that a table is taken apart into.
 const MOST_PARTS: usize = 1000;
+/// The most lines of all parts together: each part keeps the place of every line.
+const MOST_WORK: usize = 20_000_000;
 
 /// A table whose lines hold one number each, wavelength and value in turn, as Macam's spectroradiometers write them.
 pub(super) fn alternating(text: &str) -> Option<Reshaped> {
@@ -50,7 +52,11 @@ pub(super) fn alternating(text: &str) -> Option<Reshaped> {
 /// Whether lines hold one number each, and no wavelengths: values whose wavelengths are in another file.
 pub(super) fn is_values_alone(source: &Source<'_>) -> bool {
     let content = source.content;
-    longest(content.len(), |at| single(content[at].text).is_some()).is_some_and(|run| run.len() > FEWEST)
+    let is_one = |at: usize| match cells(content[at].text, Separator::Blanks, 2).as_slice() {
+        [cell] => *cell != Cell::Word,
+        _ => false,
+    };
+    longest(content.len(), is_one).is_some_and(|run| run.len() > FEWEST)
 }
 
 /// The number of a line that holds but that.
@@ -114,34 +120,47 @@ impl Labelled {
 
     /// The parts, in the order in which their names appear.
     fn parts(&self, all: &[&str]) -> Vec<Reshaped> {
-        let label = |at: usize| -> String {
-            let row = fields(all[at], self.separator).enumerate();
-            let words = row.filter(|(column, _)| self.words.contains(column)).map(|(_, field)| field);
-            words.collect::<Vec<_>>().join(" ")
-        };
-        let mut names: Vec<String> = Vec::new();
-        for at in self.run.clone() {
-            let name = label(at);
-            if names.last() != Some(&name) && !names.contains(&name) {
-                names.push(name);
-            }
-        }
         let columns = match self.words.len() {
             1 => format!("column {} of words", self.words[0] + 1),
             count => format!("{count} columns of words"),
         };
-        // A word for every few lines names samples; one for each line says nothing of the spectrum.
-        let is_long = names.len() > 1 && names.len() <= MOST_PARTS && names.len() * FEWEST <= self.run.len();
-        if !is_long {
-            let note = format!("{columns} left out, such as '{}'", names[0]);
+        let Some((names, of_line)) = self.names(all) else {
+            let note = format!("{columns} left out, such as '{}'", self.label(all[self.run.start]));
             return vec![Reshaped { name: None, text: self.without(all, |_| true), note }];
-        }
-        let part = |name: &String| Reshaped {
+        };
+        let part = |(index, name): (usize, &String)| Reshaped {
             name: Some(name.clone()),
-            text: self.without(all, |at| label(at) == *name),
+            text: self.without(all, |at| of_line[at - self.run.start] == index),
             note: format!("{columns} names {} spectra one after the other", names.len()),
         };
-        names.iter().map(part).collect()
+        names.iter().enumerate().map(part).collect()
+    }
+
+    /// The words of a line.
+    fn label(&self, line: &str) -> String {
+        let row = fields(line, self.separator).enumerate();
+        let words = row.filter(|(column, _)| self.words.contains(column)).map(|(_, field)| field);
+        words.collect::<Vec<_>>().join(" ")
+    }
+
+    /// The names of the samples, and which of them each line is of. A word for every few lines names samples; one for each line,
+    /// or one alone, says nothing of the spectrum.
+    fn names(&self, all: &[&str]) -> Option<(Vec<String>, Vec<usize>)> {
+        let mut names: Vec<String> = Vec::new();
+        let mut of_line = Vec::with_capacity(self.run.len());
+        let most = MOST_PARTS.min(MOST_WORK / all.len()).min(self.run.len() / FEWEST);
+        for at in self.run.clone() {
+            let name = self.label(all[at]);
+            let index = names.iter().rposition(|known| *known == name).unwrap_or(names.len());
+            if index == names.len() {
+                names.push(name);
+            }
+            if names.len() > most {
+                return None;
+            }
+            of_line.push(index);
+        }
+        (names.len() > 1).then_some((names, of_line))
     }
 
     /// The text with these lines of the table alone, without its columns of words, also of the row of headers.

@@ -52,8 +52,14 @@ const ALONE: [(&[&str], Quantity); 4] = [
     ),
 ];
 
-/// Words of files' names that say that they are of light.
-const LIGHTS: [&str; 3] = ["illuminant", "illuminants", "illum"];
+/// Words of files' names that say what they are of: the CIE's illuminants, and charts of colours.
+const NAMES: [(&[&str], Quantity); 2] = [
+    (&["illuminant", "illum"], Quantity::Light),
+    (&["colorchecker", "colourchecker", "macbethcolorchecker", "munsell"], Quantity::Reflectance),
+];
+
+/// Illuminants of the CIE, as files are named after them behind the word CIE.
+const ILLUMINANTS: [&str; 5] = ["a", "d50", "d55", "d65", "d75"];
 
 impl Quantity {
     /// The quantity that a header's text names.
@@ -84,6 +90,10 @@ impl Quantity {
     /// What a line says of the whole table: the field behind its last separator, if it is a quantity alone, as in
     /// `Technique,Transmission`, `Measurement: REFLECTANCE` or `quantity  energy`.
     pub(in crate::file::read) fn stated(line: &str) -> Self {
+        // A title, and no key of a colorimeter's settings.
+        if line.trim().to_lowercase().starts_with("cie illuminant") && !line.contains([':', '=']) {
+            return Self::Light;
+        }
         let line = line.replace("  ", "\t");
         let fields = line.trim().trim_end_matches([',', ';', '\t', ' ']);
         Self::alone(fields.rsplit([',', ';', '\t', ':', '=']).next().unwrap_or_default())
@@ -102,8 +112,11 @@ impl Quantity {
                 Self::Unknown
             }
             Some((_, quantity)) => *quantity,
-            None if LIGHTS.iter().any(|word| is_word(name, word)) => Self::Light,
-            None => Self::Unknown,
+            None if is_illuminant(name) => Self::Light,
+            None => {
+                let found = NAMES.iter().find(|(words, _)| words.iter().any(|word| is_word(name, word)));
+                found.map_or(Self::Unknown, |(_, quantity)| *quantity)
+            }
         }
     }
 
@@ -128,4 +141,12 @@ impl Quantity {
 /// Whether a text has this word among its letters and digits.
 fn is_word(lower: &str, word: &str) -> bool {
     lower.split(|c: char| !c.is_alphanumeric()).any(|found| found == word)
+}
+
+/// Whether a name is `CIE` and an illuminant behind it: `CIE-F11`, `cie_d65`.
+fn is_illuminant(name: &str) -> bool {
+    let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).collect();
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_lamp = |word: &str| word.strip_prefix("fl").or(word.strip_prefix('f')).is_some_and(is_number);
+    words.windows(2).any(|pair| pair[0] == "cie" && (ILLUMINANTS.contains(&pair[1]) || is_lamp(pair[1])))
 }
