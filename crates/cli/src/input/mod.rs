@@ -5,5 +5,6 @@ pub(crate) mod lobes;
 pub(crate) mod media;
 pub(crate) mod resolution;
 pub(crate) mod spectra;
+mod tables;
 pub(crate) mod thresholds;
 pub(crate) mod vary;

@@ -70,7 +70,8 @@ fn said(source: &Source<'_>, head: &Head, column: usize) -> Result<Scale, ReadEr
         None => Err(unit),
     });
     let said = said.map_err(|unit| {
-        let expected = "a unit of wavelength: nm, µm, m, Å, cm⁻¹, THz, Hz or eV";
+        let known = Scale::UNITS.map(|(name, ..)| name).join(", ");
+        let expected = format!("a unit of wavelength, one of {known}");
         ReadError::malformed(source.file, Place::File, expected, excerpt(&unit))
     })?;
     Ok(if said == Scale::Unknown { head.scale } else { said })

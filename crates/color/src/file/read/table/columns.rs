@@ -84,13 +84,7 @@ fn spectra(
         }
         let axis = axes.iter().rev().find(|axis| axis.column < column).unwrap_or(&axes[0]);
         let said = head.column(column);
-        let mut spectrum = NamedSpectrum {
-            name: said.name.clone(),
-            quantity: said.quantity,
-            unit: said.unit.clone(),
-            notes: notes.to_vec(),
-            ..Default::default()
-        };
+        let mut spectrum = begun(&said, notes);
         let table = Table { source, lines: &lines, scale: axis.scale };
         table.fill(&mut spectrum, &values[axis.column], &values[column])?;
         if spectrum.nm.is_empty() {
@@ -108,6 +102,12 @@ fn spectra(
         spectra.iter_mut().for_each(|spectrum| note(&mut spectrum.notes, text.clone()));
     }
     Ok(spectra)
+}
+
+/// A spectrum of which its column's header is known alone.
+fn begun(said: &Column, notes: &[String]) -> NamedSpectrum {
+    let (name, unit, notes) = (said.name.clone(), said.unit.clone(), notes.to_vec());
+    NamedSpectrum { name, quantity: said.quantity, unit, notes, ..Default::default() }
 }
 
 /// What the head says of spectra that say nothing themselves.

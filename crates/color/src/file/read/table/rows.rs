@@ -119,9 +119,7 @@ impl Rows {
             source.content.iter().enumerate().skip(self.head + 1).filter(|(_, line)| !line.is_comment)
         {
             let row = self.values(line);
-            if row.iter().all(|cell| cell.value().is_none())
-                && (row.len() < self.nm.len() || row.contains(&Cell::Word))
-            {
+            if self.is_foot(&row) {
                 foot = &source.content[at..];
                 break;
             }
@@ -149,6 +147,12 @@ impl Rows {
             spectrum.notes.splice(0..0, notes.iter().cloned());
         }
         Ok(spectra)
+    }
+
+    /// Whether a line below the rows is none of them: it has no value where they have theirs.
+    fn is_foot(&self, row: &[Cell]) -> bool {
+        row.iter().all(|cell| cell.value().is_none())
+            && (row.len() < self.nm.len() || row.contains(&Cell::Word))
     }
 
     /// What a row says that it is: a field before its values that is a quantity and nothing else, such as `Reflectance`.

@@ -44,18 +44,17 @@ pub(super) fn tell_processed(spectra: &mut [NamedSpectrum]) {
         let count = ratios().count();
         count > 2 && ratios().filter(right).count() as f64 >= MOST * count as f64
     };
-    let (quantity, unit, formula) = if follows(|ratio| 100.0 * ratio) {
-        (Quantity::Reflectance, "%", "100 (S − D) / (R − D)")
-    } else if follows(|ratio| ratio) {
-        (Quantity::Reflectance, "1", "(S − D) / (R − D)")
-    } else if follows(|ratio| -libm::log10(ratio)) {
-        (Quantity::Absorbance, "", "−log10 of (S − D) / (R − D)")
-    } else {
+    let formulas: [(fn(f64) -> f64, _, _, _); 3] = [
+        (|ratio| 100.0 * ratio, Quantity::Reflectance, "%", "100 (S − D) / (R − D)"),
+        (|ratio| ratio, Quantity::Reflectance, "1", "(S − D) / (R − D)"),
+        (|ratio| -libm::log10(ratio), Quantity::Absorbance, "", "−log10 of (S − D) / (R − D)"),
+    ];
+    let Some((_, quantity, unit, formula)) = formulas.into_iter().find(|(formula, ..)| follows(*formula))
+    else {
         return;
     };
     let spectrum = &mut spectra[at];
     (spectrum.quantity, spectrum.unit) = (quantity, unit.to_owned());
-    let what =
-        if quantity == Quantity::Absorbance { "an absorbance" } else { "a reflectance or transmittance" };
-    note(&mut spectrum.notes, format!("'{}' is {formula} of the counts beside it: {what}", spectrum.name));
+    let text = format!("'{}' is {formula} of the counts beside it: {}", spectrum.name, quantity.words());
+    note(&mut spectrum.notes, text);
 }

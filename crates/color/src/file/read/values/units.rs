@@ -71,6 +71,23 @@ pub(in crate::file::read) fn names_scale(word: &str) -> bool {
 const NO_UNITS: [&str; 6] = ["vacuum", "vac", "air", "x", "axis", "λ"];
 
 impl Scale {
+    /// The units by name, as options and messages give them, with what they are of.
+    pub const UNITS: [(&'static str, &'static str, Self); 8] = [
+        ("nm", "Wavelengths in nm", Self::Nanometres),
+        ("um", "Wavelengths in µm", Self::Micrometres),
+        ("m", "Wavelengths in m", Self::Metres),
+        ("angstrom", "Wavelengths in Å", Self::Angstroms),
+        ("cm-1", "Wavenumbers in 1/cm", Self::InverseCentimetres),
+        ("thz", "Frequencies in THz", Self::Terahertz),
+        ("hz", "Frequencies in Hz", Self::Hertz),
+        ("ev", "Energies of photons in eV", Self::Electronvolts),
+    ];
+
+    /// The unit of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::UNITS.into_iter().find(|(known, ..)| *known == name).map(|(.., scale)| scale)
+    }
+
     /// The scale that a header's text names.
     pub(in crate::file::read) fn of(header: &str) -> Self {
         let lower = plain(header);
