@@ -32,7 +32,12 @@ pub(super) fn find(
         Scale::Unknown if is_in_micrometres(&values[column]) => Ok(Scale::Micrometres),
         scale => Ok::<Scale, ReadError>(scale),
     };
-    let is_named = |column: usize| head.title.is_none() && names_axis(&head.columns[column]);
+    // The energy of a lamp is a value, that of photons an axis: it rises or falls.
+    let is_energy = |column: usize| head.columns[column].trim().to_lowercase().starts_with("energy");
+    let is_named = |column: usize| {
+        let named = head.title.is_none() && names_axis(&head.columns[column]);
+        named && (column == 0 || !is_energy(column) || is_axis(&values[column], Scale::Electronvolts))
+    };
     let has_values = |column: &usize| values[*column].iter().any(|value| value.is_finite());
     let mut named: Vec<usize> =
         (0..values.len()).filter(|column| is_named(*column)).filter(has_values).collect();

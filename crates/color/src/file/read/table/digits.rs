@@ -22,7 +22,7 @@ const GROUPS: [char; 6] = [',', '.', '\'', '’', '\u{a0}', '\u{202f}'];
 /// A number such as `1,234` alone tells nothing: it stays as it is.
 pub(super) fn plain(text: &str) -> (Cow<'_, str>, Option<String>) {
     let mut found: Option<(Style, &str)> = None;
-    for (_, line) in lines(text) {
+    for (_, line) in lines(text).filter(|(_, line)| is_of_table(line)) {
         for field in candidates(line) {
             let Some(style) = style_of(field, line) else { continue };
             match found {
@@ -45,6 +45,14 @@ pub(super) fn plain(text: &str) -> (Cow<'_, str>, Option<String>) {
         None => format!("the comma within quotes is taken for a decimal comma, as in \"{example}\""),
     };
     (Cow::Owned(plain), Some(what))
+}
+
+/// Whether a line holds more than one field that begins as numbers do: a version or a date of a head tells nothing of numbers.
+fn is_of_table(line: &str) -> bool {
+    let begins = |field: &str| {
+        field.trim_start_matches(['-', '+', '"', ' ']).starts_with(|c: char| c.is_ascii_digit())
+    };
+    line.split(['\t', ';', '"']).filter(|field| begins(field)).count() > 1
 }
 
 /// The fields of a line in which a comma or a point may part thousands: those in quotes, or all between tabs or semicolons.
@@ -97,7 +105,8 @@ fn contradicts(field: &str, style: Style) -> bool {
     let head = digits.split(style.point).next().unwrap_or_default();
     let mut parts = head.split(group);
     let first = parts.next().unwrap_or_default();
-    is_number && !((1..4).contains(&first.len()) && parts.all(|part| part.len() == 3))
+    is_number
+        && !((1..4).contains(&first.len()) && !first.starts_with('0') && parts.all(|part| part.len() == 3))
 }
 
 /// A line with its numbers as `1234.5`.
@@ -148,7 +157,14 @@ mod tests {
             "\"400.5\",\"0.125\"\n\"401.5\",\"1.125\""
         );
         // What may be read in two ways stays, and so does a table whose commas part fields.
-        for text in ["400,\"1,234\"", "400;1,234", "400,123,456.5", "400\t0.5", "Date;1.2.2020"] {
+        for text in [
+            "400,\"1,234\"",
+            "400;1,234",
+            "400,123,456.5",
+            "400\t0.5",
+            "Date;1.2.2020",
+            "Firmware\t1.100.200\n400\t0.123",
+        ] {
             assert_eq!(plain(text), text);
         }
     }

@@ -158,7 +158,12 @@ impl Source<'_> {
         // What a line states alone comes before words among others, such as the power of a laser.
         let stated = only(head.iter().map(|line| Quantity::stated(line.text)));
         let found = match stated {
-            Some(Quantity::Unknown) => only(head.iter().map(|line| Quantity::of(line.text))),
+            Some(Quantity::Unknown) => {
+                // The power of an instrument's own laser is a setting.
+                let is_setting =
+                    |line: &&Line<'_>| line.text.trim_start().to_lowercase().starts_with("laser");
+                only(head.iter().filter(|line| !is_setting(line)).map(|line| Quantity::of(line.text)))
+            }
             stated => stated,
         };
         // A lamp's irradiance and the reflectance of a standard: it is not said which.

@@ -30,7 +30,10 @@ pub(super) fn alternating(text: &str) -> Option<Reshaped> {
     let numbers: Vec<(usize, f64)> = run.filter_map(|at| Some((at, single(all[at])?))).collect();
     let nm: Vec<f64> = numbers.iter().step_by(2).map(|(_, number)| *number).collect();
     let is_axis = nm.windows(2).all(|pair| pair[0] < pair[1]) || nm.windows(2).all(|pair| pair[0] > pair[1]);
-    if nm.len() < FEWEST
+    // Numbers that rise from each to the next are wavelengths alone.
+    let is_one_column = numbers.windows(2).all(|pair| pair[0].1 < pair[1].1);
+    if is_one_column
+        || nm.len() < FEWEST
         || numbers.len() % 2 > 0
         || !is_axis
         || !nm.iter().all(|nm| Scale::Unknown.is_likely(*nm))

@@ -17,6 +17,7 @@ fn a_value_may_stand_in_the_line_below_its_wavelength() {
     );
     assert_eq!(found, [(400.0, 1.0), (500.0, 3.0), (600.0, 2.0)]);
     assert!(lamp.notes[0].contains("its value in the next one, from line 4 on"), "{:?}", lamp.notes);
+    assert!(error_of("400\n410\n420\n430\n440\n450\n").contains("a wavelength beside each value"));
 }
 
 #[test]
@@ -134,6 +135,10 @@ fn what_is_stated_alone_comes_before_words_among_others() {
     let quantity = |text: &str| spectra(text)[0].quantity;
     assert_eq!(quantity("# quantity    energy\n400 1\n500 2\n"), Quantity::Light);
     assert_eq!(quantity("# quantity    energy->electrical\n400 1\n500 2\n"), Quantity::Unknown);
+    let lamps = spectra("nm,energy,photons\n400,1,5\n500,3,2\n600,2,9\n");
+    assert_eq!((lamps[0].quantity, lamps.len(), lamps[1].nm.len()), (Quantity::Light, 2, 3));
+    assert_eq!(quantity("IT8.7/1\nnm x\n400 1\n500 2\n"), Quantity::Transmittance);
+    assert_eq!(quantity("Laser Power,100\nnm,x\n400,1\n500,2\n"), Quantity::Unknown);
     assert_eq!(quantity("# CIE Illuminants A, C\nnm A\n400 1\n500 2\n"), Quantity::Light);
     assert_eq!(quantity("# Illuminant: D65\nnm x\n400 1\n500 2\n"), Quantity::Unknown);
     assert_eq!(quantity("wavelength\t%T\n400\t50\n500\t60\n"), Quantity::Transmittance);

@@ -32,10 +32,11 @@ const WORDS: [(&[&str], Quantity); 5] = [
     ),
 ];
 
-/// What names a quantity where nothing else stands, in small letters without blanks.
+/// What names a quantity where nothing else stands, in small letters without blanks. IT8.7/1 are targets of film, IT8.7/2 those of
+/// paper (ANSI IT8.7/1 and IT8.7/2, 1993).
 const ALONE: [(&[&str], Quantity); 4] = [
-    (&["reflectance", "reflection", "refl", "%r", "r%", "r(%)", "r[%]"], Quantity::Reflectance),
-    (&["transmittance", "transmission", "%t", "t%", "t(%)", "t[%]"], Quantity::Transmittance),
+    (&["reflectance", "reflection", "refl", "%r", "r%", "r(%)", "r[%]", "it8.7/2"], Quantity::Reflectance),
+    (&["transmittance", "transmission", "%t", "t%", "t(%)", "t[%]", "it8.7/1"], Quantity::Transmittance),
     (&["absorbance", "abs", "abs."], Quantity::Absorbance),
     (
         &[
