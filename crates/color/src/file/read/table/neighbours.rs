@@ -72,6 +72,11 @@ fn check_row(
 
 /// Why there is no table: the first line that begins like one tells, if there is one.
 pub(super) fn no_numbers(source: &Source<'_>) -> ReadError {
+    if reshape::is_values_alone(source) {
+        let expected = "a wavelength beside each value; where the wavelengths are a file of their own, as in the USGS's library splib07, \
+                        join both line by line: paste wavelengths.txt values.txt > both.txt";
+        return ReadError::malformed(source.file, Place::File, expected, "one number in each line");
+    }
     for line in source.content.iter().filter(|line| !line.is_comment) {
         let separator = Separator::of(line.text);
         let row = cells(line.text, separator, MOST_SPECTRA);
@@ -79,11 +84,6 @@ pub(super) fn no_numbers(source: &Source<'_>) -> ReadError {
         if begins && let Err(error) = check_row(source, separator, line, &row, row.len()) {
             return error;
         }
-    }
-    if reshape::is_values_alone(source) {
-        let expected = "a wavelength beside each value; where the wavelengths are a file of their own, as in the USGS's library splib07, \
-                        join both line by line: paste wavelengths.txt values.txt > both.txt";
-        return ReadError::malformed(source.file, Place::File, expected, "one number in each line");
     }
     let found = if source.content.is_empty() { "an empty file" } else { "none" };
     ReadError::malformed(source.file, Place::File, "lines of wavelengths and values", found)

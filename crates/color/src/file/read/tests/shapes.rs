@@ -129,7 +129,7 @@ fn cxf_may_have_a_wavelength_at_each_value() {
 #[test]
 fn what_is_stated_alone_comes_before_words_among_others() {
     let (film, _) = points(
-        "Technique,Transmission\nLaser Power,100\nPixel,Wavelength,Value\n0,400,0.5\n1,500,0.6\n2,600,0.7\n",
+        "Technique,Transmission\nLamp Power,100\nPixel,Wavelength,Value\n0,400,0.5\n1,500,0.6\n2,600,0.7\n",
     );
     assert_eq!(film.quantity, Quantity::Transmittance);
     let quantity = |text: &str| spectra(text)[0].quantity;
