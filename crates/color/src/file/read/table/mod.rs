@@ -28,7 +28,10 @@ use crate::file::read::error::excerpt;
 use lines::Line;
 
 /// Keys of the heads of meters that only light has.
-const OF_LIGHT: [&str; 10] = [
+const OF_LIGHT: [&str; 13] = [
+    "ev",
+    "lv",
+    "tcp",
     "lux",
     "illuminance",
     "cct",
@@ -168,16 +171,20 @@ impl Source<'_> {
         };
         // A lamp's irradiance and the reflectance of a standard: it is not said which.
         let Some(found) = found else { return Quantity::Unknown };
-        let is_of_light = |line: &&Line<'_>| {
-            let key = line.text.split(['\t', ',', ';', '[', '(', ':']).next().unwrap_or_default();
-            OF_LIGHT.iter().any(|word| key.trim().eq_ignore_ascii_case(word))
-        };
+        let first =
+            |line: &Line<'_>| is_of_light(line.text.split(['\t', ',', ';', ':']).next().unwrap_or_default());
         match found {
             // Only light has an illuminance and a colour temperature.
-            Quantity::Unknown if head.iter().filter(is_of_light).count() >= 2 => Quantity::Light,
+            Quantity::Unknown if head.iter().filter(|line| first(line)).count() >= 2 => Quantity::Light,
             found => found,
         }
     }
+}
+
+/// Whether a key of a meter, such as `CCT [K]`, is one that only light has.
+fn is_of_light(key: &str) -> bool {
+    let key = key.split(['[', '(']).next().unwrap_or_default().trim();
+    OF_LIGHT.iter().any(|word| key.eq_ignore_ascii_case(word))
 }
 
 /// The one quantity among several; unknown of none, and nothing of two that differ.

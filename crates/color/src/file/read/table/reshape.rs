@@ -34,7 +34,7 @@ pub(super) fn alternating(text: &str) -> Option<Reshaped> {
     let is_one_column = numbers.windows(2).all(|pair| pair[0].1 < pair[1].1);
     if is_one_column
         || nm.len() < FEWEST
-        || numbers.len() % 2 > 0
+        || !numbers.len().is_multiple_of(2)
         || !is_axis
         || !nm.iter().all(|nm| Scale::Unknown.is_likely(*nm))
     {

@@ -2,7 +2,7 @@
 
 use super::axes::is_in_micrometres;
 use super::lines::{Cell, Line, cells};
-use super::{MOST_SPECTRA, Source, stem};
+use super::{MOST_SPECTRA, Source, is_of_light, stem};
 use crate::file::read::error::{clean, excerpt};
 use crate::file::read::named::note;
 use crate::file::read::text::{Separator, fields};
@@ -136,8 +136,13 @@ impl Rows {
             note(&mut notes, "no unit of wavelength given: taken as nm");
         }
         let said = corners.iter().find(|column| column.quantity != Quantity::Unknown);
-        let quantity =
-            said.map_or_else(|| source.quantity_of(&source.content[..=self.head]), |one| one.quantity);
+        let of_light = fields_of_head.iter().filter(|field| is_of_light(field)).count() >= 2;
+        let quantity = match said {
+            Some(one) => one.quantity,
+            // Only light has an illuminance and a colour temperature.
+            None if of_light => Quantity::Light,
+            None => source.quantity_of(&source.content[..=self.head]),
+        };
         let unit = corners.iter().map(|one| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
             if spectrum.quantity == Quantity::Unknown {
@@ -157,8 +162,8 @@ impl Rows {
 
     /// What a row says that it is: a field before its values that is a quantity and nothing else, such as `Reflectance`.
     fn quantity(&self, line: &Line<'_>) -> Quantity {
-        let said = fields(line.text, self.separator).take(self.first).map(Quantity::alone);
-        said.filter(|quantity| *quantity != Quantity::Unknown).next().unwrap_or_default()
+        let mut said = fields(line.text, self.separator).take(self.first).map(Quantity::alone);
+        said.find(|quantity| *quantity != Quantity::Unknown).unwrap_or_default()
     }
 
     /// The name of a row: its words, or one made from the file's name.

@@ -2,8 +2,11 @@
 
 use super::*;
 
-/// The name and the points of each spectrum of a file of this name.
-fn named(text: &str, file: &str) -> Vec<(String, Quantity, Vec<(f64, f64)>)> {
+/// A spectrum's name, what it is of, and its points.
+type Named = (String, Quantity, Vec<(f64, f64)>);
+
+/// The spectra of a file of this name.
+fn named(text: &str, file: &str) -> Vec<Named> {
     let read = read_spectra(text.as_bytes(), file).unwrap_or_else(|error| panic!("{error}"));
     let points = |one: &NamedSpectrum| one.nm.iter().copied().zip(one.values.iter().copied()).collect();
     read.iter().map(|one| (one.name.clone(), one.quantity, points(one))).collect()

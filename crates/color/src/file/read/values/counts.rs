@@ -9,6 +9,9 @@ use crate::spectra::{FIRST_NM, LAST_NM};
 const NAMES: [[&str; 3]; 3] =
     [["d", "dark", "dark spectrum"], ["r", "reference", "ref"], ["s", "raw", "sample"]];
 
+/// What an instrument may compute of the ratio (S − D) / (R − D): the formula, what it gives, its unit, its name.
+type Formula = (fn(f64) -> f64, Quantity, &'static str, &'static str);
+
 /// How far the numbers of a file may be from the formula, relative: they are rounded to a few digits.
 const ROUNDING: f64 = 0.01;
 
@@ -44,7 +47,7 @@ pub(super) fn tell_processed(spectra: &mut [NamedSpectrum]) {
         let count = ratios().count();
         count > 2 && ratios().filter(right).count() as f64 >= MOST * count as f64
     };
-    let formulas: [(fn(f64) -> f64, _, _, _); 3] = [
+    let formulas: [Formula; 3] = [
         (|ratio| 100.0 * ratio, Quantity::Reflectance, "%", "100 (S − D) / (R − D)"),
         (|ratio| ratio, Quantity::Reflectance, "1", "(S − D) / (R − D)"),
         (|ratio| -libm::log10(ratio), Quantity::Absorbance, "", "−log10 of (S − D) / (R − D)"),
