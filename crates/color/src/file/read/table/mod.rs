@@ -11,6 +11,7 @@
 
 mod axes;
 mod columns;
+mod digitised;
 mod digits;
 mod head;
 mod lines;
@@ -26,6 +27,7 @@ use super::units::{MAX_NAME, Scale};
 use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 use crate::file::read::error::excerpt;
 use lines::Line;
+use reshape::Reshaped;
 
 /// Keys of the heads of meters that only light has.
 const OF_LIGHT: [&str; 13] = [
@@ -60,7 +62,11 @@ pub fn read_csv(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
 /// The spectra of a text as the file has them, before their scale is settled.
 pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, ReadError> {
     let (text, told) = digits::plain(text);
-    let mut spectra = match of_lines(&text, file, unit) {
+    let read = match digitised::curves(&text) {
+        Some(curves) => return of_curves(curves, file),
+        None => of_lines(&text, file, unit),
+    };
+    let mut spectra = match read {
         Err((error, count)) => of_other_shape(&text, file, unit, count).ok_or(error)?,
         Ok(spectra) => spectra,
     };
@@ -95,18 +101,39 @@ fn of_other_shape(text: &str, file: &str, unit: Option<Scale>, count: usize) -> 
         Some(whole) => vec![whole],
         None => reshape::labelled(text, count),
     };
+    spectra_of(parts, file, unit).ok().filter(|spectra| !spectra.is_empty())
+}
+
+/// The spectra of curves in pixels.
+fn of_curves(curves: Vec<Reshaped>, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let spectra = spectra_of(curves, file, Some(Scale::Nanometres))?;
+    if spectra.is_empty() {
+        let expected =
+            "three points with their pixels under [Control], and a curve under another line in brackets";
+        return Err(ReadError::malformed(file, Place::File, expected, "fewer"));
+    }
+    Ok(spectra)
+}
+
+/// The spectra of the parts of a table.
+fn spectra_of(
+    parts: Vec<Reshaped>,
+    file: &str,
+    unit: Option<Scale>,
+) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = Vec::new();
     for part in parts {
-        for mut spectrum in of_lines(&part.text, file, unit).ok()? {
+        for mut spectrum in of_lines(&part.text, file, unit).map_err(|(error, _)| error)? {
             spectrum.name = part.name.clone().map_or(spectrum.name, |name| clean(&name, MAX_NAME));
             spectrum.notes.insert(0, part.note.clone());
             spectra.push(spectrum);
-            if spectra.len() > MOST_SPECTRA {
-                return None;
-            }
+        }
+        if spectra.len() > MOST_SPECTRA {
+            let (file, limit, found) = (file.to_owned(), MOST_SPECTRA as u64, spectra.len() as u64);
+            return Err(ReadError::TooLarge { file, place: Place::File, limit, unit: "spectra", found });
         }
     }
-    Some(spectra).filter(|spectra| !spectra.is_empty())
+    Ok(spectra)
 }
 
 /// A file, as lines.
@@ -162,10 +189,8 @@ impl Source<'_> {
         let stated = only(head.iter().map(|line| Quantity::stated(line.text)));
         let found = match stated {
             Some(Quantity::Unknown) => {
-                // The power of an instrument's own laser is a setting.
-                let is_setting =
-                    |line: &&Line<'_>| line.text.trim_start().to_lowercase().starts_with("laser");
-                only(head.iter().filter(|line| !is_setting(line)).map(|line| Quantity::of(line.text)))
+                let words = head.iter().filter(|line| !is_setting(line.text));
+                only(words.map(|line| Quantity::of(line.text)))
             }
             stated => stated,
         };
@@ -179,6 +204,14 @@ impl Source<'_> {
             found => found,
         }
     }
+}
+
+/// Whether a line of a head is a setting of the instrument: its laser's power, or what is on or off, as in
+/// `Intensity Corrected,False`.
+fn is_setting(line: &str) -> bool {
+    let lower = line.trim().to_lowercase();
+    let value = lower.rsplit([',', ';', '\t', ':', '=']).next().unwrap_or_default().trim();
+    lower.starts_with("laser") || ["true", "false", "yes", "no", "on", "off"].contains(&value)
 }
 
 /// Whether a key of a meter, such as `CCT [K]`, is one that only light has.

@@ -141,6 +141,7 @@ fn what_is_stated_alone_comes_before_words_among_others() {
     let lamps = spectra("nm,energy,photons\n400,1,5\n500,3,2\n600,2,9\n");
     assert_eq!((lamps[0].quantity, lamps.len(), lamps[1].nm.len()), (Quantity::Light, 2, 3));
     assert_eq!(quantity("IT8.7/1\nnm x\n400 1\n500 2\n"), Quantity::Transmittance);
+    assert_eq!(quantity("Intensity Corrected,False\nnm,x\n400,1\n500,2\n"), Quantity::Unknown);
     assert_eq!(quantity("Laser Power,100\nnm,x\n400,1\n500,2\n"), Quantity::Unknown);
     assert_eq!(quantity("# CIE Illuminants A, C\nnm A\n400 1\n500 2\n"), Quantity::Light);
     assert_eq!(quantity("# Illuminant: D65\nnm x\n400 1\n500 2\n"), Quantity::Unknown);
@@ -191,4 +192,26 @@ fn counts_tell_what_was_made_of_them() {
     let (absorbing, values) = quantity(&table([0.69897, 0.39794, 0.221849, 0.09691]));
     assert!(absorbing == Quantity::Transmittance && (values[1] - 0.4).abs() < 1e-6, "{values:?}");
     assert_eq!(quantity(&table([1.0, 2.0, 3.0, 4.0])).0, Quantity::Unknown);
+}
+
+#[test]
+fn curves_in_pixels_are_placed_by_the_points_that_are_known() {
+    // As the R package colorSpec keeps them: 2 pixels for 1 nm, 100 for 1, upwards.
+    let text = "# from a figure\n[Control]\nXpx Ypx X Y\n100 500 400 0\n700 500 700 0\n100 400 400 1  # a corner\n\n[Transmittance]\n\
+                100 500\n300 450\n700 410\n\n[Emission]\n100 480\n700 460\n";
+    let spectra = named(text, "figure.txt");
+    let near = |found: &[(f64, f64)], expected: &[(f64, f64)]| {
+        found.iter().zip(expected).all(|(a, b)| (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-9)
+    };
+    assert_eq!(
+        (spectra[0].0.as_str(), spectra[0].1, spectra[0].2.len()),
+        ("Transmittance", Quantity::Transmittance, 3)
+    );
+    assert!(near(&spectra[0].2, &[(400.0, 0.0), (500.0, 0.5), (700.0, 0.9)]), "{spectra:?}");
+    assert!(
+        spectra[1].1 == Quantity::Light && near(&spectra[1].2, &[(400.0, 0.2), (700.0, 0.4)]),
+        "{spectra:?}"
+    );
+    let flat = text.replace("100 400 400 1", "100 500 400 1");
+    assert!(error_of(&flat).contains("three points with their pixels"));
 }
