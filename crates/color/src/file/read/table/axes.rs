@@ -32,19 +32,7 @@ pub(super) fn find(
         Scale::Unknown if is_in_micrometres(&values[column]) => Ok(Scale::Micrometres),
         scale => Ok::<Scale, ReadError>(scale),
     };
-    // The energy of a lamp is a value, that of photons an axis: it rises or falls.
-    let is_energy = |column: usize| head.columns[column].trim().to_lowercase().starts_with("energy");
-    let is_named = |column: usize| {
-        let named = head.title.is_none() && names_axis(&head.columns[column]);
-        named && (column == 0 || !is_energy(column) || is_axis(&values[column], Scale::Electronvolts))
-    };
-    let has_values = |column: &usize| values[*column].iter().any(|value| value.is_finite());
-    let mut named: Vec<usize> =
-        (0..values.len()).filter(|column| is_named(*column)).filter(has_values).collect();
-    if named.last() == Some(&(values.len() - 1)) {
-        // A last column has no values behind it: its header names a wavelength for another reason.
-        named.pop();
-    }
+    let mut named = named(head, values);
     if named.is_empty() {
         let found = (0..values.len().saturating_sub(1)).find_map(|column| {
             let scale = scale(column).ok()?;
@@ -62,6 +50,24 @@ pub(super) fn find(
     }
     bands(&mut axes, values, notes);
     Ok(axes)
+}
+
+/// The columns whose header is that of wavelengths.
+fn named(head: &Head, values: &[Vec<f64>]) -> Vec<usize> {
+    // The energy of a lamp is a value, that of photons an axis: it rises or falls.
+    let is_energy = |column: usize| head.columns[column].trim().to_lowercase().starts_with("energy");
+    let is_named = |column: usize| {
+        let named = head.title.is_none() && names_axis(&head.columns[column]);
+        named && (column == 0 || !is_energy(column) || is_axis(&values[column], Scale::Electronvolts))
+    };
+    let has_values = |column: &usize| values[*column].iter().any(|value| value.is_finite());
+    let mut named: Vec<usize> =
+        (0..values.len()).filter(|column| is_named(*column)).filter(has_values).collect();
+    if named.last() == Some(&(values.len() - 1)) {
+        // A last column has no values behind it: its header names a wavelength for another reason.
+        named.pop();
+    }
+    named
 }
 
 /// What the file, or the caller, says of the unit of a column of wavelengths.

@@ -135,14 +135,7 @@ impl Rows {
         } else if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
             note(&mut notes, "no unit of wavelength given: taken as nm");
         }
-        let said = corners.iter().find(|column| column.quantity != Quantity::Unknown);
-        let of_light = fields_of_head.iter().filter(|field| is_of_light(field)).count() >= 2;
-        let quantity = match said {
-            Some(one) => one.quantity,
-            // Only light has an illuminance and a colour temperature.
-            None if of_light => Quantity::Light,
-            None => source.quantity_of(&source.content[..=self.head]),
-        };
+        let quantity = self.quantity_of_all(source, &corners);
         let unit = corners.iter().map(|one| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
             if spectrum.quantity == Quantity::Unknown {
@@ -152,6 +145,18 @@ impl Rows {
             spectrum.notes.splice(0..0, notes.iter().cloned());
         }
         Ok(spectra)
+    }
+
+    /// What the line of wavelengths says of all rows, or the lines above it.
+    fn quantity_of_all(&self, source: &Source<'_>, corners: &[Column]) -> Quantity {
+        let head = &source.content[self.head];
+        let of_light = fields(head.text, self.separator).take(self.first).filter(|field| is_of_light(field));
+        match corners.iter().find(|column| column.quantity != Quantity::Unknown) {
+            Some(one) => one.quantity,
+            // Only light has an illuminance and a colour temperature.
+            None if of_light.count() >= 2 => Quantity::Light,
+            None => source.quantity_of(&source.content[..=self.head]),
+        }
     }
 
     /// Whether a line below the rows is none of them: it has no value where they have theirs.

@@ -12,6 +12,13 @@ const NAMES: [[&str; 3]; 3] =
 /// What an instrument may compute of the ratio (S − D) / (R − D): the formula, what it gives, its unit, its name.
 type Formula = (fn(f64) -> f64, Quantity, &'static str, &'static str);
 
+/// What instruments compute.
+const FORMULAS: [Formula; 3] = [
+    (|ratio| 100.0 * ratio, Quantity::Reflectance, "%", "100 (S − D) / (R − D)"),
+    (|ratio| ratio, Quantity::Reflectance, "1", "(S − D) / (R − D)"),
+    (|ratio| -libm::log10(ratio), Quantity::Absorbance, "", "−log10 of (S − D) / (R − D)"),
+];
+
 /// How far the numbers of a file may be from the formula, relative: they are rounded to a few digits.
 const ROUNDING: f64 = 0.01;
 
@@ -47,12 +54,7 @@ pub(super) fn tell_processed(spectra: &mut [NamedSpectrum]) {
         let count = ratios().count();
         count > 2 && ratios().filter(right).count() as f64 >= MOST * count as f64
     };
-    let formulas: [Formula; 3] = [
-        (|ratio| 100.0 * ratio, Quantity::Reflectance, "%", "100 (S − D) / (R − D)"),
-        (|ratio| ratio, Quantity::Reflectance, "1", "(S − D) / (R − D)"),
-        (|ratio| -libm::log10(ratio), Quantity::Absorbance, "", "−log10 of (S − D) / (R − D)"),
-    ];
-    let Some((_, quantity, unit, formula)) = formulas.into_iter().find(|(formula, ..)| follows(*formula))
+    let Some((_, quantity, unit, formula)) = FORMULAS.into_iter().find(|(formula, ..)| follows(*formula))
     else {
         return;
     };
