@@ -1,5 +1,6 @@
 //! Words of the command line that name things: spectra, lobes, variations, bounds.
 
+mod column;
 pub(crate) mod dyes;
 pub(crate) mod lobes;
 pub(crate) mod media;

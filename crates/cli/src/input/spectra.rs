@@ -8,7 +8,7 @@ use std::io::Read;
 use std::path::Path;
 
 use glanz_color::read::{
-    NamedSpectrum, PowerUnit, Quantity, ReadOptions, is_bfc, preferred, read_reradiation, read_spectra_with,
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, is_bfc, read_reradiation, read_spectra_with,
 };
 use glanz_color::{
     CatalogSpectrum, FineSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError,
@@ -17,6 +17,7 @@ use glanz_color::{
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
+use super::column::pick;
 use super::resolution::{Coarse, fine};
 pub(crate) use super::tables::TableArgs;
 use crate::print;
@@ -232,7 +233,7 @@ pub(crate) fn words(text: &str) -> Result<Vec<String>, String> {
     }
 }
 
-fn same(a: &str, b: &str) -> bool {
+pub(super) fn same(a: &str, b: &str) -> bool {
     plain(a) == plain(b)
 }
 
@@ -354,41 +355,6 @@ fn told(
     let (spectrum, notes) = found.map_err(|error| failed(named, &error))?;
     named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
     Ok(spectrum)
-}
-
-/// The spectrum that is meant: the only one, that of the column, or the one that comes first, which is told.
-fn pick<'a>(
-    spectra: &'a [NamedSpectrum],
-    file: &str,
-    column: Option<&str>,
-) -> Result<&'a NamedSpectrum, Failure> {
-    let list = || spectra.iter().map(|one| one.name.as_str()).take(12).collect::<Vec<_>>().join(", ");
-    let Some(column) = column else {
-        if let Some((found, why)) = preferred(spectra) {
-            print::note(format_args!("note: {}", taken(spectra, found, why, file)));
-            return Ok(found);
-        }
-        return spectra.first().ok_or_else(|| Failure::new(format_args!("{file} holds no spectrum")));
-    };
-    let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-    let by_name = spectra.iter().find(|one| same(&one.name, column));
-    by_name
-        .or_else(|| number.and_then(|index| spectra.get(index)))
-        .ok_or_else(|| Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list())))
-}
-
-/// How many of a file's other spectra are named.
-const NAMED: usize = 6;
-
-/// What is told of a spectrum that is taken of several: which, why, which others there are, and how to choose them.
-fn taken(spectra: &[NamedSpectrum], found: &NamedSpectrum, why: &str, file: &str) -> String {
-    let others = || spectra.iter().filter(|one| !std::ptr::eq(*one, found)).map(|one| one.name.as_str());
-    let more = if others().count() > NAMED { ", …" } else { "" };
-    let others = others().take(NAMED).collect::<Vec<_>>().join(", ");
-    let (count, name) = (spectra.len(), &found.name);
-    format!(
-        "{file} holds {count} spectra: '{name}' is taken, {why}; --column NAME or NUMBER takes another: {others}{more}"
-    )
 }
 
 #[cfg(test)]
