@@ -1,9 +1,11 @@
 //! Words of the command line that name things: spectra, lobes, variations, bounds.
 
+mod column;
 pub(crate) mod dyes;
 pub(crate) mod lobes;
 pub(crate) mod media;
 pub(crate) mod resolution;
 pub(crate) mod spectra;
+mod tables;
 pub(crate) mod thresholds;
 pub(crate) mod vary;

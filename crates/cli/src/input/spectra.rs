@@ -7,10 +7,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use clap::{Args, ValueEnum};
 use glanz_color::read::{
-    NamedSpectrum, PowerUnit, Quantity, ReadOptions, Scale, ValueScale, is_bfc, processed, read_reradiation,
-    read_spectra_with,
+    NamedSpectrum, PowerUnit, Quantity, ReadOptions, is_bfc, read_reradiation, read_spectra_with,
 };
 use glanz_color::{
     CatalogSpectrum, FineSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError,
@@ -19,7 +17,9 @@ use glanz_color::{
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
+use super::column::pick;
 use super::resolution::{Coarse, fine};
+pub(crate) use super::tables::TableArgs;
 use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
@@ -32,146 +32,6 @@ const ENDINGS: [&str; 15] =
 
 /// A surface may exceed 1 by the rounding of numbers in a file without a remark.
 const RATIO_TOLERANCE: f64 = 1e-6;
-
-/// What the option --as takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Kind {
-    /// Power by wavelength
-    Light,
-    /// Reflectance or transmittance by wavelength
-    Surface,
-    /// What comes back of the light
-    Reflectance,
-    /// What passes of the light
-    Transmittance,
-    /// -log10 of what passes
-    Absorbance,
-}
-
-impl Kind {
-    /// Whether it is of a light or of a surface.
-    pub(crate) fn spectrum_kind(self) -> SpectrumKind {
-        match self {
-            Self::Light => SpectrumKind::Light,
-            Self::Surface | Self::Reflectance | Self::Transmittance | Self::Absorbance => {
-                SpectrumKind::Surface
-            }
-        }
-    }
-
-    fn quantity(self) -> Quantity {
-        match self {
-            Self::Light => Quantity::Light,
-            Self::Surface | Self::Reflectance => Quantity::Reflectance,
-            Self::Transmittance => Quantity::Transmittance,
-            Self::Absorbance => Quantity::Absorbance,
-        }
-    }
-}
-
-/// What the option --unit takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum AxisUnit {
-    /// Wavelengths in nm
-    Nm,
-    /// Wavelengths in µm
-    Um,
-    /// Wavelengths in m
-    M,
-    /// Wavelengths in Å
-    Angstrom,
-    /// Wavenumbers in 1/cm
-    #[value(name = "cm-1")]
-    InverseCm,
-    /// Frequencies in THz
-    Thz,
-    /// Frequencies in Hz
-    Hz,
-    /// Energies of photons in eV
-    Ev,
-}
-
-impl AxisUnit {
-    fn scale(self) -> Scale {
-        match self {
-            Self::Nm => Scale::Nanometres,
-            Self::Um => Scale::Micrometres,
-            Self::M => Scale::Metres,
-            Self::Angstrom => Scale::Angstroms,
-            Self::InverseCm => Scale::InverseCentimetres,
-            Self::Thz => Scale::Terahertz,
-            Self::Hz => Scale::Hertz,
-            Self::Ev => Scale::Electronvolts,
-        }
-    }
-}
-
-/// How files of spectra are read, where they do not say it or are wrong.
-#[derive(Args, Clone, Debug, Default)]
-#[command(next_help_heading = "Files of spectra")]
-pub(crate) struct TableArgs {
-    /// What a file's spectrum is of, where the file does not say it or is wrong
-    #[arg(long = "as", value_enum, value_name = "KIND")]
-    pub kind: Option<Kind>,
-
-    /// The unit of a file's wavelengths
-    #[arg(long, value_enum, value_name = "UNIT")]
-    pub unit: Option<AxisUnit>,
-
-    /// The scale of a file's values: fraction, percent, or the value that stands for 1
-    #[arg(long, value_name = "SCALE", value_parser = value_scale)]
-    pub scale: Option<ValueScale>,
-
-    /// Which of a file's spectra: its name, or its number from 1
-    #[arg(long, value_name = "NAME|NUMBER")]
-    pub column: Option<String>,
-
-    /// Of a spectral picture (OpenEXR), the pixel, from 0,0 at the top left [default: the middle]
-    #[arg(long, value_name = "X,Y", value_parser = pixel)]
-    pub pixel: Option<(usize, usize)>,
-}
-
-/// Parses what --pixel takes.
-fn pixel(text: &str) -> Result<(usize, usize), String> {
-    let both = text.split_once(',').and_then(|(x, y)| Some((x.trim().parse().ok()?, y.trim().parse().ok()?)));
-    both.ok_or_else(|| "expected column and row of a pixel, such as 320,240".to_owned())
-}
-
-/// Parses what --scale takes.
-fn value_scale(text: &str) -> Result<ValueScale, String> {
-    match text {
-        "fraction" => Ok(ValueScale::Fraction),
-        "percent" | "%" => Ok(ValueScale::Percent),
-        other => {
-            match other.parse::<f64>() {
-                Ok(value) if value > 0.0 && value.is_finite() => Ok(ValueScale::Whole(value)),
-                _ => Err("expected fraction, percent, or a number above 0 that stands for 1, such as 255"
-                    .to_owned()),
-            }
-        }
-    }
-}
-
-impl TableArgs {
-    /// What is known of a file where the command wants this kind.
-    fn options(&self, wanted: Option<SpectrumKind>) -> ReadOptions {
-        ReadOptions {
-            quantity: self.kind.map(Kind::quantity),
-            default_quantity: wanted.map(|kind| match kind {
-                SpectrumKind::Light => Quantity::Light,
-                SpectrumKind::Surface => Quantity::Reflectance,
-            }),
-            unit: self.unit.map(AxisUnit::scale),
-            scale: self.scale,
-            pixel: self.pixel,
-        }
-    }
-
-    /// The same for the lights beside the spectra that it is about: what those are of does not hold for them.
-    fn of_lights(&self) -> Self {
-        Self { kind: None, column: None, ..self.clone() }
-    }
-}
 
 /// A spectrum that the command line named.
 #[derive(Clone, Debug)]
@@ -373,7 +233,7 @@ pub(crate) fn words(text: &str) -> Result<Vec<String>, String> {
     }
 }
 
-fn same(a: &str, b: &str) -> bool {
+pub(super) fn same(a: &str, b: &str) -> bool {
     plain(a) == plain(b)
 }
 
@@ -495,52 +355,6 @@ fn told(
     let (spectrum, notes) = found.map_err(|error| failed(named, &error))?;
     named.notes.iter().chain(&notes).for_each(|note| print::note(format_args!("note: {note}")));
     Ok(spectrum)
-}
-
-/// The only spectrum that says what it is of, beside what an instrument counted for it.
-fn only_known(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
-    let mut known = spectra.iter().filter(|one| one.quantity != Quantity::Unknown);
-    known.next().filter(|_| known.next().is_none())
-}
-
-/// The spectrum that is meant: the only one, the only one that is known, or that of the column.
-fn pick<'a>(
-    spectra: &'a [NamedSpectrum],
-    file: &str,
-    column: Option<&str>,
-) -> Result<&'a NamedSpectrum, Failure> {
-    let list = || spectra.iter().map(|one| one.name.as_str()).take(12).collect::<Vec<_>>().join(", ");
-    let found = match column {
-        None => match spectra {
-            [] => return Err(Failure::new(format_args!("{file} holds no spectrum"))),
-            [only] => Some(only),
-            [first, ..] => match processed(spectra)
-                .map(|found| (found, "what the instrument made of the others"))
-                .or(only_known(spectra).map(|found| (found, "the only one that says what it is of")))
-            {
-                Some((found, why)) => {
-                    let (count, name) = (spectra.len(), &found.name);
-                    print::note(format_args!("note: {file} holds {count} spectra: '{name}' is taken, {why}"));
-                    Some(found)
-                }
-                None => {
-                    let count = spectra.len();
-                    let report = Report::new(format_args!("{file} holds {count} spectra: {}", list()));
-                    let help = format!("choose one by name or number: {file}:{} or {file}:1", first.name);
-                    return Err(report.help(help).into());
-                }
-            },
-        },
-        Some(column) => {
-            let number = column.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-            let by_name = spectra.iter().find(|one| same(&one.name, column));
-            by_name.or_else(|| number.and_then(|index| spectra.get(index)))
-        }
-    };
-    found.ok_or_else(|| {
-        let column = column.unwrap_or_default();
-        Failure::new(format_args!("{file} holds no spectrum '{column}'; it holds {}", list()))
-    })
 }
 
 #[cfg(test)]

@@ -286,10 +286,14 @@ fn greys_have_no_hue_and_colours_outside_are_told() {
 }
 
 #[test]
-fn a_file_of_several_spectra_asks_for_one() {
+fn of_several_spectra_of_a_file_the_first_is_taken_and_told() {
     let folder = Folder::new();
     folder.write("pair.csv", PAIR);
-    insta::assert_snapshot!(folder.glanz(&["color", "spectrum", "pair.csv"]).failure());
+    let found = folder.glanz(&["color", "spectrum", "pair.csv", "--format", "json"]);
+    assert_eq!(found.json()["name"], "one reflectance");
+    let told = "pair.csv holds 2 spectra: 'one reflectance' is taken, the first; --column NAME or NUMBER takes another: two \
+                reflectance";
+    assert!(found.stderr.contains(told), "{}", found.stderr);
     insta::assert_snapshot!(folder.glanz(&["color", "spectrum", "pair.csv:three"]).failure());
     let by = |column: &str| {
         let file = format!("pair.csv:{column}");

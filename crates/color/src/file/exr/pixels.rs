@@ -1,8 +1,8 @@
 //! Pixels of spectral pictures, from and to spectra.
 
 use super::{Band, ReradiationBand, SpectralImage};
-use crate::file::read::named::{NamedSpectrum, Quantity};
 use crate::file::read::reradiation::NamedReradiation;
+use crate::file::read::{NamedSpectrum, Quantity};
 use crate::spectra::{SAMPLES, STEP_NM, Spectrum, lambda_nm};
 use crate::surfaces::reradiation::Reradiation;
 

@@ -31,40 +31,34 @@
 //! # Ok::<_, Box<dyn std::error::Error>>(())
 //! ```
 
-mod bfc;
-mod cgats;
-mod cxf;
 pub(crate) mod error;
-#[cfg(test)]
-mod instrument_tests;
+mod formats;
 mod ior;
-mod jcamp;
-mod matrix;
-pub(crate) mod named;
-mod power;
-pub(crate) mod reradiation;
-mod settle;
-mod spdx;
 mod table;
 #[cfg(test)]
 mod tests;
 mod text;
-mod units;
-mod xml;
+mod values;
 
-pub use bfc::read_bfc;
-pub use cgats::read_cgats;
-pub use cxf::read_cxf;
 pub use error::{Place, ReadError, excerpt};
+pub use formats::bfc::read_bfc;
+pub use formats::cgats::read_cgats;
+pub use formats::cxf::read_cxf;
+pub use formats::matrix::read_matrix_csv;
+pub use formats::spdx::read_spdx;
 pub use ior::{NamedIor, ior_partner, read_ior, read_ior_pair};
-pub use matrix::read_matrix_csv;
-pub use named::{NamedSpectrum, Quantity, processed};
-pub use power::{PowerUnit, Radiometry};
-pub use reradiation::NamedReradiation;
-pub use settle::{ReadOptions, ValueScale};
-pub use spdx::read_spdx;
 pub use table::read_csv;
-pub use units::Scale;
+pub use values::choice::{preferred, processed};
+pub use values::named::NamedSpectrum;
+pub use values::power::{PowerUnit, Radiometry};
+pub use values::quantity::Quantity;
+pub use values::reradiation::NamedReradiation;
+pub use values::settle::{ReadOptions, ValueScale};
+pub use values::units::Scale;
+
+use formats::{cgats, cxf, jcamp, spdx};
+pub(crate) use values::{named, reradiation};
+use values::{settle, units};
 
 /// How files begin that hold spectra, but no text, and what they are.
 const BINARY: [(&[u8], &str); 6] = [
@@ -114,7 +108,7 @@ pub fn read_spectra_with(
         Format::Jcamp => jcamp::parse(&text, file),
         Format::Table => table::parse(&text, file, options.unit),
     }?;
-    settle::settle(&mut spectra, options);
+    settle::settle(&mut spectra, options, file);
     Ok(spectra)
 }
 
@@ -158,7 +152,7 @@ fn read_as(
     parse: impl FnOnce(&str, &str) -> Result<Vec<NamedSpectrum>, ReadError>,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = parse(&text::decode(bytes, file)?, file)?;
-    settle::settle(&mut spectra, &ReadOptions::default());
+    settle::settle(&mut spectra, &ReadOptions::default(), file);
     Ok(spectra)
 }
 

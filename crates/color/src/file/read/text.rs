@@ -7,13 +7,13 @@ use super::{Place, ReadError};
 
 /// The greatest file of spectra that is read: ten thousand spectra at 1 nm. A reader's memory is a small
 /// multiple of it.
-pub(super) const MAX_BYTES: usize = 16 << 20;
+pub(in crate::file::read) const MAX_BYTES: usize = 16 << 20;
 /// No quantity of light is greater; sums of such values stay finite.
 const GREATEST: f64 = 1e30;
 
 /// The text of a file: UTF-8 with or without a mark, UTF-16 with one or as its zero bytes show, else Latin-1, as older
 /// instruments write `µm`. Other bytes of 0, with which some instruments fill their heads, are blanks.
-pub(super) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, str>, ReadError> {
+pub(in crate::file::read) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<Cow<'a, str>, ReadError> {
     if bytes.len() > MAX_BYTES {
         let (limit, found) = (MAX_BYTES as u64, bytes.len() as u64);
         let (file, place) = (file.to_owned(), Place::File);
@@ -55,7 +55,7 @@ fn utf16(bytes: &[u8]) -> Option<String> {
 }
 
 /// The lines of a text with their numbers, counted from 1. Lines end with LF, CR LF or CR.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> + Clone {
+pub(in crate::file::read) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> + Clone {
     let mut rest = Some(text);
     let lines = core::iter::from_fn(move || {
         let text = rest?;
@@ -74,7 +74,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> + Clone {
 
 /// A decimal number, with a comma for its point where that is allowed. NaN, infinity and what is no
 /// number of any quantity are none.
-pub(super) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
+pub(in crate::file::read) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     let value: f64 = match text.split_once(',') {
         Some((whole, part)) if decimal_comma && !part.is_empty() && !text.contains('.') => {
@@ -86,7 +86,7 @@ pub(super) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
 }
 
 /// A number that must be there.
-pub(super) fn expect_number(
+pub(in crate::file::read) fn expect_number(
     text: &str,
     decimal_comma: bool,
     file: &str,
@@ -98,7 +98,7 @@ pub(super) fn expect_number(
 
 /// What stands between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Separator {
+pub(in crate::file::read) enum Separator {
     /// This character; a field may be empty.
     Char(char),
     /// Any number of blanks.
@@ -107,10 +107,11 @@ pub(super) enum Separator {
 
 impl Separator {
     /// All of them, in the order in which they are tried.
-    pub(super) const ALL: [Self; 4] = [Self::Char('\t'), Self::Char(';'), Self::Char(','), Self::Blanks];
+    pub(in crate::file::read) const ALL: [Self; 4] =
+        [Self::Char('\t'), Self::Char(';'), Self::Char(','), Self::Blanks];
 
     /// The separator that a line uses: tab, semicolon or comma, in this order, else blanks.
-    pub(super) fn of(line: &str) -> Self {
+    pub(in crate::file::read) fn of(line: &str) -> Self {
         ['\t', ';', ',']
             .into_iter()
             .find(|&c| fields(line, Self::Char(c)).nth(1).is_some())
@@ -118,13 +119,13 @@ impl Separator {
     }
 
     /// Whether numbers may be written with a comma.
-    pub(super) fn decimal_comma(self) -> bool {
+    pub(in crate::file::read) fn decimal_comma(self) -> bool {
         self != Self::Char(',')
     }
 }
 
 /// The fields of a line, without blanks around them. A field in double quotes may hold the separator.
-pub(super) fn fields(line: &str, separator: Separator) -> impl Iterator<Item = &str> {
+pub(in crate::file::read) fn fields(line: &str, separator: Separator) -> impl Iterator<Item = &str> {
     let mut rest = Some(line);
     core::iter::from_fn(move || {
         let text = match separator {

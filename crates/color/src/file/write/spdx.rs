@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::file::read::named::Quantity;
+use crate::file::read::Quantity;
 use crate::spectra::Spectrum;
 
 /// Writes a spectrum as a TM-27-14 file, with its name as the description.

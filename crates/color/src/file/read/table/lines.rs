@@ -1,6 +1,8 @@
 //! The lines of a table and their cells: where in a file the numbers are.
 
+use crate::file::read::PowerUnit;
 use crate::file::read::text::{Separator, fields, lines, number};
+use crate::file::read::units::photons;
 
 /// A line with something in it.
 #[derive(Clone, Copy, Debug)]
@@ -45,8 +47,23 @@ pub(super) enum Cell {
     Word,
 }
 
-/// Words by which programs say that there is no value.
-const MISSING: [&str; 11] = ["nan", "na", "n/a", "#n/a", "#div/0!", "null", "none", "-", "--", "---", "."];
+/// Words by which programs say that there is no value; −1.23e34 is that of the USGS for a deleted channel (Data Series 1035).
+const MISSING: [&str; 14] = [
+    "-1.23e34",
+    "-1.23e+34",
+    "-1.2300000e+34",
+    "nan",
+    "na",
+    "n/a",
+    "#n/a",
+    "#div/0!",
+    "null",
+    "none",
+    "-",
+    "--",
+    "---",
+    ".",
+];
 
 impl Cell {
     /// What a field is.
@@ -70,8 +87,20 @@ impl Cell {
     }
 }
 
-/// A wavelength that has its unit behind it, and maybe words before.
+/// The unit of the values that stands in brackets behind the wavelength of a line, as in `380(mW/m2/nm),0.5`.
+pub(super) fn unit_behind(line: &str, separator: Separator) -> Option<&str> {
+    let field = fields(line, separator).next()?;
+    let (number, unit) = field.split_once(['(', '['])?;
+    let unit = unit.strip_suffix([')', ']'])?.trim();
+    let is_wavelength = number.trim().parse::<f64>().is_ok();
+    (is_wavelength && (PowerUnit::parse(unit).is_some() || photons(unit).is_some())).then_some(unit)
+}
+
+/// A wavelength that has its unit behind it, or that of the values, and maybe words before.
 fn nanometres(field: &str, separator: Separator) -> Option<f64> {
+    if unit_behind(field, separator).is_some() {
+        return number(field.split(['(', '[']).next()?, separator.decimal_comma());
+    }
     let open = field.trim_end_matches([']', ')']);
     let bare = open.get(..open.len().checked_sub(2)?)?;
     if !open.get(bare.len()..)?.eq_ignore_ascii_case("nm") {

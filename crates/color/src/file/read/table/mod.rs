@@ -9,9 +9,16 @@
 //! value is a wavelength at which that spectrum was not measured. A line that continues the table, but has a word or more fields
 //! in it, is an error; what else is left out is told in a remark.
 
+mod axes;
 mod columns;
+mod digitised;
+mod digits;
+mod head;
 mod lines;
+mod neighbours;
 mod pieces;
+mod points;
+mod reshape;
 mod rows;
 
 use super::error::clean;
@@ -20,9 +27,13 @@ use super::units::{MAX_NAME, Scale};
 use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 use crate::file::read::error::excerpt;
 use lines::Line;
+use reshape::Reshaped;
 
 /// Keys of the heads of meters that only light has.
-const OF_LIGHT: [&str; 10] = [
+const OF_LIGHT: [&str; 13] = [
+    "ev",
+    "lv",
+    "tcp",
     "lux",
     "illuminance",
     "cct",
@@ -50,6 +61,24 @@ pub fn read_csv(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
 
 /// The spectra of a text as the file has them, before their scale is settled.
 pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let (text, told) = digits::plain(text);
+    let read = match digitised::curves(&text) {
+        Some(curves) => return of_curves(curves, file),
+        None => of_lines(&text, file, unit),
+    };
+    let mut spectra = match read {
+        Err((error, count)) => of_other_shape(&text, file, unit, count).ok_or(error)?,
+        Ok(spectra) => spectra,
+    };
+    for (spectrum, told) in spectra.iter_mut().zip(core::iter::repeat(&told)) {
+        told.iter().for_each(|told| note(&mut spectrum.notes, told.clone()));
+    }
+    Ok(spectra)
+}
+
+/// The spectra of lines that each hold a wavelength and its values, or all values of a spectrum. An error comes with the number
+/// of lines that hold numbers alone.
+fn of_lines(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, (ReadError, usize)> {
     let content = lines::content(text);
     let source = Source { file, content: &content, unit };
     let found = lines::find(&content);
@@ -58,13 +87,53 @@ pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<N
     let is_table = |rows: &rows::Rows| {
         count < 3 || (rows.wavelengths() > 2 && (first <= rows.below() || count <= rows.wavelengths()))
     };
-    if let Some(rows) = rows::find(&content).filter(is_table) {
-        return rows.read(&source);
+    let read = match (rows::find(&content, unit).filter(is_table), found) {
+        (Some(rows), _) => rows.read(&source),
+        (None, Some((separator, run))) => columns::read(&source, separator, run),
+        (None, None) => Err(neighbours::no_numbers(&source)),
+    };
+    read.map_err(|error| (error, count))
+}
+
+/// The spectra of a table of another shape, if it is one that is known; `count` lines hold numbers alone.
+fn of_other_shape(text: &str, file: &str, unit: Option<Scale>, count: usize) -> Option<Vec<NamedSpectrum>> {
+    let parts = match reshape::alternating(text) {
+        Some(whole) => vec![whole],
+        None => reshape::labelled(text, count),
+    };
+    spectra_of(parts, file, unit).ok().filter(|spectra| !spectra.is_empty())
+}
+
+/// The spectra of curves in pixels.
+fn of_curves(curves: Vec<Reshaped>, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let spectra = spectra_of(curves, file, Some(Scale::Nanometres))?;
+    if spectra.is_empty() {
+        let expected =
+            "three points with their pixels under [Control], and a curve under another line in brackets";
+        return Err(ReadError::malformed(file, Place::File, expected, "fewer"));
     }
-    match found {
-        Some((separator, run)) => columns::read(&source, separator, run),
-        None => Err(columns::no_numbers(&source)),
+    Ok(spectra)
+}
+
+/// The spectra of the parts of a table.
+fn spectra_of(
+    parts: Vec<Reshaped>,
+    file: &str,
+    unit: Option<Scale>,
+) -> Result<Vec<NamedSpectrum>, ReadError> {
+    let mut spectra = Vec::new();
+    for part in parts {
+        for mut spectrum in of_lines(&part.text, file, unit).map_err(|(error, _)| error)? {
+            spectrum.name = part.name.clone().map_or(spectrum.name, |name| clean(&name, MAX_NAME));
+            spectrum.notes.insert(0, part.note.clone());
+            spectra.push(spectrum);
+        }
+        if spectra.len() > MOST_SPECTRA {
+            let (file, limit, found) = (file.to_owned(), MOST_SPECTRA as u64, spectra.len() as u64);
+            return Err(ReadError::TooLarge { file, place: Place::File, limit, unit: "spectra", found });
+        }
     }
+    Ok(spectra)
 }
 
 /// A file, as lines.
@@ -116,26 +185,51 @@ impl Source<'_> {
 
     /// What the lines of a head say of all spectra, where their columns say nothing: the one quantity that is named.
     fn quantity_of(&self, head: &[Line<'_>]) -> Quantity {
-        let mut found = Quantity::Unknown;
-        for quantity in head.iter().map(|line| Quantity::of(line.text)) {
-            match (quantity, found) {
-                (Quantity::Unknown, _) => {}
-                (_, Quantity::Unknown) => found = quantity,
-                _ if quantity == found => {}
-                // A lamp's irradiance and the reflectance of a standard: it is not said which.
-                _ => return Quantity::Unknown,
+        // What a line states alone comes before words among others, such as the power of a laser.
+        let stated = only(head.iter().map(|line| Quantity::stated(line.text)));
+        let found = match stated {
+            Some(Quantity::Unknown) => {
+                let words = head.iter().filter(|line| !is_setting(line.text));
+                only(words.map(|line| Quantity::of(line.text)))
             }
-        }
-        let is_of_light = |line: &&Line<'_>| {
-            let key = line.text.split(['\t', ',', ';', '[', '(', ':']).next().unwrap_or_default();
-            OF_LIGHT.iter().any(|word| key.trim().eq_ignore_ascii_case(word))
+            stated => stated,
         };
+        // A lamp's irradiance and the reflectance of a standard: it is not said which.
+        let Some(found) = found else { return Quantity::Unknown };
+        let first =
+            |line: &Line<'_>| is_of_light(line.text.split(['\t', ',', ';', ':']).next().unwrap_or_default());
         match found {
             // Only light has an illuminance and a colour temperature.
-            Quantity::Unknown if head.iter().filter(is_of_light).count() >= 2 => Quantity::Light,
+            Quantity::Unknown if head.iter().filter(|line| first(line)).count() >= 2 => Quantity::Light,
             found => found,
         }
     }
+}
+
+/// Whether a line of a head is a setting of the instrument: its laser's power, or what is on or off, as in
+/// `Intensity Corrected,False`.
+fn is_setting(line: &str) -> bool {
+    let lower = line.trim().to_lowercase();
+    let value = lower.rsplit([',', ';', '\t', ':', '=']).next().unwrap_or_default().trim();
+    lower.starts_with("laser") || ["true", "false", "yes", "no", "on", "off"].contains(&value)
+}
+
+/// Whether a key of a meter, such as `CCT [K]`, is one that only light has.
+fn is_of_light(key: &str) -> bool {
+    let key = key.split(['[', '(']).next().unwrap_or_default().trim();
+    OF_LIGHT.iter().any(|word| key.eq_ignore_ascii_case(word))
+}
+
+/// The one quantity among several; unknown of none, and nothing of two that differ.
+fn only(quantities: impl Iterator<Item = Quantity>) -> Option<Quantity> {
+    let mut found = Quantity::Unknown;
+    for quantity in quantities.filter(|quantity| *quantity != Quantity::Unknown) {
+        if found != Quantity::Unknown && quantity != found {
+            return None;
+        }
+        found = quantity;
+    }
+    Some(found)
 }
 
 /// The name of a file without folders and ending.

@@ -1,16 +1,13 @@
 //! One spectrum in each row, under a row of wavelengths.
 
+use super::axes::is_in_micrometres;
 use super::lines::{Cell, Line, cells};
-use super::{MOST_SPECTRA, Source, stem};
+use super::{MOST_SPECTRA, Source, is_of_light, stem};
 use crate::file::read::error::{clean, excerpt};
 use crate::file::read::named::note;
 use crate::file::read::text::{Separator, fields};
 use crate::file::read::units::{Column, LIKELY_NM, MAX_NAME, Scale};
 use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError};
-
-/// Fields that say what a row is of.
-const QUANTITIES: [&str; 7] =
-    ["reflectance", "transmittance", "transmission", "absorbance", "irradiance", "radiance", "radiant flux"];
 
 /// A row of wavelengths, and what follows it.
 pub(super) struct Rows {
@@ -22,13 +19,15 @@ pub(super) struct Rows {
     nm: Vec<f64>,
     /// Whether a wavelength has its unit behind it.
     has_unit: bool,
+    /// Whether they stand there in µm.
+    is_um: bool,
 }
 
 /// The first row of wavelengths that has a row of as many numbers below it.
-pub(super) fn find(content: &[Line<'_>]) -> Option<Rows> {
+pub(super) fn find(content: &[Line<'_>], unit: Option<Scale>) -> Option<Rows> {
     for (at, line) in content.iter().enumerate() {
         for separator in Separator::ALL {
-            let Some(rows) = wavelengths(at, line, separator) else { continue };
+            let Some(rows) = wavelengths(at, line, separator, unit) else { continue };
             let below = content[at + 1..].iter().find(|line| !line.is_comment);
             if below.is_some_and(|line| rows.holds(line)) {
                 return Some(rows);
@@ -38,12 +37,15 @@ pub(super) fn find(content: &[Line<'_>]) -> Option<Rows> {
     None
 }
 
+/// The most wavelengths in µm of a row that are looked at.
+const LIKELY_UM: core::ops::RangeInclusive<f64> = 0.1..=30.0;
+
 /// A line as a row of wavelengths: words, then wavelengths that only rise or only fall, then maybe words.
-fn wavelengths(at: usize, line: &Line<'_>, separator: Separator) -> Option<Rows> {
+fn wavelengths(at: usize, line: &Line<'_>, separator: Separator, unit: Option<Scale>) -> Option<Rows> {
     let (mut first, mut nm, mut has_unit) = (None, Vec::new(), false);
     for (index, field) in fields(line.text, separator).enumerate() {
         match (wavelength(field, separator), first) {
-            (Some((value, unit)), _) if LIKELY_NM.contains(&value) => {
+            (Some((value, unit)), _) if LIKELY_NM.contains(&value) || LIKELY_UM.contains(&value) => {
                 first.get_or_insert(index);
                 nm.push(value);
                 has_unit |= unit;
@@ -54,9 +56,15 @@ fn wavelengths(at: usize, line: &Line<'_>, separator: Separator) -> Option<Rows>
         }
     }
     let first = first.filter(|first| *first > 0)?;
+    let is_um = matches!(unit, None | Some(Scale::Micrometres)) && !has_unit && is_in_micrometres(&nm);
+    if is_um {
+        nm.iter_mut().for_each(|nm| *nm = Scale::Micrometres.convert(*nm));
+    }
+    let is_likely = nm.iter().all(|nm| LIKELY_NM.contains(nm));
     let rises = nm.windows(2).all(|pair| pair[0] < pair[1]);
     let falls = nm.windows(2).all(|pair| pair[0] > pair[1]);
-    (nm.len() > 1 && (rises || falls)).then_some(Rows { head: at, separator, first, nm, has_unit })
+    let found = Rows { head: at, separator, first, nm, has_unit, is_um };
+    (found.nm.len() > 1 && is_likely && (rises || falls)).then_some(found)
 }
 
 /// A wavelength of the head, with whether its unit is there: `400`, `400nm`, `R400`, `SPEC_400`, `R_400nm`.
@@ -111,9 +119,7 @@ impl Rows {
             source.content.iter().enumerate().skip(self.head + 1).filter(|(_, line)| !line.is_comment)
         {
             let row = self.values(line);
-            if row.iter().all(|cell| cell.value().is_none())
-                && (row.len() < self.nm.len() || row.contains(&Cell::Word))
-            {
+            if self.is_foot(&row) {
                 foot = &source.content[at..];
                 break;
             }
@@ -124,12 +130,12 @@ impl Rows {
         }
         source.tell_skipped(&source.content[..self.head], foot, &mut notes);
         let scale = Scale::of(head.text);
-        if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
+        if self.is_um {
+            note(&mut notes, "wavelengths taken as µm, since in nm they were X-rays");
+        } else if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
             note(&mut notes, "no unit of wavelength given: taken as nm");
         }
-        let said = corners.iter().find(|column| column.quantity != Quantity::Unknown);
-        let quantity =
-            said.map_or_else(|| source.quantity_of(&source.content[..=self.head]), |one| one.quantity);
+        let quantity = self.quantity_of_all(source, &corners);
         let unit = corners.iter().map(|one| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
             if spectrum.quantity == Quantity::Unknown {
@@ -141,11 +147,28 @@ impl Rows {
         Ok(spectra)
     }
 
+    /// What the line of wavelengths says of all rows, or the lines above it.
+    fn quantity_of_all(&self, source: &Source<'_>, corners: &[Column]) -> Quantity {
+        let head = &source.content[self.head];
+        let of_light = fields(head.text, self.separator).take(self.first).filter(|field| is_of_light(field));
+        match corners.iter().find(|column| column.quantity != Quantity::Unknown) {
+            Some(one) => one.quantity,
+            // Only light has an illuminance and a colour temperature.
+            None if of_light.count() >= 2 => Quantity::Light,
+            None => source.quantity_of(&source.content[..=self.head]),
+        }
+    }
+
+    /// Whether a line below the rows is none of them: it has no value where they have theirs.
+    fn is_foot(&self, row: &[Cell]) -> bool {
+        row.iter().all(|cell| cell.value().is_none())
+            && (row.len() < self.nm.len() || row.contains(&Cell::Word))
+    }
+
     /// What a row says that it is: a field before its values that is a quantity and nothing else, such as `Reflectance`.
     fn quantity(&self, line: &Line<'_>) -> Quantity {
-        let mut fields = fields(line.text, self.separator).take(self.first);
-        let is_quantity = |field: &str| QUANTITIES.iter().any(|word| field.trim().eq_ignore_ascii_case(word));
-        fields.find(|field| is_quantity(field)).map_or(Quantity::Unknown, Quantity::of)
+        let mut said = fields(line.text, self.separator).take(self.first).map(Quantity::alone);
+        said.find(|quantity| *quantity != Quantity::Unknown).unwrap_or_default()
     }
 
     /// The name of a row: its words, or one made from the file's name.

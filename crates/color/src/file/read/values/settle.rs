@@ -1,8 +1,9 @@
 //! What the values of a file are, and on which scale: decided once, when all that a file says is known.
 
+use super::counts::tell_processed;
 use super::named::note;
 use super::units::{Scale, is_percent, photons};
-use super::{NamedSpectrum, PowerUnit, Quantity};
+use crate::file::read::{NamedSpectrum, PowerUnit, Quantity};
 use crate::spectra::units::photon_energy_j;
 
 /// What is known of a file beside its bytes.
@@ -67,7 +68,13 @@ const GREATEST_PERCENT: f64 = 200.0;
 const FRACTIONS: [&str; 6] = ["1", "fraction", "-", "0-1", "0..1", "ratio"];
 
 /// Brings the values of a file to fractions of light, or to power by wavelength.
-pub(super) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions) {
+///
+/// `file` is the file's name: where nothing else says what all its spectra are of, that may.
+pub(in crate::file::read) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions, file: &str) {
+    tell_processed(spectra);
+    if options.quantity.is_none() && options.default_quantity.is_none() {
+        tell_by_name(spectra, file);
+    }
     for spectrum in &mut *spectra {
         match (options.quantity, options.default_quantity) {
             (Some(quantity), _) => spectrum.quantity = quantity,
@@ -81,6 +88,19 @@ pub(super) fn settle(spectra: &mut [NamedSpectrum], options: &ReadOptions) {
     }
     spectra.iter_mut().for_each(settle_absorbance);
     spectra.iter_mut().for_each(settle_photons);
+}
+
+/// What a file's name says of spectra of which nothing else says it.
+fn tell_by_name(spectra: &mut [NamedSpectrum], file: &str) {
+    let quantity = Quantity::of_file(file);
+    if quantity == Quantity::Unknown || spectra.iter().any(|one| one.quantity != Quantity::Unknown) {
+        return;
+    }
+    for spectrum in spectra {
+        spectrum.quantity = quantity;
+        let text = format!("{} by the file's name (--as, or as, says it otherwise)", quantity.words());
+        note(&mut spectrum.notes, text);
+    }
 }
 
 fn divide(spectra: &mut [NamedSpectrum], which: impl Fn(&NamedSpectrum) -> bool, divisor: f64) {
@@ -162,7 +182,7 @@ mod tests {
 
     fn settled(one: NamedSpectrum, options: ReadOptions) -> NamedSpectrum {
         let mut spectra = [one];
-        settle(&mut spectra, &options);
+        settle(&mut spectra, &options, "f");
         let [one] = spectra;
         one
     }
@@ -184,7 +204,7 @@ mod tests {
         // Counts beside a reflectance do not count, and are no reflectance.
         let counts = spectrum(Quantity::Reflectance, "", &[255.0, 3.0]);
         let mut both = [counts, spectrum(Quantity::Reflectance, "", &[0.5, 1.0])];
-        settle(&mut both, &plain);
+        settle(&mut both, &plain, "f");
         assert_eq!(both[1].values, [0.5, 1.0]);
         let error = both[0].to_spectrum(None).unwrap_err();
         assert!(error.to_string().contains("which value is all light"), "{error}");

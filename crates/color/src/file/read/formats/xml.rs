@@ -2,9 +2,9 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::error::excerpt;
-use super::text::expect_number;
-use super::{Place, ReadError};
+use crate::file::read::error::excerpt;
+use crate::file::read::text::expect_number;
+use crate::file::read::{Place, ReadError};
 
 /// The most elements and texts of a file.
 const MOST_NODES: u32 = 1 << 20;
@@ -12,7 +12,7 @@ const MOST_NODES: u32 = 1 << 20;
 const MOST_ATTRIBUTES: usize = 256;
 
 /// Parses XML without document types, whose entities could grow without bound.
-pub(super) fn parse<'a>(text: &'a str, file: &str) -> Result<Document<'a>, ReadError> {
+pub(in crate::file::read) fn parse<'a>(text: &'a str, file: &str) -> Result<Document<'a>, ReadError> {
     check_attributes(text, file)?;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
@@ -40,13 +40,13 @@ fn check_attributes(text: &str, file: &str) -> Result<(), ReadError> {
 }
 
 /// The place where an element begins.
-pub(super) fn place(node: Node<'_, '_>) -> Place {
+pub(in crate::file::read) fn place(node: Node<'_, '_>) -> Place {
     let at = node.document().text_pos_at(node.range().start);
     Place::Column { line: at.row.into(), column: at.col.into() }
 }
 
 /// The root element, which must have this name in whatever namespace.
-pub(super) fn root<'a>(
+pub(in crate::file::read) fn root<'a>(
     document: &'a Document<'_>,
     name: &str,
     file: &str,
@@ -59,16 +59,23 @@ pub(super) fn root<'a>(
 }
 
 /// The child elements of this name, in whatever namespace.
-pub(super) fn children<'a, 'b>(node: Node<'a, 'b>, name: &'static str) -> impl Iterator<Item = Node<'a, 'b>> {
+pub(in crate::file::read) fn children<'a, 'b>(
+    node: Node<'a, 'b>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'b>> {
     node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
 }
 
 /// The text of the first child element of this name, without blanks around it.
-pub(super) fn child_text<'a>(node: Node<'a, '_>, name: &'static str) -> Option<&'a str> {
+pub(in crate::file::read) fn child_text<'a>(node: Node<'a, '_>, name: &'static str) -> Option<&'a str> {
     children(node, name).next()?.text().map(str::trim).filter(|text| !text.is_empty())
 }
 
 /// The number in an attribute, if it is there.
-pub(super) fn attribute(node: Node<'_, '_>, name: &str, file: &str) -> Result<Option<f64>, ReadError> {
+pub(in crate::file::read) fn attribute(
+    node: Node<'_, '_>,
+    name: &str,
+    file: &str,
+) -> Result<Option<f64>, ReadError> {
     node.attribute(name).map(|text| expect_number(text, false, file, || place(node))).transpose()
 }

@@ -7,18 +7,21 @@
 //! skipped; `SPECTRAL_NORM` is the value that stands for 1; samples are named by `SAMPLE_NAME`, else `SAMPLE_ID`. Values are those that `MEAS_TYPE` says,
 //! else light in files of kind SPECT and CCSS, of displays, and where a keyword speaks of emission, else reflectance.
 
-use super::error::{clean, excerpt};
-use super::named::note;
-use super::table::{MOST_SPECTRA, stem};
-use super::text::{Separator, expect_number, fields, lines, number};
-use super::units::{LIKELY_NM, MAX_NAME};
-use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
+use crate::file::read::error::{clean, excerpt};
+use crate::file::read::named::note;
+use crate::file::read::table::{MOST_SPECTRA, stem};
+use crate::file::read::text::{Separator, expect_number, fields, lines, number};
+use crate::file::read::units::{LIKELY_NM, MAX_NAME};
+use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 
 /// The most fields of a table.
 const MOST_FIELDS: usize = 10_000;
 
+/// Words of keywords by which a file of kind SPECT says that it is of surfaces.
+const SAMPLES: [&str; 2] = ["color sample", "colour sample"];
+
 /// Whether text is in this format.
-pub(super) fn is_cgats(text: &str) -> bool {
+pub(in crate::file::read) fn is_cgats(text: &str) -> bool {
     lines(text).any(|(_, line)| line.trim() == "BEGIN_DATA_FORMAT")
 }
 
@@ -32,7 +35,7 @@ pub fn read_cgats(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadEr
 }
 
 /// The spectra of a text as the file has them, before their scale is settled.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+pub(in crate::file::read) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
     let first = lines(text).map(|(_, line)| line.trim()).find(|line| !line.is_empty()).unwrap_or("");
     let mut reader = Reader {
         file,
@@ -151,10 +154,11 @@ impl Reader<'_> {
 
     fn keyword(&mut self, text: &str) {
         let value = |name: &str| Some(text.strip_prefix(name)?.trim().trim_matches('"').to_lowercase());
-        if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")) {
+        if let Some(told) = value("MEAS_TYPE").or(value("MEASUREMENT_TYPE")).or(value("QUANTITY")) {
             self.is_said = true;
             self.quantity = match told.as_str() {
                 "emission" | "emissive" | "ambient" | "ambient_flash" | "light" => Quantity::Light,
+                _ if Quantity::alone(&told) != Quantity::Unknown => Quantity::alone(&told),
                 _ if told.starts_with("transmi") => Quantity::Transmittance,
                 _ => Quantity::Reflectance,
             };
@@ -165,6 +169,8 @@ impl Reader<'_> {
             if of_display || ["emission", "emissive", "radiance"].iter().any(|word| lower.contains(word)) {
                 self.quantity = Quantity::Light;
                 self.is_said = true;
+            } else if !self.is_said && SAMPLES.iter().any(|word| lower.contains(word)) {
+                (self.quantity, self.is_said) = (Quantity::Reflectance, true);
             }
         }
         if let Some(norm) = text.strip_prefix("SPECTRAL_NORM") {

@@ -5,13 +5,13 @@
 //! wavelength may stand in the first field (nm if none does), as may `%`. Values are fractions of the incident light per
 //! emission band, whose width is the step of the lines.
 
-use super::error::excerpt;
-use super::named::note;
-use super::reradiation::step;
-use super::table::stem;
-use super::text::{Separator, decode, expect_number, fields, lines};
-use super::units::{Column, Scale};
-use super::{NamedReradiation, Place, ReadError};
+use crate::file::read::error::excerpt;
+use crate::file::read::named::note;
+use crate::file::read::reradiation::step;
+use crate::file::read::table::stem;
+use crate::file::read::text::{Separator, decode, expect_number, fields, lines};
+use crate::file::read::units::{Column, Scale};
+use crate::file::read::{NamedReradiation, Place, ReadError};
 use crate::surfaces::reradiation::MOST_BANDS;
 
 /// Reads a re-radiation matrix from a text table. `file` is its name for messages.

@@ -1,6 +1,6 @@
 //! Units of spectral power, as headers of files give them.
 
-use super::{NamedSpectrum, Quantity};
+use crate::file::read::{NamedSpectrum, Quantity};
 
 /// What an absolute spectrum measures: radiant quantities and the photometric ones that follow from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

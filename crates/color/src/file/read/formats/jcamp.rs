@@ -5,15 +5,15 @@
 //! are decimal; the packed forms (SQZ, DIF, DUP) are refused. Source: R. S. McDonald and P. A. Wilks, JCAMP-DX: A Standard Form
 //! for Exchange of Infrared Spectra in Computer Readable Form, Applied Spectroscopy 42 (1988).
 
-use super::error::{clean, excerpt};
-use super::named::note;
-use super::table::{MOST_SPECTRA, stem};
-use super::text::{lines, number};
-use super::units::{MAX_NAME, Scale, is_percent};
-use super::{NamedSpectrum, Place, Quantity, ReadError};
+use crate::file::read::error::{clean, excerpt};
+use crate::file::read::named::note;
+use crate::file::read::table::{MOST_SPECTRA, stem};
+use crate::file::read::text::{lines, number};
+use crate::file::read::units::{MAX_NAME, Scale, is_percent};
+use crate::file::read::{NamedSpectrum, Place, Quantity, ReadError};
 
 /// Whether text is in this format.
-pub(super) fn is_jcamp(text: &str) -> bool {
+pub(in crate::file::read) fn is_jcamp(text: &str) -> bool {
     let mut content = lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty());
     content.next().is_some_and(|line| line.starts_with("##") && line.contains('='))
         && lines(text).take(200).any(|(_, line)| label(line).is_some_and(|(name, _)| name == "JCAMPDX"))
@@ -27,7 +27,7 @@ fn label(line: &str) -> Option<(String, &str)> {
 }
 
 /// The spectra of a text as the file has them, before their scale is settled.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+pub(in crate::file::read) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = Vec::new();
     let mut block = Block::default();
     let mut table: Option<Table> = None;
@@ -206,8 +206,8 @@ fn steps(first: f64, last: f64, count: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::read_spectra;
     use super::*;
+    use crate::file::read::read_spectra;
 
     #[test]
     fn pairs_and_steps_are_read_from_all_blocks() {

@@ -1,65 +1,7 @@
 //! What a file of spectra holds: named spectra, as they were measured.
 
+use crate::file::read::Quantity;
 use crate::spectra::{FIRST_NM, FineSpectrum, Interpolation, LAST_NM, Outside, Spectrum, TableError};
-
-/// What the values of a spectrum are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Quantity {
-    /// The file does not say.
-    #[default]
-    Unknown,
-    /// The fraction of light that comes back: 0 to 1, more with fluorescence.
-    Reflectance,
-    /// The fraction of light that passes.
-    Transmittance,
-    /// The fraction of light that stays.
-    Absorptance,
-    /// The decadic logarithm of 1 over the transmittance. Readers give it as a transmittance.
-    Absorbance,
-    /// Light of some unit; see the spectrum's `unit`.
-    Light,
-    /// Light without a unit.
-    Relative,
-}
-
-impl Quantity {
-    /// The quantity that a header's text names.
-    pub(super) fn of(text: &str) -> Self {
-        let lower = text.to_lowercase();
-        let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-        let is_word = |word: &str| lower.split(|c: char| !c.is_alphanumeric()).any(|found| found == word);
-        if has(&["reflect", "réflect", "remission", "radiance factor"]) || is_word("refl") {
-            Self::Reflectance
-        } else if has(&["transmi"]) {
-            Self::Transmittance
-        } else if has(&["absorptance"]) {
-            Self::Absorptance
-        } else if has(&["absorbance", "optical density"]) {
-            Self::Absorbance
-        } else if has(&[
-            "radiance",
-            "flux",
-            "power",
-            "intensity",
-            "exitance",
-            "spd",
-            "emission",
-            "éclairement",
-        ]) || has(&["w/", "w m", "w.m", "w·m"])
-        {
-            Self::Light
-        } else if has(&["relative"]) {
-            Self::Relative
-        } else {
-            Self::Unknown
-        }
-    }
-
-    /// Whether the values are fractions of light, so that per cent can be told from them.
-    pub fn is_ratio(self) -> bool {
-        matches!(self, Self::Reflectance | Self::Transmittance | Self::Absorptance)
-    }
-}
 
 /// Fractions of light beyond this are counts, or on another scale, whatever a file says: iridescent feathers give back four
 /// times the light of a white standard.
@@ -153,7 +95,7 @@ impl NamedSpectrum {
     }
 
     /// The greatest value where it is used: instruments give noise beyond.
-    pub(super) fn within_band(&self) -> f64 {
+    pub(in crate::file::read) fn within_band(&self) -> f64 {
         let points = self.nm.iter().zip(&self.values);
         let seen = points.filter(|(nm, _)| (FIRST_NM..=LAST_NM).contains(*nm));
         seen.map(|(_, value)| *value).fold(0.0, f64::max)
@@ -232,25 +174,11 @@ impl NamedSpectrum {
     }
 }
 
-/// The spectrum that an instrument made of the others that it wrote beside it: dark, reference and sample.
-///
-/// Named *processed*, or `P` beside `D`, `R` and `S`; none where there is no such, or more than one.
-pub fn processed(spectra: &[NamedSpectrum]) -> Option<&NamedSpectrum> {
-    let is_processed = |one: &&NamedSpectrum| one.name.to_lowercase().contains("processed");
-    let mut named = spectra.iter().filter(is_processed);
-    if let Some(found) = named.next() {
-        return Some(found).filter(|_| named.next().is_none() && spectra.len() > 1);
-    }
-    let is_jaz =
-        spectra.len() > 1 && spectra.iter().all(|one| ["D", "R", "S", "P"].contains(&one.name.as_str()));
-    spectra.iter().find(|one| is_jaz && one.name == "P")
-}
-
 /// At most this many remarks are kept of a file.
 const MOST_NOTES: usize = 16;
 
 /// Adds a remark, if it is new and there are not too many.
-pub(super) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
+pub(in crate::file::read) fn note(notes: &mut Vec<String>, text: impl Into<String>) {
     let text = text.into();
     if notes.len() < MOST_NOTES && !notes.contains(&text) {
         notes.push(text);

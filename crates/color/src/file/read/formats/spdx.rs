@@ -3,15 +3,16 @@
 //! Wavelengths are in nm, as the standard says. The spectrum is named by the header's description, else
 //! its catalogue number. What the values are comes from `SpectralQuantity`.
 
-use super::error::clean;
-use super::named::note;
-use super::table::stem;
-use super::text::expect_number;
-use super::units::{MAX_NAME, Scale};
-use super::{NamedSpectrum, Quantity, ReadError, read_as, xml};
+use super::xml;
+use crate::file::read::error::clean;
+use crate::file::read::named::note;
+use crate::file::read::table::stem;
+use crate::file::read::text::expect_number;
+use crate::file::read::units::{MAX_NAME, Scale};
+use crate::file::read::{NamedSpectrum, Quantity, ReadError, read_as};
 
 /// The root element.
-pub(super) const ROOT: &str = "IESTM2714";
+pub(in crate::file::read) const ROOT: &str = "IESTM2714";
 /// Texts by which files say that there is nothing to say.
 const NOTHING: [&str; 4] = ["unknown", "n/a", "none", "-"];
 
@@ -25,7 +26,7 @@ pub fn read_spdx(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErr
 }
 
 /// The spectra of a text as the file has them, before their scale is settled.
-pub(super) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
+pub(in crate::file::read) fn parse(text: &str, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
     let document = xml::parse(text, file)?;
     let root = xml::root(&document, ROOT, file)?;
     let header = xml::children(root, "Header").next();

@@ -33,7 +33,7 @@ impl NamedReradiation {
 
 /// The step of ascending wavelengths, which is taken for the width of a band, and whether all steps are
 /// the same up to rounding.
-pub(super) fn step(nm: &[f64]) -> Option<(f64, bool)> {
+pub(in crate::file::read) fn step(nm: &[f64]) -> Option<(f64, bool)> {
     let (first, last) = (nm.first()?, nm.last()?);
     let step = (last - first) / (nm.len().checked_sub(1).filter(|count| *count > 0)? as f64);
     let even = nm.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() <= 0.01 * step);

@@ -1,6 +1,6 @@
 //! What instruments write.
 
-use super::*;
+use crate::file::read::*;
 
 #[test]
 fn of_two_tables_of_the_same_wavelengths_the_finer_is_taken() {
@@ -87,4 +87,14 @@ fn each_row_may_say_what_it_is_of() {
     let kinds: Vec<_> = spectra.iter().map(|spectrum| spectrum.quantity).collect();
     assert_eq!(kinds, [Quantity::Reflectance, Quantity::Transmittance, Quantity::Unknown]);
     assert_eq!((spectra[0].values[1], spectra[1].values[0]), (0.12, 0.1));
+}
+
+/// Logs of meters, such as the CL-500A of Konica Minolta: a row for each measurement, its photometric values before the spectrum.
+#[test]
+fn a_row_with_a_colour_temperature_is_of_light() {
+    let log = "Date,Time,Ev[lx],Tcp[K],360nm,361nm,362nm\n21/03/01,10:00:00,500,4000,0.1,0.2,0.3\n";
+    let spectra = read_spectra(log.as_bytes(), "log.csv").unwrap();
+    assert_eq!((spectra[0].quantity, &spectra[0].values[..]), (Quantity::Light, &[0.1, 0.2, 0.3][..]));
+    let samples = "Name,L*,Tcp[K],400nm,410nm,420nm\nred,50,4000,8,9,10\n";
+    assert_eq!(read_spectra(samples.as_bytes(), "log.csv").unwrap()[0].quantity, Quantity::Unknown);
 }

@@ -6,10 +6,10 @@
 //! a line for each wavelength of emission, and `EOD`. Fields are separated by tabs. Values are per
 //! emission band of the stated step; noise below 0 is left in (`Reradiation::from_measured` cuts it).
 
-use super::error::excerpt;
-use super::table::stem;
-use super::text::{Separator, decode, expect_number, fields, lines};
-use super::{NamedReradiation, Place, ReadError};
+use crate::file::read::error::excerpt;
+use crate::file::read::table::stem;
+use crate::file::read::text::{Separator, decode, expect_number, fields, lines};
+use crate::file::read::{NamedReradiation, Place, ReadError};
 use crate::surfaces::reradiation::MOST_BANDS;
 
 /// The line that tells the format, the second.

@@ -1,13 +1,13 @@
 //! Units and quantities as headers name them.
 
-use super::error::clean;
-use super::{Place, PowerUnit, Quantity, ReadError};
+use crate::file::read::error::clean;
+use crate::file::read::{Place, PowerUnit, Quantity, ReadError};
 use crate::spectra::units::{frequency_hz, lambda_nm_of_energy, lambda_nm_of_frequency};
 
 /// Wavelengths that a file may hold, in nm: from X-rays to the far infrared. All else is a wrong unit.
 const WAVELENGTHS_NM: core::ops::RangeInclusive<f64> = 10.0..=100_000.0;
 /// Wavelengths that are taken for nm where no unit stands.
-pub(super) const LIKELY_NM: core::ops::RangeInclusive<f64> = 100.0..=10_000.0;
+pub(in crate::file::read) const LIKELY_NM: core::ops::RangeInclusive<f64> = 100.0..=10_000.0;
 
 /// How a file gives the place in the spectrum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,12 +61,35 @@ const SCALES: [(&str, Scale); 24] = [
     ("m", Scale::Metres),
 ];
 
+/// Whether a word is the unit of wavelengths. Single letters are words of many headers.
+pub(in crate::file::read) fn names_scale(word: &str) -> bool {
+    let plain = plain(word);
+    SCALES.iter().any(|(name, _)| *name == plain && name.len() > 1)
+}
+
 /// Words in the brackets of an axis that are no units.
 const NO_UNITS: [&str; 6] = ["vacuum", "vac", "air", "x", "axis", "λ"];
 
 impl Scale {
+    /// The units by name, as options and messages give them, with what they are of.
+    pub const UNITS: [(&'static str, &'static str, Self); 8] = [
+        ("nm", "Wavelengths in nm", Self::Nanometres),
+        ("um", "Wavelengths in µm", Self::Micrometres),
+        ("m", "Wavelengths in m", Self::Metres),
+        ("angstrom", "Wavelengths in Å", Self::Angstroms),
+        ("cm-1", "Wavenumbers in 1/cm", Self::InverseCentimetres),
+        ("thz", "Frequencies in THz", Self::Terahertz),
+        ("hz", "Frequencies in Hz", Self::Hertz),
+        ("ev", "Energies of photons in eV", Self::Electronvolts),
+    ];
+
+    /// The unit of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::UNITS.into_iter().find(|(known, ..)| *known == name).map(|(.., scale)| scale)
+    }
+
     /// The scale that a header's text names.
-    pub(super) fn of(header: &str) -> Self {
+    pub(in crate::file::read) fn of(header: &str) -> Self {
         let lower = plain(header);
         let words = || lower.split(|c: char| !(c.is_alphanumeric() || "-/".contains(c)));
         // What is joined to other words by a slash, as in λ/nm, counts, too.
@@ -80,7 +103,7 @@ impl Scale {
     }
 
     /// The scale of a column of wavelengths by its header, or the unit in brackets that is not known.
-    pub(super) fn of_axis(header: &str) -> Result<Self, String> {
+    pub(in crate::file::read) fn of_axis(header: &str) -> Result<Self, String> {
         let found = Self::of(header);
         let Some(unit) = bracketed(header).map(str::trim) else { return Ok(found) };
         let is_no_unit = unit.is_empty() || NO_UNITS.contains(&unit.to_lowercase().as_str());
@@ -91,7 +114,12 @@ impl Scale {
     }
 
     /// The wavelength in nm of a number on this scale.
-    pub(super) fn nm(self, value: f64, file: &str, place: impl FnOnce() -> Place) -> Result<f64, ReadError> {
+    pub(in crate::file::read) fn nm(
+        self,
+        value: f64,
+        file: &str,
+        place: impl FnOnce() -> Place,
+    ) -> Result<f64, ReadError> {
         let nm = self.convert(value);
         let (range, expected) = match self {
             Self::Unknown => {
@@ -107,12 +135,13 @@ impl Scale {
     }
 
     /// Whether a number on this scale may be a wavelength.
-    pub(super) fn is_likely(self, value: f64) -> bool {
+    pub(in crate::file::read) fn is_likely(self, value: f64) -> bool {
         let range = if self == Self::Unknown { LIKELY_NM } else { WAVELENGTHS_NM };
         range.contains(&self.convert(value))
     }
 
-    fn convert(self, value: f64) -> f64 {
+    /// The wavelength in nm of a number on this scale, which may be none.
+    pub(in crate::file::read) fn convert(self, value: f64) -> f64 {
         match self {
             Self::Nanometres | Self::Unknown => value,
             Self::Micrometres => decimal(value * 1e3),
@@ -126,7 +155,7 @@ impl Scale {
     }
 
     /// Whether equal steps of it are no equal steps of wavelength.
-    pub(super) fn is_inverse(self) -> bool {
+    pub(in crate::file::read) fn is_inverse(self) -> bool {
         matches!(self, Self::InverseCentimetres | Self::Terahertz | Self::Hertz | Self::Electronvolts)
     }
 }
@@ -138,7 +167,7 @@ fn plain(text: &str) -> String {
 }
 
 /// What stands in the last brackets of a text, which may have brackets in them: `sr m2` of `L (W/(sr m2))` is not it.
-pub(super) fn bracketed(text: &str) -> Option<&str> {
+pub(in crate::file::read) fn bracketed(text: &str) -> Option<&str> {
     let (start, end) = brackets(text)?;
     Some(&text[start + 1..end])
 }
@@ -173,24 +202,24 @@ fn decimal(nm: f64) -> f64 {
 }
 
 /// dν/dλ in THz per nm: what a density per THz is multiplied with to be one per nm.
-pub(super) fn terahertz_per_nm(nm: f64) -> f64 {
+pub(in crate::file::read) fn terahertz_per_nm(nm: f64) -> f64 {
     frequency_hz(nm) * 1e-12 / nm
 }
 
 /// What the header of a column says.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Column {
+pub(in crate::file::read) struct Column {
     /// The name without the unit.
-    pub(super) name: String,
+    pub(in crate::file::read) name: String,
     /// What is measured.
-    pub(super) quantity: Quantity,
+    pub(in crate::file::read) quantity: Quantity,
     /// The unit as the file gives it; empty if it does not.
-    pub(super) unit: String,
+    pub(in crate::file::read) unit: String,
 }
 
 impl Column {
     /// Takes a header apart: `name (unit)`, `name [unit]`, `name, unit` or `name`.
-    pub(super) fn of(header: &str) -> Self {
+    pub(in crate::file::read) fn of(header: &str) -> Self {
         let header = header.trim();
         let (name, unit) = match brackets(header) {
             Some((open, close)) if header[close + 1..].trim().is_empty() => {
@@ -209,18 +238,18 @@ impl Column {
     }
 
     /// Whether the values are in per cent.
-    pub(super) fn is_percent(&self) -> bool {
+    pub(in crate::file::read) fn is_percent(&self) -> bool {
         is_percent(&self.unit)
     }
 
     /// Whether the values are densities per THz.
-    pub(super) fn is_per_terahertz(&self) -> bool {
+    pub(in crate::file::read) fn is_per_terahertz(&self) -> bool {
         self.unit.to_lowercase().contains("thz")
     }
 }
 
 /// Whether a text says per cent: `%`, `% R`, `percent`, `pct`.
-pub(super) fn is_percent(text: &str) -> bool {
+pub(in crate::file::read) fn is_percent(text: &str) -> bool {
     let lower = text.to_lowercase();
     let words = || lower.split(|c: char| !(c.is_alphanumeric() || c == '%'));
     lower.contains('%')
@@ -236,7 +265,7 @@ fn unit_at_end(header: &str) -> &str {
 }
 
 /// Whether a unit counts photons, and how many of them are one: `photons/s/m2/nm`, `µmol/m²/s/nm`.
-pub(super) fn photons(unit: &str) -> Option<f64> {
+pub(in crate::file::read) fn photons(unit: &str) -> Option<f64> {
     let unit = plain(unit);
     let first =
         unit.split(|c: char| c.is_whitespace() || "/·*.".contains(c)).find(|word| !word.is_empty())?;
@@ -253,7 +282,7 @@ pub(super) fn photons(unit: &str) -> Option<f64> {
 const AVOGADRO: f64 = 6.022_140_76e23;
 
 /// The most characters of a name or a unit that are kept.
-pub(super) const MAX_NAME: usize = 200;
+pub(in crate::file::read) const MAX_NAME: usize = 200;
 
 #[cfg(test)]
 mod tests {
