@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale, processed};
+use glanz_color::read::{NamedSpectrum, Quantity, ReadOptions, Scale, ValueScale, preferred};
 use glanz_color::{FIRST_NM, Ior, LAST_NM, Observer, Outside, Reradiation, Spectrum, UnknownName};
 
 use super::builder::Builder;
@@ -200,7 +200,8 @@ impl Builder {
         let bytes = self.read_beside(file)?;
         let spectra = glanz_color::read::read_spectra_with(&bytes, file, &read_options(table, light))
             .map_err(|error| Problem::at(&file.span, error.to_string()))?;
-        let chosen = choose(&spectra, file, table.column.as_ref())?;
+        let (chosen, remark) = choose(&spectra, file, table.column.as_ref())?;
+        self.input.notes.extend(remark);
         let help = "if the file is wrong about it, say what it is with as = \"light\" or as = \"surface\"";
         match chosen.quantity {
             quantity if light && quantity.is_ratio() => {
@@ -329,6 +330,7 @@ fn refuse_keys_out_of_place(table: &SpectralTable) -> Result<(), Problem> {
         (table.column.as_ref().map(|v| &v.span), "'column'"),
         (table.quantity.as_ref().map(|v| &v.span), "'as'"),
         (table.unit.as_ref().map(|v| &v.span), "'unit'"),
+        (table.pixel.as_ref().map(|v| &v.span), "'pixel'"),
         (
             table.scale.as_ref().filter(|v| matches!(v.value, ScaleValue::File(_))).map(|v| &v.span),
             "a word as 'scale'",
@@ -409,31 +411,32 @@ fn read_options(table: &SpectralTable, light: bool) -> ReadOptions {
             Some(ScaleValue::File(FileScale::Fraction)) => Some(ValueScale::Fraction),
             Some(ScaleValue::Factor(_)) | None => None,
         },
-        pixel: None,
+        pixel: table.pixel.as_ref().map(|at| (at.value[0] as usize, at.value[1] as usize)),
     }
 }
 
+/// The spectrum that is meant: the only one, that of the column, or the one that comes first, which is told.
 fn choose<'a>(
     spectra: &'a [NamedSpectrum],
     file: &At<String>,
     column: Option<&At<Column>>,
-) -> Result<&'a NamedSpectrum, Problem> {
+) -> Result<(&'a NamedSpectrum, Option<String>), Problem> {
     let names = || spectra.iter().map(|spectrum| spectrum.name.as_str()).collect::<Vec<_>>().join(", ");
     let Some(column) = column else {
-        return match (spectra, processed(spectra)) {
-            ([only], _) | (_, Some(only)) => Ok(only),
-            _ => {
-                let message =
-                    format!("'{}' has {} spectra; 'column' must name one", file.value, spectra.len());
-                Err(Problem::at(&file.span, message).help(format!("it has: {}", names())))
-            }
-        };
+        if let Some((found, why)) = preferred(spectra) {
+            let (file, count, name) = (&file.value, spectra.len(), &found.name);
+            let choice = format!("'column' takes another of {}", names());
+            let remark = format!("'{file}' holds {count} spectra: '{name}' is taken, {why}; {choice}");
+            return Ok((found, Some(remark)));
+        }
+        let none = || Problem::at(&file.span, format!("'{}' holds no spectrum", file.value));
+        return spectra.first().map(|only| (only, None)).ok_or_else(none);
     };
     let (found, what) = match &column.value {
         Column::Name(name) => (spectra.iter().find(|spectrum| spectrum.name == *name), "name"),
         Column::Number(number) => (spectra.get((*number as usize).wrapping_sub(1)), "number"),
     };
-    found.ok_or_else(|| {
+    found.map(|found| (found, None)).ok_or_else(|| {
         Problem::at(&column.span, format!("'{}' has no spectrum of that {what}", file.value))
             .help(format!("it has: {}", names()))
     })

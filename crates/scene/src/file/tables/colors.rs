@@ -37,6 +37,8 @@ pub(crate) struct SpectralTable {
     pub quantity: Option<At<FileQuantity>>,
     /// The unit of the file's wavelengths, where it does not say it or is wrong.
     pub unit: Option<At<AxisUnit>>,
+    /// Column and row, from 0 at the top left, of the pixel of a spectral OpenEXR picture; the one in the middle by default.
+    pub pixel: Option<At<[u32; 2]>>,
     /// Wavelengths in nm, increasing; with `value`.
     pub nm: Option<At<Vec<Number>>>,
     /// The values at these wavelengths.
