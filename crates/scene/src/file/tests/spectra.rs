@@ -149,6 +149,31 @@ fn units_are_never_mixed() {
 }
 
 #[test]
+fn of_several_spectra_in_a_file_one_is_taken_and_told() {
+    let table = "nm,red reflectance,blue reflectance\n400,0.1,0.5\n700,0.6,0.1\n";
+    let colors = |more: &str| format!("[materials.m]\ndiffuse = {{ file = 'two.csv'{more} }}\n");
+    let load = |more: &str| {
+        let scratch = super::Scratch::new(
+            "several",
+            &[("scenes/two.csv", table), ("scenes/scene.toml", &colors(more))],
+        );
+        let loaded = scratch.load(false).unwrap_or_else(|error| panic!("{error}"));
+        let Tint::Spectrum(own) = &loaded.scene.materials[0].lobes[0].tint else { panic!("a spectrum") };
+        (own.at(700.0), loaded.notes)
+    };
+    let (red, notes) = load("");
+    assert!((red - 0.6).abs() < 1e-6, "{red}");
+    let told = "'two.csv' holds 2 spectra: 'red reflectance' is taken, the first; 'column' takes another of red \
+                reflectance, blue reflectance";
+    assert_eq!(notes[0], told);
+    let (blue, notes) = load(", column = 2");
+    assert!(
+        (blue - 0.1).abs() < 1e-6 && !notes.iter().any(|note| note.contains("holds 2")),
+        "{blue} {notes:?}"
+    );
+}
+
+#[test]
 fn what_is_no_colour_says_what_would_be() {
     let material = |value: &str| format!("[materials.m]\ndiffuse = {value}\n");
     let light = |keys: &str| format!("[[lights]]\nkind = 'point'\nposition = [0, 1, 0]\n{keys}\n");
@@ -176,6 +201,7 @@ fn what_is_no_colour_says_what_would_be() {
         ),
         (material("{ spectrum = 'orange', as = 'light' }"), "'as' needs 'file'"),
         (material("{ spectrum = 'orange', unit = 'um' }"), "'unit' needs 'file'"),
+        (material("{ spectrum = 'orange', pixel = [3, 4] }"), "'pixel' needs 'file'"),
         (material("{ spectrum = 'orange', scale = 'percent' }"), "a word as 'scale' needs 'file'"),
         (light("spectrum = 'FL99'"), "there is no light 'FL99'"),
         (light("spectrum = 'orange'"), "a lamp needs light, found a reflectance"),
