@@ -17,5 +17,6 @@ mod models;
 mod numbers;
 mod pictures;
 mod plots;
+mod probe;
 mod schemas;
 mod spectra;

@@ -85,7 +85,7 @@ struct PointFacts {
 /// What a light gives.
 #[derive(Debug, Serialize, JsonSchema)]
 struct LightFacts {
-    /// Its number among the scene's lights
+    /// Its number in paths such as lights.0.color
     light: usize,
     kind: String,
     /// How it arrives; null for light from many directions

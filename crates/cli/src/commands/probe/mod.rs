@@ -146,7 +146,8 @@ fn object_name(scene: &Scene, number: usize) -> String {
     if name.is_empty() { number.to_string() } else { name.to_owned() }
 }
 
-/// A light of the scene by its number among those that are not ambient: its number among all, and what it is.
+/// A light of the scene by its number among those that are not ambient: its number in paths such as lights.0.color, and
+/// what it is. The light of [ambient], which stands before the others, has none.
 fn light(scene: &Scene, number: usize) -> (usize, String) {
     let is_seen = |light: &&Light| light.kind != LightKind::Ambient;
     let found = scene.lights.iter().enumerate().filter(|(_, light)| is_seen(light)).nth(number);
@@ -159,6 +160,8 @@ fn light(scene: &Scene, number: usize) -> (usize, String) {
         LightKind::Area { .. } => "area",
         LightKind::Environment { .. } => "environment",
     };
+    let by_itself = |light: &Light| light.kind == LightKind::Ambient && light.name == "ambient";
+    let index = index - usize::from(scene.lights.first().is_some_and(by_itself));
     (index, if light.name.is_empty() { kind.to_owned() } else { format!("{kind} '{}'", light.name) })
 }
 
