@@ -12,10 +12,10 @@
 //! # Ok::<_, glanz_plot::Error>(())
 //! ```
 
+use crate::Error;
 use crate::chart::{Axis, Curve, LineChart, sampled};
 use crate::page::{curve_color, curve_dash};
 use crate::words::{Lang, Word};
-use crate::{Error, number};
 
 /// The most curves of a plot.
 const MOST_CURVES: usize = 64;
@@ -197,11 +197,11 @@ fn check_count(found: usize) -> Result<(), Error> {
 }
 
 /// The label of a law by its factors, with those that are 0 left out: `1 + 0.5 d + 0.1 d²`.
-pub fn attenuation_label(constant: f64, linear: f64, quadratic: f64) -> String {
+pub fn attenuation_label(constant: f64, linear: f64, quadratic: f64, lang: Lang) -> String {
     let part = |factor: f64, unit: &str| match (factor, unit) {
         (0.0, _) => None,
         (1.0, unit) if !unit.is_empty() => Some(unit.to_owned()),
-        (factor, unit) => Some(format!("{} {unit}", number(factor)).trim_end().to_owned()),
+        (factor, unit) => Some(format!("{} {unit}", lang.number(factor)).trim_end().to_owned()),
     };
     let parts = [part(constant, ""), part(linear, "d"), part(quadratic, "d²")];
     let sum: Vec<_> = parts.into_iter().flatten().collect();
@@ -239,12 +239,12 @@ mod tests {
 
     #[test]
     fn laws_are_named_by_their_factors() {
-        assert_eq!(attenuation_label(1.0, 0.5, 0.0), "1 / (1 + 0.5 d)");
+        assert_eq!(attenuation_label(1.0, 0.5, 0.0, Lang::En), "1 / (1 + 0.5 d)");
         assert_eq!(
-            (attenuation_label(1.0, 0.0, 0.0), attenuation_label(0.0, 0.0, 1.0)),
+            (attenuation_label(1.0, 0.0, 0.0, Lang::En), attenuation_label(0.0, 0.0, 1.0, Lang::En)),
             ("1".into(), "1 / d²".into())
         );
-        assert_eq!(attenuation_label(1.0, 0.0, 0.1), "1 / (1 + 0.1 d²)");
+        assert_eq!(attenuation_label(1.0, 0.0, 0.1, Lang::Fr), "1 / (1 + 0,1 d²)");
     }
 
     #[test]

@@ -4,12 +4,14 @@ use std::fmt::Write;
 
 use glam::{DMat3, DMat4};
 use glanz_plot::number;
-use glanz_scene::{Camera, Object, Scene};
+use glanz_scene::{Camera, Object, Projection, Scene};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The most objects whose matrices are printed for people; JSON has all.
 const MOST_OBJECTS: usize = 20;
+/// The planes where nothing lies before the camera.
+const IN_FRONT_OF_NOTHING: [f64; 2] = [0.1, 100.0];
 /// Numbers below this part of a matrix' greatest are the rounding of 0.
 const ROUNDING: f64 = 1e-14;
 
@@ -95,11 +97,20 @@ fn near_far(scene: &Scene, camera: &Camera) -> [f64; 2] {
         let at = [side(0, min.x, max.x), side(1, min.y, max.y), side(2, min.z, max.z)];
         back.dot(camera.eye - glam::DVec3::from_array(at))
     };
-    if bounds.is_empty() {
-        return [0.1, 100.0];
+    let (nearest, farthest) =
+        (0..8).map(corner).fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), distance| {
+            (least.min(distance), most.max(distance))
+        });
+    let is_parallel = matches!(camera.projection, Projection::Orthographic { .. });
+    match () {
+        () if bounds.is_empty() || !is_parallel && farthest <= 0.0 => IN_FRONT_OF_NOTHING,
+        // Parallel rays see behind the eye, too.
+        () if is_parallel => {
+            let room = 0.1 * (farthest - nearest).max(1e-3);
+            [nearest - room, farthest + room]
+        }
+        () => [nearest.max(1e-3 * farthest) * 0.9, farthest * 1.1],
     }
-    let far = (0..8).map(corner).fold(f64::MIN_POSITIVE, f64::max) * 1.1;
-    [(0..8).map(corner).fold(f64::INFINITY, f64::min).max(far * 1e-3) * 0.9, far]
 }
 
 fn rows(matrix: DMat4) -> [[f64; 4]; 4] {
@@ -129,7 +140,7 @@ fn maybe<const N: usize>(text: &mut String, title: &str, rows: Option<&[[f64; N]
 fn matrix<const N: usize>(text: &mut String, title: &str, rows: &[[f64; N]; N]) {
     writeln!(text, "    {title}").expect("a string takes everything");
     for row in rows {
-        let line: String = row.iter().map(|value| format!("{:>12}", number(*value))).collect();
+        let line: String = row.iter().map(|value| format!(" {:>12}", number(*value))).collect();
         writeln!(text, "    {line}").expect("a string takes everything");
     }
 }
@@ -153,7 +164,16 @@ mod tests {
     fn all_objects_lie_between_the_planes() {
         let gold = glanz_scene::library::material("gold").unwrap();
         let scene = Scene::new().with_mesh(glanz_scene::Mesh::builtin("sphere").unwrap(), gold);
-        let tables = MatrixTables::of(&scene);
+        let behind = Scene { camera: Some(Camera::new([0.0, 0.0, -3.0], [0.0, 0.0, -9.0])), ..scene.clone() };
+        assert_eq!(MatrixTables::of(&behind).near_far, IN_FRONT_OF_NOTHING);
+        let within = Camera::new([0.0; 3], [0.0, 0.0, -1.0]).orthographic(3.0);
+        for scene in [Scene { camera: Some(within), ..scene.clone() }, scene] {
+            all_are_in_view(&scene);
+        }
+    }
+
+    fn all_are_in_view(scene: &Scene) {
+        let tables = MatrixTables::of(scene);
         let clip = DMat4::from_cols_array_2d(&tables.projection).transpose()
             * DMat4::from_cols_array_2d(&tables.view).transpose();
         for position in &scene.meshes[0].positions {

@@ -84,16 +84,22 @@ impl FresnelPlot {
             color,
             dash,
         };
-        let schlick = self.lang.say(Word::Schlick, &[&medium.name]);
+        let schlick = self.lang.say(Word::Schlick, &[&self.name_of(medium)]);
         let mut curves = vec![
-            curve(medium.name.clone(), None, &|c| medium.reflectance(c)),
+            curve(self.name_of(medium), None, &|c| medium.reflectance(c)),
             curve(schlick, dash(1), &|c| fresnel_schlick(c, f0)),
         ];
         if self.polarized {
-            curves.push(curve(format!("{}, s", medium.name), dash(2), &|c| medium.polarized(c).0));
-            curves.push(curve(format!("{}, p", medium.name), dash(2), &|c| medium.polarized(c).1));
+            curves.push(curve(format!("{}, s", self.name_of(medium)), dash(2), &|c| medium.polarized(c).0));
+            curves.push(curve(format!("{}, p", self.name_of(medium)), dash(2), &|c| medium.polarized(c).1));
         }
         curves
+    }
+
+    /// The name of a medium, whose index may be in it.
+    fn name_of(&self, medium: &Medium) -> String {
+        let is_index = medium.name.starts_with("n = ");
+        if is_index { self.lang.decimal(medium.name.clone()) } else { medium.name.clone() }
     }
 
     /// Brewster's angle, and the critical angle on the way out of a medium; none for what absorbs.
@@ -103,7 +109,11 @@ impl FresnelPlot {
         }
         let mark = |word: Word, radians: f64| {
             let x = radians.to_degrees();
-            LineMark { x, label: self.lang.say(word, &[&format!("{x:.1}")]), color: curve_color(index) }
+            LineMark {
+                x,
+                label: self.lang.say(word, &[&self.lang.decimal(format!("{x:.1}"))]),
+                color: curve_color(index),
+            }
         };
         let mut marks = vec![mark(Word::Brewster, libm::atan(medium.eta))];
         if leads_out(medium) {

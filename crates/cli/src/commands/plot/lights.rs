@@ -40,7 +40,7 @@ pub(super) fn attenuation(
             unreachable!("the kind is written below")
         };
         let (constant, linear, quadratic) = (attenuation.constant, attenuation.linear, attenuation.quadratic);
-        let sum = attenuation_label(constant, linear, quadratic);
+        let sum = attenuation_label(constant, linear, quadratic, lang);
         let named = values.iter().map(|(_, text)| text.trim_matches('"')).find(|text| !text.contains('{'));
         let label = named.map_or(sum.clone(), |name| format!("{name}: {sum}"));
         laws.push(Attenuation { label, constant, linear, quadratic });

@@ -415,6 +415,9 @@ fn read_options(table: &SpectralTable, light: bool) -> ReadOptions {
     }
 }
 
+/// How many of a file's other spectra are named.
+const NAMED: usize = 6;
+
 /// The spectrum that is meant: the only one, that of the column, or the one that comes first, which is told.
 fn choose<'a>(
     spectra: &'a [NamedSpectrum],
@@ -425,7 +428,10 @@ fn choose<'a>(
     let Some(column) = column else {
         if let Some((found, why)) = preferred(spectra) {
             let (file, count, name) = (&file.value, spectra.len(), &found.name);
-            let choice = format!("'column' takes another of {}", names());
+            let others = || spectra.iter().map(|one| one.name.as_str()).filter(|name| name != &found.name);
+            let more = if others().count() > NAMED { ", …" } else { "" };
+            let others = others().take(NAMED).collect::<Vec<_>>().join(", ");
+            let choice = format!("'column' takes another: {others}{more}");
             let remark = format!("'{file}' holds {count} spectra: '{name}' is taken, {why}; {choice}");
             return Ok((found, Some(remark)));
         }

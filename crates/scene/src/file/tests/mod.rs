@@ -431,3 +431,19 @@ fn files_that_cannot_be_a_scene_are_refused_as_a_whole() {
         "expected UTF-8 text, found byte 1 that is not"
     );
 }
+
+#[test]
+fn a_cube_coloured_by_position_is_that_of_rgb() {
+    let scene = parse("[[objects]]\nmesh = 'cube'\ncolors = 'position'\n")
+        .unwrap_or_else(|error| panic!("{error}"))
+        .scene;
+    let mesh = &scene.meshes[scene.objects[0].mesh];
+    for (at, color) in mesh.positions.iter().zip(&mesh.colors) {
+        assert_eq!(color.truncate(), (*at + glam::Vec3::ONE) * 0.5, "{at}");
+    }
+    assert_eq!(mesh.colors.len(), 24);
+    let flat = parse("[[objects]]\nmesh = 'quad'\ncolors = 'position'\n")
+        .unwrap_or_else(|error| panic!("{error}"))
+        .scene;
+    assert!(flat.meshes[0].colors.iter().all(|color| color.z == 0.5), "across no extent it is one half");
+}

@@ -163,8 +163,8 @@ fn of_several_spectra_in_a_file_one_is_taken_and_told() {
     };
     let (red, notes) = load("");
     assert!((red - 0.6).abs() < 1e-6, "{red}");
-    let told = "'two.csv' holds 2 spectra: 'red reflectance' is taken, the first; 'column' takes another of red \
-                reflectance, blue reflectance";
+    let told = "'two.csv' holds 2 spectra: 'red reflectance' is taken, the first; 'column' takes another: blue \
+                reflectance";
     assert_eq!(notes[0], told);
     let (blue, notes) = load(", column = 2");
     assert!(

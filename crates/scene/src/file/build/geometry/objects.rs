@@ -38,6 +38,7 @@ enum Source {
 enum Colors {
     Mesh,
     None,
+    Position,
     List(Vec<Vec4>),
 }
 
@@ -105,6 +106,7 @@ impl Builder {
             None if builtin && object.material.is_some() => Colors::None,
             None | Some(ColorsValue::Name(ColorsName::Mesh)) => Colors::Mesh,
             Some(ColorsValue::Name(ColorsName::None)) => Colors::None,
+            Some(ColorsValue::Name(ColorsName::Position)) => Colors::Position,
             Some(ColorsValue::List(list)) => {
                 Colors::List(list.iter().map(|color| glam::Vec3::from_array(color.0.0).extend(1.0)).collect())
             }
@@ -307,6 +309,7 @@ fn finish(mut mesh: Mesh, object: &ObjectTable, recipe: &Recipe) -> Result<Mesh,
             mesh.colors.clone_from(colors);
         }
         (Colors::None, _) => mesh.colors = Vec::new(),
+        (Colors::Position, _) => mesh.colors = colors_of_positions(&mesh),
         _ => {}
     }
     if let Some(levels) = object.subdivide.as_ref().filter(|levels| levels.0 > 0) {
@@ -367,4 +370,17 @@ impl ObjectTable {
             matrix: self.matrix.as_ref(),
         }
     }
+}
+
+/// Linear red, green and blue by where vertices are, from 0 to 1 across the mesh; one half where it has no extent.
+fn colors_of_positions(mesh: &Mesh) -> Vec<Vec4> {
+    let bounds = mesh.bounds();
+    let (low, size) = (bounds.min, bounds.max - bounds.min);
+    let channel = |at: f64, low: f64, size: f64| if size > 0.0 { ((at - low) / size) as f32 } else { 0.5 };
+    let color = |at: &glam::Vec3| {
+        let at = at.as_dvec3();
+        let [r, g, b] = [0, 1, 2].map(|axis| channel(at[axis], low[axis], size[axis]));
+        Vec4::new(r, g, b, 1.0)
+    };
+    mesh.positions.iter().map(color).collect()
 }

@@ -69,6 +69,8 @@ names! {
         Mesh = "mesh",
         /// None.
         None = "none",
+        /// Linear red, green and blue are x, y and z, from 0 to 1 across the mesh.
+        Position = "position",
     } default Mesh
 }
 
@@ -78,7 +80,7 @@ impl<'de> Deserialize<'de> for ColorsValue {
         impl<'de> Visitor<'de> for Colors {
             type Value = ColorsValue;
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list of colours, \"mesh\" or \"none\"")
+                f.write_str("a list of colours, \"mesh\", \"position\" or \"none\"")
             }
             fn visit_str<E: Error>(self, name: &str) -> Result<ColorsValue, E> {
                 let name: serde::de::value::StrDeserializer<'_, E> = name.into_deserializer();
