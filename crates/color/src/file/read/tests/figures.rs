@@ -2,8 +2,10 @@
 
 use super::*;
 
-/// The spectra of a file of this name: name, quantity, points.
-fn named(text: &str) -> Vec<(String, Quantity, Vec<(f64, f64)>)> {
+/// A spectrum's name, what it is of, and its points.
+type Named = (String, Quantity, Vec<(f64, f64)>);
+
+fn named(text: &str) -> Vec<Named> {
     let points = |one: &NamedSpectrum| one.nm.iter().copied().zip(one.values.iter().copied()).collect();
     spectra(text).iter().map(|one| (one.name.clone(), one.quantity, points(one))).collect()
 }
