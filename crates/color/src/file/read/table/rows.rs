@@ -179,17 +179,22 @@ impl Rows {
         let of_values = corners.iter().zip(&fields_of_head).filter(|(_, field)| !names_axis(field));
         let unit = of_values.map(|(one, _)| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
-            if spectrum.quantity == Quantity::Unknown {
-                spectrum.quantity = quantity;
-            }
-            spectrum.unit = unit.to_owned();
-            if self.scale.is_inverse() {
-                let said = Column { name: String::new(), quantity: spectrum.quantity, unit: unit.to_owned() };
-                settle_column(spectrum, &said, self.scale);
-            }
+            self.settle(spectrum, quantity, unit);
             spectrum.notes.splice(0..0, notes.iter().cloned());
         }
         Ok(spectra)
+    }
+
+    /// Gives a spectrum what is said of all, and brings densities by frequency to those by wavelength.
+    fn settle(&self, spectrum: &mut NamedSpectrum, quantity: Quantity, unit: &str) {
+        if spectrum.quantity == Quantity::Unknown {
+            spectrum.quantity = quantity;
+        }
+        spectrum.unit = unit.to_owned();
+        if self.scale.is_inverse() {
+            let said = Column { name: String::new(), quantity: spectrum.quantity, unit: unit.to_owned() };
+            settle_column(spectrum, &said, self.scale);
+        }
     }
 
     /// What the line of wavelengths says of all rows, or the lines above it.
