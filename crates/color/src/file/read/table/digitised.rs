@@ -110,19 +110,13 @@ impl Map {
             let expected = "three points with their pixels that are not on one line";
             return Err((expected.to_owned(), "points on one line".to_owned()));
         };
-        let (worst, point) = [(wavelength, 2), (value, 3)]
-            .into_iter()
-            .map(|(plane, of)| residual(points, plane, of))
-            .fold((0.0, 0), |most, one| if one.0 > most.0 { one } else { most });
-        let far = format!(
-            "point {} lies {:.2} % of the range off the map that fits them best",
-            point + 1,
-            100.0 * worst
-        );
+        let worst = residual(points, wavelength, 2).max(residual(points, value, 3));
+        let far =
+            format!("points up to {:.2} % of their range off the map that fits them best", 100.0 * worst);
         if worst > MOST_RESIDUAL {
             return Err(("points of one affine map".to_owned(), far));
         }
-        let told = (worst > TOLD_RESIDUAL).then(|| format!("of the points with their pixels, {far}"));
+        let told = (worst > TOLD_RESIDUAL).then(|| format!("under [Control], {far}"));
         Ok(Self { wavelength, value, told })
     }
 
@@ -163,11 +157,10 @@ fn plane(points: &[[f64; 4]], of: usize) -> Option<Plane> {
     Some([value - a * x - b * y, a, b]).filter(|plane| plane.iter().all(|part| part.is_finite()))
 }
 
-/// The greatest distance of a point from a plane, by the range of their values, and which point it is.
-fn residual(points: &[[f64; 4]], plane: Plane, of: usize) -> (f64, usize) {
+/// The greatest distance of a point from a plane, by the range of their values.
+fn residual(points: &[[f64; 4]], plane: Plane, of: usize) -> f64 {
     let values = || points.iter().map(|point| point[of]);
     let range = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
     let far = points.iter().map(|point| (point[of] - at(plane, point[0], point[1])).abs());
-    let far = far.map(|far| if far > 0.0 { far / range } else { 0.0 });
-    far.enumerate().fold((0.0, 0), |most, (at, far)| if far > most.0 { (far, at) } else { most })
+    far.fold(0.0, |most: f64, far| if far > 0.0 { most.max(far / range) } else { most })
 }

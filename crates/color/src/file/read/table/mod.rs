@@ -73,12 +73,23 @@ pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<N
     let mut spectra = match (of_lines(&lines::content(text_lines(text)), file, unit), written.unsettled) {
         (Ok(spectra), _) => spectra,
         (Err(_), Some(unsettled)) => return Err(unsettled.error(file)),
-        (Err((error, count)), None) => of_other_shape(text, file, unit, count)?.ok_or(error)?,
+        (Err((error, count)), None) => {
+            let spectra = of_other_shape(text, file, unit, count)?;
+            spectra.ok_or_else(|| with_told(error, written.told.as_deref()))?
+        }
     };
     for spectrum in &mut spectra {
         written.told.iter().for_each(|told| note(&mut spectrum.notes, told.clone()));
     }
     Ok(spectra)
+}
+
+/// An error with what was made of the numbers: that may be why.
+fn with_told(mut error: ReadError, told: Option<&str>) -> ReadError {
+    if let (ReadError::Malformed { found, .. }, Some(told)) = (&mut error, told) {
+        found.push_str(&format!(" ({told})"));
+    }
+    error
 }
 
 /// The spectra of lines that each hold a wavelength and its values, or all values of a spectrum. An error comes with the number

@@ -53,7 +53,7 @@ fn points_that_no_map_fits_are_refused() {
         );
     }
     let told = spectra(&figure(410.0, 700.0)).remove(0);
-    assert!(told.notes[1].contains("of the range off the map"), "{:?}", told.notes);
+    assert!(told.notes[1].contains("of their range off the map"), "{:?}", told.notes);
     // Four points almost on one line say nothing of what is beside it.
     let line = "[Control]\n0 0 400 0\n300 301 500 0.3\n600 601 600 0.6\n900 900 700 1\n[R]\n0 0\n9 9\n";
     assert!(error_of(line).contains("found points on one line"), "{}", error_of(line));

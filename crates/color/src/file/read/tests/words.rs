@@ -41,6 +41,9 @@ fn dates_say_nothing_of_separators_of_thousands() {
         "{}",
         error_of(&both)
     );
+    // Wavelengths with a point of decimals beside values with one of thousands.
+    let mixed = error_of(&table("nm;irradiance", 6, |i| format!("{}0.500;1.4{i}0,5", 40 + i)));
+    assert!(mixed.contains("found 400500") && mixed.contains("separator of thousands"), "{mixed}");
 }
 
 #[test]
