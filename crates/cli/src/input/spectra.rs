@@ -332,6 +332,7 @@ fn kind_of(named: &NamedSpectrum, file: &str) -> Result<SpectrumKind, Failure> {
         }
         // The level of values does not tell: a lamp may be scaled to any.
         Quantity::Unknown => {
+            named.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
             let message = format!("{file} does not say what '{}' is of", named.name);
             Err(Report::new(message).help("say --as light or --as surface").file(Path::new(file)).into())
         }

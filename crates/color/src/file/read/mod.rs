@@ -15,7 +15,7 @@
 //! All take bytes and a file's name for messages, and open nothing themselves. A reader is total: it
 //! returns what the file holds or one error that names file, place and what was expected. Its memory and
 //! time are bounded by the size of the file, which is at most 16 MiB, never by a number that the file
-//! claims. What a reader had to assume stands in the `notes` of what it returns.
+//! claims; of a table of many samples, each is read with at most 16 KiB of the lines around it. What a reader had to assume stands in the `notes` of what it returns.
 //!
 //! ```
 //! use glanz_color::read::{Quantity, read_spectra};
@@ -109,6 +109,10 @@ pub fn read_spectra_with(
         Format::Table => table::parse(&text, file, options.unit),
     }?;
     settle::settle(&mut spectra, options, file);
+    if ior::is_half(file) {
+        let text = "files of this name hold n or k of a medium (.eta.spd, .k.spd): --ior reads both";
+        spectra.iter_mut().for_each(|spectrum| named::note(&mut spectrum.notes, text));
+    }
     Ok(spectra)
 }
 

@@ -158,6 +158,14 @@ pub fn read_ior_pair(n: (&[u8], &str), k: (&[u8], &str)) -> Result<NamedIor, Rea
 /// Beginnings or ends of names of files that hold n alone, and those of the files with k beside them.
 const HALVES: [(&str, &str); 3] = [(".eta", ".k"), ("-eta", "-k"), ("_eta", "_k")];
 
+/// Whether a file's name is that of n or k alone: `Au.eta.spd`, `Au.k.spd`.
+pub(super) fn is_half(file: &str) -> bool {
+    let Some((stem, ending)) = file.rsplit_once('.') else { return false };
+    let lower = stem.to_ascii_lowercase();
+    let is_half = |(n, k): &(&str, &str)| lower.ends_with(n) || lower.ends_with(k);
+    ending.eq_ignore_ascii_case("spd") && HALVES.iter().any(is_half)
+}
+
 /// The name of the file with k beside one with n alone, by the names that pbrt and Mitsuba give to such files.
 ///
 /// ```

@@ -1,7 +1,7 @@
 //! The columns of wavelengths of a table.
 
-use super::Source;
 use super::head::{Head, names_axis};
+use super::{Source, bands};
 use crate::file::read::error::excerpt;
 use crate::file::read::named::note;
 use crate::file::read::units::Scale;
@@ -48,7 +48,7 @@ pub(super) fn find(
         }
         axes.push(axis);
     }
-    bands(&mut axes, values, notes);
+    bands::find(&mut axes, head, values, notes);
     Ok(axes)
 }
 
@@ -97,25 +97,6 @@ pub(super) fn is_in_micrometres(values: &[f64]) -> bool {
         && ordered
         && known().all(|value| LIKELY_UM.contains(value))
         && known().filter(|value| VISIBLE_UM.contains(*value)).count() >= FEWEST_UM
-}
-
-/// Bands that a table gives by their lower and upper end, each beginning where the one before it ends: their middles become
-/// the wavelengths.
-fn bands(axes: &mut Vec<Axis>, values: &mut [Vec<f64>], notes: &mut Vec<String>) {
-    let [axis] = axes.as_slice() else { return };
-    let (lower, scale) = (axis.column, axis.scale);
-    let upper = lower + 1;
-    if upper + 1 >= values.len() || values[lower].len() < FEWEST_UM {
-        return;
-    }
-    let follows = values[lower].iter().skip(1).zip(&values[upper]).all(|(next, end)| next == end);
-    if !follows {
-        return;
-    }
-    let middles = values[lower].iter().zip(&values[upper]).map(|(low, high)| 0.5 * (low + high)).collect();
-    values[upper] = middles;
-    axes.push(Axis { column: upper, scale });
-    note(notes, "bands from the first to the second wavelength: their middles are taken");
 }
 
 /// Whether numbers can be wavelengths: they only rise or only fall, and lie where wavelengths do.

@@ -135,7 +135,7 @@ fn name(source: &Source<'_>, head: &Head, spectra: &mut [NamedSpectrum]) {
 }
 
 /// Brings the values of a column to densities per nm, and tells what is taken for granted.
-fn settle_column(spectrum: &mut NamedSpectrum, column: &Column, scale: Scale) {
+pub(super) fn settle_column(spectrum: &mut NamedSpectrum, column: &Column, scale: Scale) {
     if scale == Scale::Unknown {
         note(&mut spectrum.notes, "no unit of wavelength given: taken as nm");
     }

@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
+use super::number_like::is_date;
+use crate::file::read::error::excerpt;
 use crate::file::read::text::lines;
+use crate::file::read::{Place, ReadError};
 
 /// How numbers of a file are written, where that differs from `1234.5`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,35 +19,68 @@ struct Style {
 /// What may stand between thousands.
 const GROUPS: [char; 6] = [',', '.', '\'', '’', '\u{a0}', '\u{202f}'];
 
+/// A text, with what became of its numbers.
+#[derive(Debug)]
+pub(super) struct Written<'a> {
+    /// The text, with its numbers as `1234.5`, if it is clear which way they are written.
+    pub(super) text: Cow<'a, str>,
+    /// What is told of it.
+    pub(super) told: Option<String>,
+    /// Why nothing was changed, though a number has separators of thousands.
+    pub(super) unsettled: Option<Unsettled>,
+}
+
+/// Two numbers of a table that are not written in one way.
+#[derive(Debug)]
+pub(super) struct Unsettled {
+    one: String,
+    other: String,
+    /// The line of the other one.
+    line: u64,
+}
+
+impl Unsettled {
+    /// The error where the table cannot be read for it.
+    pub(super) fn error(&self, file: &str) -> ReadError {
+        let expected =
+            format!("separators of thousands in one way throughout, or none: {} has one", excerpt(&self.one));
+        ReadError::malformed(file, Place::Line(self.line), expected, excerpt(&self.other))
+    }
+}
+
 /// The text with all its numbers as `1234.5`, and what is told of it. Only fields in quotes, and those of lines with tabs or
 /// semicolons, are looked at: elsewhere a comma parts fields.
 ///
 /// A number such as `1,234` alone tells nothing: it stays as it is.
-pub(super) fn plain(text: &str) -> (Cow<'_, str>, Option<String>) {
+pub(super) fn plain(text: &str) -> Written<'_> {
+    let as_it_is = |unsettled| Written { text: Cow::Borrowed(text), told: None, unsettled };
+    let of_table = || {
+        let lines = lines(text).filter(|(_, line)| is_of_table(line));
+        lines.flat_map(|(number, line)| candidates(line).map(move |field| (number, line, field)))
+    };
     let mut found: Option<(Style, &str)> = None;
-    for (_, line) in lines(text).filter(|(_, line)| is_of_table(line)) {
-        for field in candidates(line) {
-            let Some(style) = style_of(field, line) else { continue };
-            match found {
-                Some((known, _)) if known != style && known.group.is_some() == style.group.is_some() => {
-                    // Both ways in one file: nothing is settled.
-                    return (Cow::Borrowed(text), None);
-                }
-                Some((known, _)) if known.group.is_some() => {}
-                _ => found = Some((style, field)),
+    for (line, text, field) in of_table().filter(|(.., field)| !is_date(field)) {
+        let Some(style) = style_of(field, text) else { continue };
+        match found {
+            Some((known, one)) if known != style && known.group.is_some() == style.group.is_some() => {
+                // Both ways in one file: nothing is settled.
+                return as_it_is(Some(Unsettled { one: one.to_owned(), other: field.to_owned(), line }));
             }
+            Some((known, _)) if known.group.is_some() => {}
+            _ => found = Some((style, field)),
         }
     }
-    let Some((style, example)) = found else { return (Cow::Borrowed(text), None) };
-    if lines(text).flat_map(|(_, line)| candidates(line)).any(|field| contradicts(field, style)) {
-        return (Cow::Borrowed(text), None);
+    let Some((style, example)) = found else { return as_it_is(None) };
+    let against = of_table().find(|(.., field)| !is_date(field) && contradicts(field, style));
+    if let Some((line, _, field)) = against {
+        return as_it_is(Some(Unsettled { one: example.to_owned(), other: field.to_owned(), line }));
     }
     let plain = lines(text).map(|(_, line)| rewritten(line, style)).collect::<Vec<_>>().join("\n");
     let what = match style.group {
         Some(group) => format!("'{group}' is taken for a separator of thousands, as in {example}"),
         None => format!("the comma within quotes is taken for a decimal comma, as in \"{example}\""),
     };
-    (Cow::Owned(plain), Some(what))
+    Written { text: Cow::Owned(plain), told: Some(what), unsettled: None }
 }
 
 /// Whether a line holds more than one field that begins as numbers do: a version or a date of a head tells nothing of numbers.
@@ -135,7 +171,7 @@ fn rewritten(line: &str, style: Style) -> String {
 fn number<'a>(field: &'a str, style: Style) -> Cow<'a, str> {
     let may_be =
         |c: char| c.is_ascii_digit() || "+-eE ".contains(c) || c == style.point || Some(c) == style.group;
-    if !field.contains(|c: char| c.is_ascii_digit()) || !field.chars().all(may_be) {
+    if !field.contains(|c: char| c.is_ascii_digit()) || !field.chars().all(may_be) || is_date(field) {
         return Cow::Borrowed(field);
     }
     let plain: String = field.chars().filter(|c| Some(*c) != style.group).collect();
@@ -148,7 +184,7 @@ mod tests {
 
     #[test]
     fn separators_of_thousands_are_told_from_decimal_marks_by_the_whole_file() {
-        let plain = |text| plain(text).0.into_owned();
+        let plain = |text| plain(text).text.into_owned();
         assert_eq!(plain("400;1.234,5\n410;1.000"), "400;1234.5\n410;1000");
         assert_eq!(plain("400\t1,234.5\n410\t2,000"), "400\t1234.5\n410\t2000");
         assert_eq!(plain("400,\"1,234,567\"\n"), "400,\"1234567\"\n");
@@ -167,5 +203,8 @@ mod tests {
         ] {
             assert_eq!(plain(text), text);
         }
+        // A date is no number, wherever it stands.
+        assert_eq!(plain("Datum;01.02.2026\n400;1.400,5"), "Datum;01.02.2026\n400;1400.5");
+        assert_eq!(plain("01.02.26;400;1.400,5"), "01.02.26;400;1400.5");
     }
 }

@@ -1,7 +1,7 @@
 //! The lines of a table and their cells: where in a file the numbers are.
 
 use crate::file::read::PowerUnit;
-use crate::file::read::text::{Separator, fields, lines, number};
+use crate::file::read::text::{Separator, fields, number};
 use crate::file::read::units::photons;
 
 /// A line with something in it.
@@ -16,9 +16,9 @@ pub(super) struct Line<'a> {
 }
 
 /// All lines that hold something; rows of separators alone, as spreadsheets write them, are empty.
-pub(super) fn content(text: &str) -> Vec<Line<'_>> {
+pub(super) fn content<'a>(lines: impl Iterator<Item = (u64, &'a str)>) -> Vec<Line<'a>> {
     let is_empty = |line: &str| line.chars().all(|c| c.is_whitespace() || ",;\"".contains(c));
-    lines(text).filter(|(_, line)| !is_empty(line)).map(|(number, line)| of(number, line)).collect()
+    lines.filter(|(_, line)| !is_empty(line)).map(|(number, line)| of(number, line)).collect()
 }
 
 /// Comments begin with `#` (gnuplot, NumPy), `%` (MATLAB), `!`, `//`, or with a `;` that is no separator.
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn the_longest_run_of_numbers_is_the_table() {
         let text = "Model 7\n3\t4\nx\ty\n# wavelengths\n400\t1\t\n410\t\n\n420\t3\n>>end<<\n1\t2\n";
-        let content = content(text);
+        let content = content(crate::file::read::text::lines(text));
         let (separator, run) = find(&content).unwrap();
         assert_eq!(separator, Separator::Char('\t'));
         assert_eq!(

@@ -10,12 +10,15 @@
 //! in it, is an error; what else is left out is told in a remark.
 
 mod axes;
+mod bands;
 mod columns;
 mod digitised;
 mod digits;
 mod head;
+mod labelled;
 mod lines;
 mod neighbours;
+mod number_like;
 mod pieces;
 mod points;
 mod reshape;
@@ -26,6 +29,7 @@ use super::named::note;
 use super::units::{MAX_NAME, Scale};
 use super::{NamedSpectrum, Place, Quantity, ReadError, read_as};
 use crate::file::read::error::excerpt;
+use crate::file::read::text::lines as text_lines;
 use lines::Line;
 use reshape::Reshaped;
 
@@ -61,33 +65,48 @@ pub fn read_csv(bytes: &[u8], file: &str) -> Result<Vec<NamedSpectrum>, ReadErro
 
 /// The spectra of a text as the file has them, before their scale is settled.
 pub(super) fn parse(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let (text, told) = digits::plain(text);
-    let read = match digitised::curves(&text) {
-        Some(curves) => return of_curves(curves, file),
-        None => of_lines(&text, file, unit),
+    let written = digits::plain(text);
+    let text = &*written.text;
+    if let Some(curves) = digitised::curves(text, file) {
+        return spectra_of(curves?, file, Some(Scale::Nanometres));
+    }
+    let mut spectra = match (of_lines(&lines::content(text_lines(text)), file, unit), written.unsettled) {
+        (Ok(spectra), _) => spectra,
+        (Err(_), Some(unsettled)) => return Err(unsettled.error(file)),
+        (Err((error, count)), None) => {
+            let spectra = of_other_shape(text, file, unit, count)?;
+            spectra.ok_or_else(|| with_told(error, written.told.as_deref()))?
+        }
     };
-    let mut spectra = match read {
-        Err((error, count)) => of_other_shape(&text, file, unit, count).ok_or(error)?,
-        Ok(spectra) => spectra,
-    };
-    for (spectrum, told) in spectra.iter_mut().zip(core::iter::repeat(&told)) {
-        told.iter().for_each(|told| note(&mut spectrum.notes, told.clone()));
+    for spectrum in &mut spectra {
+        written.told.iter().for_each(|told| note(&mut spectrum.notes, told.clone()));
     }
     Ok(spectra)
 }
 
+/// An error with what was made of the numbers: that may be why.
+fn with_told(mut error: ReadError, told: Option<&str>) -> ReadError {
+    if let (ReadError::Malformed { found, .. }, Some(told)) = (&mut error, told) {
+        found.push_str(&format!(" ({told})"));
+    }
+    error
+}
+
 /// The spectra of lines that each hold a wavelength and its values, or all values of a spectrum. An error comes with the number
 /// of lines that hold numbers alone.
-fn of_lines(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpectrum>, (ReadError, usize)> {
-    let content = lines::content(text);
-    let source = Source { file, content: &content, unit };
-    let found = lines::find(&content);
+fn of_lines(
+    content: &[Line<'_>],
+    file: &str,
+    unit: Option<Scale>,
+) -> Result<Vec<NamedSpectrum>, (ReadError, usize)> {
+    let source = Source { file, content, unit };
+    let found = lines::find(content);
     let (first, count) = found.map_or((0, 0), |(_, run)| (run.first, run.count));
     // Three numbers in the head of a long table are no wavelengths of rows.
     let is_table = |rows: &rows::Rows| {
         count < 3 || (rows.wavelengths() > 2 && (first <= rows.below() || count <= rows.wavelengths()))
     };
-    let read = match (rows::find(&content, unit).filter(is_table), found) {
+    let read = match (rows::find(content, unit).filter(is_table), found) {
         (Some(rows), _) => rows.read(&source),
         (None, Some((separator, run))) => columns::read(&source, separator, run),
         (None, None) => Err(neighbours::no_numbers(&source)),
@@ -96,36 +115,35 @@ fn of_lines(text: &str, file: &str, unit: Option<Scale>) -> Result<Vec<NamedSpec
 }
 
 /// The spectra of a table of another shape, if it is one that is known; `count` lines hold numbers alone.
-fn of_other_shape(text: &str, file: &str, unit: Option<Scale>, count: usize) -> Option<Vec<NamedSpectrum>> {
-    let parts = match reshape::alternating(text) {
-        Some(whole) => vec![whole],
-        None => reshape::labelled(text, count),
+///
+/// # Errors
+///
+/// Where the shape is known, but what it holds cannot be meant.
+fn of_other_shape(
+    text: &str,
+    file: &str,
+    unit: Option<Scale>,
+    count: usize,
+) -> Result<Option<Vec<NamedSpectrum>>, ReadError> {
+    let spectra = match reshape::alternating(text) {
+        Some(whole) => spectra_of([whole], file, unit),
+        None => spectra_of(labelled::parts(text, count, file)?, file, unit),
     };
-    spectra_of(parts, file, unit).ok().filter(|spectra| !spectra.is_empty())
-}
-
-/// The spectra of curves in pixels.
-fn of_curves(curves: Vec<Reshaped>, file: &str) -> Result<Vec<NamedSpectrum>, ReadError> {
-    let spectra = spectra_of(curves, file, Some(Scale::Nanometres))?;
-    if spectra.is_empty() {
-        let expected =
-            "three points with their pixels under [Control], and a curve under another line in brackets";
-        return Err(ReadError::malformed(file, Place::File, expected, "fewer"));
-    }
-    Ok(spectra)
+    Ok(spectra.ok().filter(|spectra| !spectra.is_empty()))
 }
 
 /// The spectra of the parts of a table.
-fn spectra_of(
-    parts: Vec<Reshaped>,
+fn spectra_of<'a>(
+    parts: impl IntoIterator<Item = Reshaped<'a>>,
     file: &str,
     unit: Option<Scale>,
 ) -> Result<Vec<NamedSpectrum>, ReadError> {
     let mut spectra = Vec::new();
     for part in parts {
-        for mut spectrum in of_lines(&part.text, file, unit).map_err(|(error, _)| error)? {
+        let content = lines::content(part.lines.iter().map(|(number, line)| (*number, &**line)));
+        for mut spectrum in of_lines(&content, file, unit).map_err(|(error, _)| error)? {
             spectrum.name = part.name.clone().map_or(spectrum.name, |name| clean(&name, MAX_NAME));
-            spectrum.notes.insert(0, part.note.clone());
+            spectrum.notes.splice(0..0, part.notes.iter().cloned());
             spectra.push(spectrum);
         }
         if spectra.len() > MOST_SPECTRA {

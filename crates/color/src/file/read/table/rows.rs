@@ -1,6 +1,8 @@
 //! One spectrum in each row, under a row of wavelengths.
 
 use super::axes::is_in_micrometres;
+use super::columns::settle_column;
+use super::head::names_axis;
 use super::lines::{Cell, Line, cells};
 use super::{MOST_SPECTRA, Source, is_of_light, stem};
 use crate::file::read::error::{clean, excerpt};
@@ -17,54 +19,75 @@ pub(super) struct Rows {
     /// How many fields stand before the first wavelength.
     first: usize,
     nm: Vec<f64>,
-    /// Whether a wavelength has its unit behind it.
-    has_unit: bool,
-    /// Whether they stand there in µm.
+    /// The unit of the wavelengths; unknown where nothing says it.
+    scale: Scale,
+    /// Whether they are taken for µm, though nothing says it.
     is_um: bool,
 }
 
+/// Fewer wavelengths may be a line of a table that begins with a word, such as a date.
+const FEWEST_SURE: usize = 6;
+
 /// The first row of wavelengths that has a row of as many numbers below it.
 pub(super) fn find(content: &[Line<'_>], unit: Option<Scale>) -> Option<Rows> {
+    // What a line above the wavelengths says of their unit.
+    let mut above = Scale::Unknown;
     for (at, line) in content.iter().enumerate() {
         for separator in Separator::ALL {
-            let Some(rows) = wavelengths(at, line, separator, unit) else { continue };
+            let Some(rows) = wavelengths(at, line, separator, unit, above) else { continue };
             let below = content[at + 1..].iter().find(|line| !line.is_comment);
-            if below.is_some_and(|line| rows.holds(line)) {
+            let is_said = above == Scale::Unknown && rows.scale != Scale::Unknown;
+            let is_head = |line| is_said || rows.nm.len() >= FEWEST_SURE || !rows.is_like(line, unit, above);
+            if below.is_some_and(|line| rows.holds(line) && is_head(line)) {
                 return Some(rows);
             }
+        }
+        if above == Scale::Unknown && names_axis(line.text) {
+            above = Scale::of(line.text);
         }
     }
     None
 }
 
-/// The most wavelengths in µm of a row that are looked at.
-const LIKELY_UM: core::ops::RangeInclusive<f64> = 0.1..=30.0;
-
-/// A line as a row of wavelengths: words, then wavelengths that only rise or only fall, then maybe words.
-fn wavelengths(at: usize, line: &Line<'_>, separator: Separator, unit: Option<Scale>) -> Option<Rows> {
-    let (mut first, mut nm, mut has_unit) = (None, Vec::new(), false);
+/// A line as a row of wavelengths: words, then wavelengths that only rise or only fall, then maybe words. Their unit is that of
+/// the caller, else what the words before them say, else what is said above.
+fn wavelengths(
+    at: usize,
+    line: &Line<'_>,
+    separator: Separator,
+    unit: Option<Scale>,
+    above: Scale,
+) -> Option<Rows> {
+    let (mut first, mut numbers, mut has_unit) = (None, Vec::new(), false);
+    let mut said = unit.unwrap_or_default();
+    let mut is_axis = unit.is_some();
     for (index, field) in fields(line.text, separator).enumerate() {
         match (wavelength(field, separator), first) {
-            (Some((value, unit)), _) if LIKELY_NM.contains(&value) || LIKELY_UM.contains(&value) => {
+            (Some((value, unit)), _) if value > 0.0 => {
                 first.get_or_insert(index);
-                nm.push(value);
+                numbers.push(value);
                 has_unit |= unit;
             }
-            (None, None) if nm.len() <= MOST_SPECTRA => {}
+            (None, None) if index <= MOST_SPECTRA => {
+                if said == Scale::Unknown && names_axis(field) && !is_of_light(field) {
+                    (said, is_axis) = (Scale::of(field), true);
+                }
+            }
             (None, Some(_)) => break,
             _ => return None,
         }
     }
-    let first = first.filter(|first| *first > 0)?;
-    let is_um = matches!(unit, None | Some(Scale::Micrometres)) && !has_unit && is_in_micrometres(&nm);
-    if is_um {
-        nm.iter_mut().for_each(|nm| *nm = Scale::Micrometres.convert(*nm));
-    }
-    let is_likely = nm.iter().all(|nm| LIKELY_NM.contains(nm));
-    let rises = nm.windows(2).all(|pair| pair[0] < pair[1]);
-    let falls = nm.windows(2).all(|pair| pair[0] > pair[1]);
-    let found = Rows { head: at, separator, first, nm, has_unit, is_um };
-    (found.nm.len() > 1 && is_likely && (rises || falls)).then_some(found)
+    let first = first.filter(|first| *first > 0 && numbers.len() > 1)?;
+    let scales = match (has_unit, said) {
+        (true, _) => [Some(Scale::Nanometres), None],
+        (false, Scale::Unknown) => {
+            [Some(above).filter(|above| *above != Scale::Unknown), Some(Scale::Unknown)]
+        }
+        // What the words of the row say holds; a lone unit may be a column of another quantity.
+        (false, said) => [Some(said), (!is_axis).then_some(Scale::Unknown)],
+    };
+    let build = |scale| Rows::of(at, separator, first, &numbers, scale);
+    scales.into_iter().flatten().find_map(build)
 }
 
 /// A wavelength of the head, with whether its unit is there: `400`, `400nm`, `R400`, `SPEC_400`, `R_400nm`.
@@ -84,6 +107,23 @@ fn wavelength(field: &str, separator: Separator) -> Option<(f64, bool)> {
 }
 
 impl Rows {
+    /// The row of these wavelengths on this scale, if they can be.
+    fn of(head: usize, separator: Separator, first: usize, numbers: &[f64], scale: Scale) -> Option<Self> {
+        let is_um = scale == Scale::Unknown && is_in_micrometres(numbers);
+        let taken = if is_um { Scale::Micrometres } else { scale };
+        let rises = numbers.windows(2).all(|pair| pair[0] < pair[1]);
+        let falls = numbers.windows(2).all(|pair| pair[0] > pair[1]);
+        let is_likely = numbers.iter().all(|number| LIKELY_NM.contains(&taken.convert(*number)));
+        let nm = numbers.iter().map(|number| taken.convert(*number)).collect();
+        (is_likely && (rises || falls)).then_some(Self { head, separator, first, nm, scale, is_um })
+    }
+
+    /// Whether a line could be such a row of wavelengths, too.
+    fn is_like(&self, line: &Line<'_>, unit: Option<Scale>, above: Scale) -> bool {
+        wavelengths(0, line, self.separator, unit, above)
+            .is_some_and(|other| other.first == self.first && other.nm.len() == self.nm.len())
+    }
+
     /// How many wavelengths there are.
     pub(super) fn wavelengths(&self) -> usize {
         self.nm.len()
@@ -129,22 +169,32 @@ impl Rows {
             source.check_count(spectra.len(), line.number)?;
         }
         source.tell_skipped(&source.content[..self.head], foot, &mut notes);
-        let scale = Scale::of(head.text);
         if self.is_um {
             note(&mut notes, "wavelengths taken as µm, since in nm they were X-rays");
-        } else if scale == Scale::Unknown && !self.has_unit && source.unit.is_none() {
+        } else if self.scale == Scale::Unknown {
             note(&mut notes, "no unit of wavelength given: taken as nm");
         }
         let quantity = self.quantity_of_all(source, &corners);
-        let unit = corners.iter().map(|one| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
+        // The unit of the wavelengths is none of values.
+        let of_values = corners.iter().zip(&fields_of_head).filter(|(_, field)| !names_axis(field));
+        let unit = of_values.map(|(one, _)| one.unit.as_str()).find(|unit| !unit.is_empty()).unwrap_or("");
         for spectrum in &mut spectra {
-            if spectrum.quantity == Quantity::Unknown {
-                spectrum.quantity = quantity;
-            }
-            spectrum.unit = unit.to_owned();
+            self.settle(spectrum, quantity, unit);
             spectrum.notes.splice(0..0, notes.iter().cloned());
         }
         Ok(spectra)
+    }
+
+    /// Gives a spectrum what is said of all, and brings densities by frequency to those by wavelength.
+    fn settle(&self, spectrum: &mut NamedSpectrum, quantity: Quantity, unit: &str) {
+        if spectrum.quantity == Quantity::Unknown {
+            spectrum.quantity = quantity;
+        }
+        spectrum.unit = unit.to_owned();
+        if self.scale.is_inverse() {
+            let said = Column { name: String::new(), quantity: spectrum.quantity, unit: unit.to_owned() };
+            settle_column(spectrum, &said, self.scale);
+        }
     }
 
     /// What the line of wavelengths says of all rows, or the lines above it.

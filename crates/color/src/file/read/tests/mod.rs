@@ -4,12 +4,15 @@ use proptest::prelude::*;
 
 use crate::file::read::*;
 
+mod axes;
 mod errors;
+mod figures;
 mod formats;
 mod instruments;
 mod shapes;
 mod tables;
 mod values;
+mod words;
 
 use crate::file::write::{write_csv, write_matrix_csv, write_spdx};
 use crate::spectra::{Outside, Spectrum, TableError, lambda_nm};

@@ -161,6 +161,12 @@ fn a_name_says_what_nothing_else_says() {
         ("glass_indoor_illuminants.csv", Quantity::Unknown),
         ("reflectance/lamp.txt", Quantity::Unknown),
         ("Cu.eta.spd", Quantity::Unknown),
+        ("mr16 reflector lamp.csv", Quantity::Unknown),
+        ("D65 transmitter test.csv", Quantity::Unknown),
+        ("led2-transmission.csv", Quantity::Unknown),
+        ("lamp-reflectance.csv", Quantity::Unknown),
+        ("reflectometer 3.csv", Quantity::Unknown),
+        ("led emission.csv", Quantity::Light),
         ("lamp.csv", Quantity::Unknown),
     ] {
         let one = &read_spectra(table.as_bytes(), file).unwrap()[0];
@@ -195,23 +201,10 @@ fn counts_tell_what_was_made_of_them() {
 }
 
 #[test]
-fn curves_in_pixels_are_placed_by_the_points_that_are_known() {
-    // As the R package colorSpec keeps them: 2 pixels for 1 nm, 100 for 1, upwards.
-    let text = "# from a figure\n[Control]\nXpx Ypx X Y\n100 500 400 0\n700 500 700 0\n100 400 400 1  # a corner\n\n[Transmittance]\n\
-                100 500\n300 450\n700 410\n\n[Emission]\n100 480\n700 460\n";
-    let spectra = named(text, "figure.txt");
-    let near = |found: &[(f64, f64)], expected: &[(f64, f64)]| {
-        found.iter().zip(expected).all(|(a, b)| (a.0 - b.0).abs() < 1e-6 && (a.1 - b.1).abs() < 1e-9)
+fn files_of_n_and_k_are_told_by_their_names() {
+    let has = |file: &str| {
+        let one = read_spectra(b"400 1.5\n500 1.4\n", file).unwrap().remove(0);
+        one.quantity == Quantity::Unknown && one.notes.iter().any(|note| note.contains("--ior reads both"))
     };
-    assert_eq!(
-        (spectra[0].0.as_str(), spectra[0].1, spectra[0].2.len()),
-        ("Transmittance", Quantity::Transmittance, 3)
-    );
-    assert!(near(&spectra[0].2, &[(400.0, 0.0), (500.0, 0.5), (700.0, 0.9)]), "{spectra:?}");
-    assert!(
-        spectra[1].1 == Quantity::Light && near(&spectra[1].2, &[(400.0, 0.2), (700.0, 0.4)]),
-        "{spectra:?}"
-    );
-    let flat = text.replace("100 400 400 1", "100 500 400 1");
-    assert!(error_of(&flat).contains("three points with their pixels"));
+    assert!(has("Cu.eta.spd") && has("a/Cu.k.spd") && !has("Cu.spd.txt"));
 }

@@ -32,6 +32,10 @@ const WORDS: [(&[&str], Quantity); 5] = [
     ),
 ];
 
+/// Words by which light comes back or passes, and those of its power: a reflected radiance is light, a reflectance is none.
+const RETURNED: [&str; 2] = ["reflected", "transmitted"];
+const POWER: [&str; 6] = ["radiance", "irrad", "flux", "power", "intensity", "exitance"];
+
 /// What names a quantity where nothing else stands, in small letters without blanks. IT8.7/1 are targets of film, IT8.7/2 those of
 /// paper (ANSI IT8.7/1 and IT8.7/2, 1993).
 const ALONE: [(&[&str], Quantity); 4] = [
@@ -53,10 +57,61 @@ const ALONE: [(&[&str], Quantity); 4] = [
     ),
 ];
 
-/// Words of files' names that say what they are of: the CIE's illuminants, and charts of colours.
-const NAMES: [(&[&str], Quantity); 2] = [
-    (&["illuminant", "illum"], Quantity::Light),
-    (&["colorchecker", "colourchecker", "macbethcolorchecker", "munsell"], Quantity::Reflectance),
+/// Words of files' names that say what they are of; CIE's illuminants, and charts of colours, among them.
+const NAMES: [(&[&str], Quantity); 5] = [
+    (
+        &[
+            "reflectance",
+            "reflectances",
+            "reflection",
+            "reflectivity",
+            "refl",
+            "réflectance",
+            "remission",
+            "colorchecker",
+            "colourchecker",
+            "macbethcolorchecker",
+            "munsell",
+        ],
+        Quantity::Reflectance,
+    ),
+    (&["transmittance", "transmittances", "transmission", "transmissivity"], Quantity::Transmittance),
+    (&["absorptance"], Quantity::Absorptance),
+    (&["absorbance"], Quantity::Absorbance),
+    (
+        &[
+            "radiance",
+            "irradiance",
+            "spectralirradiance",
+            "spectralradiance",
+            "irrad",
+            "ssirrad",
+            "emission",
+            "spd",
+            "illuminant",
+            "illum",
+        ],
+        Quantity::Light,
+    ),
+];
+
+/// Things that send light: a name with one of them may be of it, whatever else it says.
+const LAMPS: [&str; 15] = [
+    "lamp",
+    "lamps",
+    "led",
+    "leds",
+    "light",
+    "lights",
+    "bulb",
+    "bulbs",
+    "luminaire",
+    "lantern",
+    "flash",
+    "reflector",
+    "reflectors",
+    "transmitter",
+    "transmitters",
 ];
 
 /// Illuminants of the CIE, as files are named after them behind the word CIE.
@@ -67,6 +122,9 @@ impl Quantity {
     pub(in crate::file::read) fn of(text: &str) -> Self {
         let lower = text.to_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+        if has(&RETURNED) && has(&POWER) && !lower.contains("factor") {
+            return Self::Light;
+        }
         if let Some((_, quantity)) = WORDS.iter().find(|(words, _)| has(words)) {
             return *quantity;
         }
@@ -106,18 +164,14 @@ impl Quantity {
     pub(in crate::file::read) fn of_file(file: &str) -> Self {
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file).to_lowercase();
         let name = name.strip_suffix(".spd").unwrap_or(&name);
-        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        match WORDS.iter().find(|(words, _)| has(words)) {
-            // These are words of many names: power plants, flux lines.
-            Some((_, Self::Light)) if !has(&["radiance", "irrad", "emission"]) && !is_word(name, "spd") => {
-                Self::Unknown
-            }
-            Some((_, quantity)) => *quantity,
+        let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).collect();
+        let plain = |word: &&str| word.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
+        let is_lamp = words.iter().map(plain).any(|word| LAMPS.contains(&word.as_str()));
+        let has = |known: &[&str]| words.iter().any(|word| known.contains(word));
+        match NAMES.iter().find(|(known, _)| has(known)) {
+            Some((_, quantity)) if *quantity == Self::Light || !is_lamp => *quantity,
             None if is_illuminant(name) => Self::Light,
-            None => {
-                let found = NAMES.iter().find(|(words, _)| words.iter().any(|word| is_word(name, word)));
-                found.map_or(Self::Unknown, |(_, quantity)| *quantity)
-            }
+            _ => Self::Unknown,
         }
     }
 

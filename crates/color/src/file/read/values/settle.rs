@@ -82,6 +82,9 @@ pub(in crate::file::read) fn settle(spectra: &mut [NamedSpectrum], options: &Rea
             _ => {}
         }
     }
+    if options.quantity.is_none() && options.scale.is_none() {
+        spectra.iter_mut().for_each(ask_of_percent);
+    }
     match options.scale {
         Some(scale) => divide(spectra, |_| true, scale.divisor()),
         None => settle_shares(spectra),
@@ -143,9 +146,20 @@ fn is_fraction(unit: &str) -> bool {
     FRACTIONS.contains(&unit.trim().to_lowercase().as_str())
 }
 
+/// A logarithm has no per cent: what calls itself an absorbance in per cent is likely the share that is absorbed.
+fn ask_of_percent(spectrum: &mut NamedSpectrum) {
+    if spectrum.quantity == Quantity::Absorbance && is_percent(&spectrum.unit) {
+        spectrum.quantity = Quantity::Unknown;
+        let text = "an absorbance in per cent is no logarithm, and likely an absorptance: what it is must be said (--as)";
+        note(&mut spectrum.notes, text);
+    }
+}
+
 /// An absorbance A as the transmittance 10^−A.
 fn settle_absorbance(spectrum: &mut NamedSpectrum) {
     if spectrum.quantity == Quantity::Absorbance {
+        // Whoever says that it is a logarithm means hundredths of it.
+        divide(core::slice::from_mut(spectrum), |one| is_percent(&one.unit), 100.0);
         spectrum.quantity = Quantity::Transmittance;
         spectrum.values.iter_mut().for_each(|value| *value = libm::exp10(-*value));
         note(&mut spectrum.notes, "an absorbance A, given as the transmittance 10^-A");
@@ -218,6 +232,19 @@ mod tests {
         let wanted = ReadOptions { default_quantity: Some(Quantity::Reflectance), ..Default::default() };
         assert_eq!(settled(spectrum(Quantity::Unknown, "", &[5.0, 50.0]), wanted).values, [0.05, 0.5]);
         assert_eq!(settled(spectrum(Quantity::Light, "", &[5.0, 50.0]), wanted).quantity, Quantity::Light);
+    }
+
+    #[test]
+    fn an_absorbance_in_per_cent_is_asked_for() {
+        let filter = || spectrum(Quantity::Absorbance, "%", &[10.0, 50.0]);
+        let wanted = ReadOptions { default_quantity: Some(Quantity::Reflectance), ..Default::default() };
+        let asked = settled(filter(), wanted);
+        assert_eq!(asked.quantity, Quantity::Unknown);
+        assert!(asked.notes[0].contains("likely an absorptance"), "{:?}", asked.notes);
+        let said = ReadOptions { quantity: Some(Quantity::Absorptance), ..Default::default() };
+        assert_eq!(settled(filter(), said).values, [0.1, 0.5]);
+        let said = ReadOptions { quantity: Some(Quantity::Absorbance), ..Default::default() };
+        assert_eq!(settled(filter(), said).values, [libm::exp10(-0.1), libm::exp10(-0.5)]);
     }
 
     #[test]

@@ -228,12 +228,9 @@ impl Column {
             _ => (header, unit_at_end(header)),
         };
         let unit = if is_percent(header) && PowerUnit::parse(unit).is_none() { "%" } else { unit };
-        let quantity = match Quantity::of(header) {
-            Quantity::Unknown if PowerUnit::parse(unit).is_some() || photons(unit).is_some() => {
-                Quantity::Light
-            }
-            quantity => quantity,
-        };
+        // A reflected radiance has a unit of power, and is light.
+        let is_power = PowerUnit::parse(unit).is_some() || photons(unit).is_some();
+        let quantity = if is_power { Quantity::Light } else { Quantity::of(header) };
         Self { name: clean(name, MAX_NAME), quantity, unit: clean(unit, MAX_NAME) }
     }
 
@@ -351,6 +348,10 @@ mod tests {
         let column = Column::of("L (W/(sr m2 nm))");
         assert_eq!((column.name.as_str(), column.unit.as_str()), ("L", "W/(sr m2 nm)"));
         assert_eq!(column.quantity, Quantity::Light);
+        for header in ["Reflected radiance (W/m2/sr/nm)", "Reflected radiance", "light reflected, W/m2/nm"] {
+            assert_eq!(Column::of(header).quantity, Quantity::Light, "{header}");
+        }
+        assert_eq!(Column::of("Reflected radiance factor").quantity, Quantity::Reflectance);
         assert_eq!(Column::of("Irradiance W/m2/nm").unit, "W/m2/nm");
         assert!(Column::of("L (W/sr/m2/THz)").is_per_terahertz());
     }
