@@ -1,11 +1,11 @@
 //! The course's fragment shader against the same formula written by hand.
 
-mod common;
+use crate::common;
 
 use glanz_math::{Lanes, Real, SimdLevel, Vec3, at_level};
 use glanz_shader::{Machine, NoTextures, Program, Row};
 
-const SHADER: &str = include_str!("shaders/specular.frag");
+const SHADER: &str = include_str!("texts/specular.frag");
 const BLOCKS: usize = 512;
 
 /// Folded by the front end with divisions, where our own rounds once more.
@@ -117,10 +117,10 @@ fn the_highlight_is_in_the_bits() {
     assert!(run_wide!(1, &program, level, inputs) != run_wide!(1, &without, level, inputs));
 }
 
-/// Speed: `cargo test --release -p glanz-shader --test phong -- --ignored --nocapture`
+/// Speed: `cargo test --release -p glanz-shader --test shader -- --ignored --nocapture`
 #[test]
 #[ignore = "measures"]
-fn speed() {
+fn speed_of_the_course_phong() {
     let program = common::fragment(SHADER);
     let inputs = inputs();
     println!("{:?} instructions, once per draw, registers", program.size());

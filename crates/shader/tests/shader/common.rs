@@ -1,42 +1,41 @@
 //! Runs shaders for the tests.
-#![allow(dead_code, reason = "each test file uses a part")]
 
 use glanz_math::SimdLevel;
 use glanz_shader::{Machine, NoTextures, Program, Row, Scalar, Shader, ShaderError, UniformValues};
 
 /// A generator of numbers that is the same everywhere.
-pub struct Numbers(pub u32);
+pub(crate) struct Numbers(pub(crate) u32);
 
 impl Numbers {
-    pub fn word(&mut self) -> u32 {
+    pub(crate) fn word(&mut self) -> u32 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 17;
         self.0 ^= self.0 << 5;
         self.0
     }
     /// 0 … 1.
-    pub fn unit(&mut self) -> f32 {
+    pub(crate) fn unit(&mut self) -> f32 {
         (self.word() >> 8) as f32 / (1 << 24) as f32
     }
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         self.word() as usize % n.max(1)
     }
 }
 
-pub fn fragment(text: &str) -> Program {
+pub(crate) fn fragment(text: &str) -> Program {
     Shader::fragment(text).compile().unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-pub fn wgsl(text: &str) -> Program {
+pub(crate) fn wgsl(text: &str) -> Program {
     Shader::fragment(text).named("test.wgsl").compile().unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-pub fn error(text: &str) -> ShaderError {
+pub(crate) fn error(text: &str) -> ShaderError {
     Shader::fragment(text).named("x").compile().expect_err("the text is wrong")
 }
 
 /// All outputs of one run on a level, with inputs by a function of input, component and lane.
-pub fn outputs_at(
+pub(crate) fn outputs_at(
     program: &Program,
     uniforms: &UniformValues,
     level: SimdLevel,
@@ -62,16 +61,16 @@ pub fn outputs_at(
         .collect()
 }
 
-pub fn outputs(program: &Program, input: &dyn Fn(usize, usize, usize) -> f32) -> Vec<[f32; 16]> {
+pub(crate) fn outputs(program: &Program, input: &dyn Fn(usize, usize, usize) -> f32) -> Vec<[f32; 16]> {
     outputs_at(program, &program.uniforms(), SimdLevel::best(), input)
 }
 
 /// The first output of a shader whose first input's first component is `x`, in lane 0.
-pub fn value(text: &str, x: f32) -> f32 {
+pub(crate) fn value(text: &str, x: f32) -> f32 {
     outputs(&fragment(text), &|_, _, _| x)[0][0]
 }
 
 /// The value of an expression of `x`.
-pub fn expression(expression: &str, x: f32) -> f32 {
+pub(crate) fn expression(expression: &str, x: f32) -> f32 {
     value(&format!("#version 330\nin float x; out float y;\nvoid main() {{ y = float({expression}); }}"), x)
 }
