@@ -20,6 +20,8 @@ pub struct Port {
     pub location: Option<u32>,
     /// How it goes from the vertices to the pixels.
     pub interpolation: Interpolation,
+    /// Where it is declared.
+    pub place: Option<Place>,
 }
 
 /// A uniform: a scalar, vector or matrix, by itself or in a struct, array or block.

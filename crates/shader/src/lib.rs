@@ -40,7 +40,7 @@ mod run;
 mod stage;
 mod trace;
 
-pub use check::Warning;
+pub use check::{Warning, check_stages};
 pub use error::{Place, RunError, ShaderError};
 pub use intake::Range;
 pub use interface::{Interface, Port, Uniform, UniformError, UniformValues};

@@ -20,7 +20,7 @@ const STACK: usize = 16 << 20;
 ///     .named("red.frag")
 ///     .compile()
 ///     .unwrap_err();
-/// assert_eq!(error.to_string(), "red.frag:5:1: ';' or ',' is expected before '}'");
+/// assert_eq!(error.to_string(), "red.frag:4:15: ';' is expected before '}'");
 /// ```
 #[derive(Clone)]
 pub struct Shader<'a> {
@@ -192,6 +192,7 @@ fn interface(stage: Stage, sources: &Sources, front: &Front, lowered: &Lowered) 
             role: if attribute { attribute_role(&slot.name, slot.ty) } else { None },
             location: info.location.or(slot.location),
             interpolation: info.interpolation,
+            place: front.given.declared.get(root(&slot.name)).map(|origin| sources.place(*origin)),
         }
     };
     let uniform = |leaf: &lower::Leaf| Uniform {

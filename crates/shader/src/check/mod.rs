@@ -1,7 +1,12 @@
 //! What is right but probably not meant.
 
+mod stages;
+mod values;
+
 use crate::intake::{Front, Sources};
 use crate::{Place, Stage};
+
+pub use stages::check_stages;
 
 /// Something that courses get wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,10 +17,16 @@ pub struct Warning {
     pub message: String,
 }
 
-pub(crate) fn warnings(front: &Front, _stage: Stage, sources: &Sources) -> Vec<Warning> {
-    let given = front.given.remarks.iter().map(|(message, origin)| (message.clone(), Some(*origin)));
-    let mut all: Vec<Warning> = given
-        .map(|(message, origin)| Warning { place: origin.map(|origin| sources.place(origin)), message })
+/// The warnings of a text, in its order.
+pub(crate) fn warnings(front: &Front, stage: Stage, sources: &Sources) -> Vec<Warning> {
+    let mut found = front.given.remarks.clone();
+    found.extend(values::outputs_never_written(front));
+    if stage == Stage::Fragment {
+        found.extend(values::raw_normals(front));
+    }
+    let mut all: Vec<Warning> = found
+        .into_iter()
+        .map(|(message, origin)| Warning { place: Some(sources.place(origin)), message })
         .collect();
     all.sort_by(|a, b| (&a.place, &a.message).cmp(&(&b.place, &b.message)));
     all.dedup();

@@ -7,6 +7,7 @@ use naga::{Module, ShaderStage, Span, WithSpan};
 use super::brdf::{self, Range};
 use super::hints;
 use super::preprocess::Preprocessor;
+use super::remarks::remarks;
 use super::rewrite::{Given, rewrite};
 use super::token::tokens;
 use super::{Complaint, Include, Map, Origin, Sources};
@@ -65,7 +66,8 @@ fn read_glsl(
     defines.iter().for_each(|(name, text)| preprocessor.define(name, text));
     let (all, version) = preprocessor.run(file, part.0, part.1)?;
     head.extend(all);
-    let rewritten = rewrite(&head, stage, version)?;
+    let mut rewritten = rewrite(&head, stage, version)?;
+    rewritten.given.remarks.extend(remarks(&head));
     let options = glsl::Options::from(match stage {
         Stage::Vertex => ShaderStage::Vertex,
         Stage::Fragment => ShaderStage::Fragment,
@@ -138,6 +140,13 @@ fn glsl_complaint(errors: &glsl::ParseErrors, text: &str, map: &Map) -> Complain
     let range = first.meta.to_range().unwrap_or(0..0);
     let found = text.get(range).unwrap_or("");
     let advice = hints::advice(&first.kind, found);
+    // A missing ';' is looked for behind what stands before.
+    if advice.is_missing
+        && let Some(range) = first.meta.to_range()
+        && let Some(origin) = map.before(range.start)
+    {
+        return Complaint { hints: advice.hints, ..Complaint::at(advice.message, origin) };
+    }
     Complaint {
         hints: advice.hints,
         unsupported: advice.unsupported,

@@ -7,6 +7,8 @@ pub(super) struct Advice {
     pub(super) message: String,
     pub(super) hints: Vec<String>,
     pub(super) unsupported: bool,
+    /// A ';' is missing.
+    pub(super) is_missing: bool,
 }
 
 /// Of messages that contain the first string, what helps.
@@ -30,18 +32,22 @@ pub(super) fn advice(kind: &ErrorKind, found: &str) -> Advice {
         message,
         hints: if hint.is_empty() { vec![] } else { vec![hint.to_owned()] },
         unsupported: false,
+        is_missing: false,
     };
     match kind {
         ErrorKind::EndOfFile => plain("the text ends too early".into(), "is a ';' or '}' missing?"),
         ErrorKind::InvalidToken(token, expected) => {
             let wanted: Vec<String> = expected.iter().map(|e| token_text(&e.to_string())).collect();
             let shown = if found.is_empty() { token_text(&format!("{token:?}")) } else { format!("'{found}'") };
-            plain(format!("{} is expected before {shown}", wanted.join(" or ")), missing(&wanted))
+            let is_missing = wanted.iter().any(|e| e == "';'");
+            let hint = if is_missing { "statements and declarations end with ';'" } else { "" };
+            Advice { is_missing, ..plain(format!("{} is expected before {shown}", wanted.join(" or ")), hint) }
         }
         ErrorKind::NotImplemented(what) => Advice {
             message: format!("not there: {what}"),
             hints: Vec::new(),
             unsupported: true,
+            is_missing: false,
         },
         ErrorKind::UnknownVariable(name) => plain(format!("'{name}' is not declared"), variable_hint(name)),
         ErrorKind::UnknownType(name) => plain(format!("'{name}' is no type"), ""),
@@ -54,10 +60,16 @@ pub(super) fn advice(kind: &ErrorKind, found: &str) -> Advice {
             let hint = HINTS.iter().find(|(part, _)| message.contains(part)).map_or("", |(_, hint)| hint);
             plain(in_words(message), hint)
         }
+        ErrorKind::UnsupportedMatrixWithTwoRowsInStd140 { .. } | ErrorKind::UnsupportedF16MatrixInStd140 { .. } => {
+            Advice {
+                message: "matrices of two rows are not there in structs and blocks with a name: use two vec2".into(),
+                hints: Vec::new(),
+                unsupported: true,
+                is_missing: false,
+            }
+        }
         ErrorKind::InvalidProfile(_)
         | ErrorKind::InvalidVersion(_)
-        | ErrorKind::UnsupportedMatrixWithTwoRowsInStd140 { .. }
-        | ErrorKind::UnsupportedF16MatrixInStd140 { .. }
         | ErrorKind::PreprocessorError(_)
         | ErrorKind::InternalError(_) => plain(kind.to_string(), ""),
     }
@@ -68,14 +80,6 @@ fn in_words(message: &str) -> String {
     match message.split_once('{') {
         Some((before, _)) if before.len() > 12 => before.trim_end_matches([' ', ':', '(']).to_owned(),
         _ => message.to_owned(),
-    }
-}
-
-fn missing(expected: &[String]) -> &'static str {
-    if expected.iter().any(|e| e == "';'") {
-        "the ';' is missing behind what stands before, perhaps on the line above"
-    } else {
-        ""
     }
 }
 

@@ -11,6 +11,7 @@ mod front;
 mod hints;
 mod items;
 mod preprocess;
+mod remarks;
 mod rewrite;
 mod source;
 mod token;

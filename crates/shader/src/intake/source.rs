@@ -74,6 +74,12 @@ impl Map {
         self.segments.push((start as u32, end as u32, origin));
     }
 
+    /// What stands before a byte of the output.
+    pub(super) fn before(&self, at: usize) -> Option<Origin> {
+        let next = self.segments.partition_point(|s| (s.1 as usize) <= at);
+        next.checked_sub(1).and_then(|i| self.segments.get(i)).map(|s| s.2)
+    }
+
     /// The user's text behind bytes of the output: from what stands at their start to what stands at their end.
     pub(crate) fn origin(&self, start: usize, end: usize) -> Option<Origin> {
         let first = self.segments.partition_point(|s| (s.1 as usize) <= start);

@@ -50,6 +50,7 @@ impl Lowering<'_> {
 
     /// Whether there has been too much work.
     pub(super) fn check_work(&mut self, span: naga::Span) -> Result<(), Refused> {
+        self.work += 1;
         let made = self.state.ops.len() + self.state.prologue.len() + self.state.groups.len() / 4;
         if self.work > MOST_WORK || made > MOST_WORK / 4 {
             return Err(Refused::new(

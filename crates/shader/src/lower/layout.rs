@@ -64,6 +64,12 @@ impl Lowering<'_> {
     pub(super) fn program(mut self) -> Result<Lowered, Refused> {
         let module = self.module;
         self.discarded = self.no_lanes();
+        // Functions stand behind those that they call.
+        for (handle, function) in module.functions.iter() {
+            if self.discards(&function.body) {
+                self.discarding.insert(handle);
+            }
+        }
         let (mut inputs, mut outputs) = (Slots::new(), Slots::new());
         let mut written = Vec::new();
         for (handle, global) in module.global_variables.iter() {

@@ -21,7 +21,7 @@ mod types;
 mod uses;
 mod variables;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Expression, Function, Handle, Module, Span};
@@ -29,6 +29,7 @@ use naga::{Expression, Function, Handle, Module, Span};
 use crate::Stage;
 use crate::machine::{Code, Look, Op};
 pub use layout::TextureInfo;
+pub(crate) use uses::inner_blocks;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
 
 /// A register before allocation.
@@ -186,6 +187,8 @@ struct Lowering<'a> {
     dead: bool,
     enclosing: Vec<Enclosing>,
     discarded: usize,
+    /// Functions that discard.
+    discarding: HashSet<Handle<Function>>,
     /// Variables that differ between lanes although they were believed not to.
     uneven: BTreeSet<usize>,
     found: BTreeSet<usize>,
@@ -216,6 +219,7 @@ pub(crate) fn lower(
         dead: false,
         enclosing: Vec::new(),
         discarded: 0,
+        discarding: HashSet::new(),
         uneven: BTreeSet::new(),
         found: BTreeSet::new(),
         apart: false,

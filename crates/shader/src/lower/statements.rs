@@ -157,7 +157,7 @@ impl<'a> Lowering<'a> {
         if let (Some(result), Some(value)) = (result, value) {
             frame.items.insert(result, Item::Value(value));
         }
-        if self.discards(&called.body) {
+        if self.discarding.contains(&function) {
             self.mask = self.without(self.mask, &[self.discarded]);
         }
         Ok(())

@@ -7,7 +7,7 @@ use naga::{Block, Expression, Function, Handle, LocalVariable, Statement};
 use super::{Frame, Item, Lowering};
 
 /// Calls `f` for the blocks inside a statement.
-pub(super) fn inner_blocks<'a>(statement: &'a Statement, f: &mut dyn FnMut(&'a Block)) {
+pub(crate) fn inner_blocks<'a>(statement: &'a Statement, f: &mut dyn FnMut(&'a Block)) {
     match statement {
         Statement::Block(block) => f(block),
         Statement::If { accept, reject, .. } => {
@@ -107,7 +107,7 @@ impl Lowering<'_> {
                 out.insert(*var);
             }
         }
-        if self.discards(&self.module.functions[function].body) {
+        if self.discarding.contains(&function) {
             out.insert(self.discarded);
         }
     }
@@ -116,7 +116,7 @@ impl Lowering<'_> {
     pub(super) fn discards(&self, block: &Block) -> bool {
         block.iter().any(|statement| match statement {
             Statement::Kill => true,
-            Statement::Call { function, .. } => self.discards(&self.module.functions[*function].body),
+            Statement::Call { function, .. } => self.discarding.contains(function),
             other => {
                 let mut any = false;
                 inner_blocks(other, &mut |b| any |= self.discards(b));

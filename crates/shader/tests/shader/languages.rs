@@ -35,7 +35,7 @@ fn uniforms_of_all_kinds_have_names_and_values() {
         const int N = 2;
         uniform Light lights[N];
         uniform struct Fog { vec4 color; float density; } fog;
-        layout(std140, binding = 2) uniform Matrices { mat4 view; layout(row_major) mat2 small; } matrices;
+        layout(std140, binding = 2) uniform Matrices { mat4 view; layout(row_major) mat3 small; } matrices;
         uniform Loose { float gain; };
         layout(location = 4) uniform float time = 1.5, scale[2];
         out vec4 c;
@@ -91,7 +91,7 @@ fn the_fixed_pipeline_is_there() {
     .unwrap();
     let interface = program.interface();
     assert_eq!(interface.uniform("gl_ModelViewProjectionMatrix").unwrap().role, Some(Role::ModelViewProjection));
-    assert_eq!(interface.uniform("gl_LightSource[1].diffuse").unwrap().role, None);
+    assert_eq!(interface.uniform("gl_LightSource[1].diffuse").unwrap().role, Some(Role::LightColor));
     assert!(interface.output("gl_TexCoord[0]").is_some());
     assert_eq!(interface.inputs[interface.input("gl_Normal").unwrap()].role, Some(Role::Normal));
 }

@@ -9,3 +9,4 @@ mod phong;
 mod places;
 mod trace;
 mod warnings;
+mod wild;

@@ -17,7 +17,7 @@ fn errors_have_the_line_and_column_of_the_source() {
         ("#version 330\nout vec4 c;\nvoid main() {\n  c = vec4(1.0)\n}", (4, 15)),
         ("#version 330\nuniform vec3 a;\n\n/* two\nlines */ out vec4 c;\nvoid main() { c = vec4(a) + nothing(1.0); }", (6, 29)),
         ("void main() {\n  gl_FragColor = vec4(1.0);\n", (1, 13)),
-        ("void main() {\n  gl_FragColor = vec4(1.0));\n}", (2, 26)),
+        ("void main() {\n  gl_FragColor = vec4(1.0));\n}", (2, 27)),
         ("#version 331\nvoid main() {}", (1, 2)),
         ("void main() {}\n#if 1\n", (2, 2)),
         ("#define F(a, b) a\nvoid main() {\n  gl_FragColor = vec4(F(1.0));\n}", (3, 23)),
@@ -53,6 +53,6 @@ fn hints_say_what_may_help() {
         ShaderError::Invalid { hints, .. } => hints.join(" "),
         other => panic!("{other:?}"),
     };
-    assert!(hints("void main() {\n float x = 1.0\n gl_FragColor = vec4(x); }").contains("missing"));
+    assert!(hints("void main() {\n float x = 1.0\n gl_FragColor = vec4(x); }").contains("end with"));
     assert!(!hints("out vec4 c; void main() { vec3 v; mat4 m; c = m * v; }").is_empty());
 }
