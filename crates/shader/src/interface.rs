@@ -140,7 +140,13 @@ impl UniformValues {
                 Scalar::Float => value.to_bits(),
                 Scalar::Int => value.round() as i32 as u32,
                 Scalar::Uint => value.round() as u32,
-                Scalar::Bool => if *value == 0.0 { 0 } else { u32::MAX },
+                Scalar::Bool => {
+                    if *value == 0.0 {
+                        0
+                    } else {
+                        u32::MAX
+                    }
+                }
             };
         }
         Ok(())
@@ -160,6 +166,12 @@ pub(crate) fn number(word: u32, scalar: Scalar) -> f32 {
         Scalar::Float => f32::from_bits(word),
         Scalar::Int => word as i32 as f32,
         Scalar::Uint => word as f32,
-        Scalar::Bool => if word == 0 { 0.0 } else { 1.0 },
+        Scalar::Bool => {
+            if word == 0 {
+                0.0
+            } else {
+                1.0
+            }
+        }
     }
 }

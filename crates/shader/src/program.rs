@@ -20,7 +20,7 @@ const STACK: usize = 16 << 20;
 ///     .named("red.frag")
 ///     .compile()
 ///     .unwrap_err();
-/// assert_eq!(error.to_string(), "red.frag:4:15: ';' is expected before '}'");
+/// assert_eq!(error.to_string(), "red.frag:4:19: ';' is expected before '}'");
 /// ```
 #[derive(Clone)]
 pub struct Shader<'a> {
@@ -199,7 +199,11 @@ fn interface(stage: Stage, sources: &Sources, front: &Front, lowered: &Lowered) 
         name: leaf.path.clone(),
         ty: leaf.ty,
         role: uniform_role(&leaf.path, leaf.ty),
-        range: front.ranges.iter().find(|range| range.name == leaf.path).map(|range| (range.least, range.most)),
+        range: front
+            .ranges
+            .iter()
+            .find(|range| range.name == leaf.path)
+            .map(|range| (range.least, range.most)),
         place: front.given.declared.get(root(&leaf.path)).map(|origin| sources.place(*origin)),
         word: leaf.offset,
     };

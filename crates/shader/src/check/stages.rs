@@ -17,17 +17,25 @@ use crate::Program;
 pub fn check_stages(vertex: &Program, fragment: &Program) -> Vec<Warning> {
     let given = &vertex.interface().outputs;
     let mut all = Vec::new();
-    for port in fragment.interface().inputs.iter().filter(|port| !port.builtin && !port.name.starts_with("gl_")) {
+    for port in
+        fragment.interface().inputs.iter().filter(|port| !port.builtin && !port.name.starts_with("gl_"))
+    {
         let same_location = |p: &&crate::Port| p.location.is_some() && p.location == port.location;
         let found = given.iter().find(|p| p.name == port.name).or_else(|| given.iter().find(same_location));
         let message = match found {
             None => {
                 let names = given.iter().filter(|p| !p.builtin).map(|p| p.name.as_str());
                 let hint = glanz_math::names::did_you_mean(&port.name, names);
-                format!("the fragment shader takes '{}', which the vertex shader does not give{hint}", port.name)
+                format!(
+                    "the fragment shader takes '{}', which the vertex shader does not give{hint}",
+                    port.name
+                )
             }
             Some(other) if other.ty != port.ty => {
-                format!("'{}' is a {} in the vertex shader and a {} in the fragment shader", port.name, other.ty, port.ty)
+                format!(
+                    "'{}' is a {} in the vertex shader and a {} in the fragment shader",
+                    port.name, other.ty, port.ty
+                )
             }
             Some(_) => continue,
         };

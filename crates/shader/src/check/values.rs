@@ -19,7 +19,10 @@ pub(super) fn outputs_never_written(front: &Front) -> Vec<(String, Origin)> {
         let name = global.name.as_deref().unwrap_or("");
         let Some(Purpose::Output(host)) = front.given.roles.get(name) else { continue };
         let Some(origin) = front.given.declared.get(host).filter(|_| !is_written(handle)) else { continue };
-        all.push((format!("the output '{host}' is never written: what reads it gets 0 here, anything on a GPU"), *origin));
+        all.push((
+            format!("the output '{host}' is never written: what reads it gets 0 here, anything on a GPU"),
+            *origin,
+        ));
     }
     all
 }
@@ -62,15 +65,20 @@ pub(super) fn raw_normals(front: &Front) -> Vec<(String, Origin)> {
     for function in functions.chain(front.module.entry_points.iter().map(|entry| &entry.function)) {
         let once = stored_once(function);
         for (handle, expression) in function.expressions.iter() {
-            let Expression::Math { fun: MathFunction::Dot | MathFunction::Reflect, arg, arg1, .. } = expression else {
+            let Expression::Math { fun: MathFunction::Dot | MathFunction::Reflect, arg, arg1, .. } =
+                expression
+            else {
                 continue;
             };
             let operands = [Some(*arg), *arg1];
-            let normals = operands.into_iter().flatten().filter_map(|e| raw_normal(front, function, &once, e));
+            let normals =
+                operands.into_iter().flatten().filter_map(|e| raw_normal(front, function, &once, e));
             let names: Vec<String> = normals.collect();
             // The dot product with itself is the square of its length, and asks for it.
             if let [name] = &names[..]
-                && let Some(origin) = origin_of(function.expressions.get_span(handle), &front.map)
+                && let Some(origin) = [handle, *arg]
+                    .into_iter()
+                    .find_map(|e| origin_of(function.expressions.get_span(e), &front.map))
             {
                 let message = format!(
                     "'{name}' is interpolated between vertices and so is shorter than 1 between them: normalize({name})"
@@ -113,8 +121,10 @@ fn raw_normal(
         let name = front.module.global_variables[global].name.as_deref()?;
         let Some(Purpose::Input(host)) = front.given.roles.get(name) else { return None };
         let lower = host.to_lowercase();
-        let is_normal = lower.contains("norm") || lower.ends_with("nor") || lower.ends_with('n') && lower.len() < 3;
-        let is_flat = front.given.ports.get(host).is_some_and(|p| p.interpolation == crate::Interpolation::Flat);
+        let is_normal =
+            lower.contains("norm") || lower.ends_with("nor") || lower.ends_with('n') && lower.len() < 3;
+        let is_flat =
+            front.given.ports.get(host).is_some_and(|p| p.interpolation == crate::Interpolation::Flat);
         return (is_normal && !is_flat).then(|| host.clone());
     }
     None

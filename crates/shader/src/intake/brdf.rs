@@ -65,7 +65,8 @@ fn parameter(line: &str, origin: Origin, found: &mut BrdfFile) -> Result<(), Com
     let [kind, name, values @ ..] = &words[..] else {
         return Err(Complaint::at("a parameter is a type, a name and its values", origin));
     };
-    let numbers: Vec<f32> = values.iter().filter_map(|v| v.parse().ok()).filter(|v: &f32| v.is_finite()).collect();
+    let numbers: Vec<f32> =
+        values.iter().filter_map(|v| v.parse().ok()).filter(|v: &f32| v.is_finite()).collect();
     let valid = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !name.starts_with(|c: char| c.is_ascii_digit());
     if !valid {
@@ -80,7 +81,8 @@ fn parameter(line: &str, origin: Origin, found: &mut BrdfFile) -> Result<(), Com
         ("color", [r, g, b]) => format!("uniform vec3 {name} = vec3({r:?}, {g:?}, {b:?});"),
         ("bool", [value]) => format!("uniform bool {name} = {};", *value != 0.0),
         _ => {
-            let message = "a parameter is 'float name least greatest value', 'color name r g b' or 'bool name 0'";
+            let message =
+                "a parameter is 'float name least greatest value', 'color name r g b' or 'bool name 0'";
             return Err(Complaint::at(message, origin));
         }
     };

@@ -120,6 +120,8 @@ fn validation_complaint<E: std::error::Error>(error: &WithSpan<E>, map: &Map) ->
     let mut complaint = complaint(message, span, map);
     // Outer messages name functions by numbers of naga's, so they stand behind.
     complaint.hints = messages.into_iter().filter(|m| !m.contains('[')).collect();
+    complaint.hints.extend(hints::hint(&complaint.message));
+    complaint.message = hints::in_words(&complaint.message);
     complaint
 }
 
@@ -134,7 +136,8 @@ fn complaint(message: String, span: Span, map: &Map) -> Complaint {
 }
 
 fn glsl_complaint(errors: &glsl::ParseErrors, text: &str, map: &Map) -> Complaint {
-    let Some(first) = errors.errors.iter().min_by_key(|e| e.meta.to_range().map_or(usize::MAX, |r| r.start)) else {
+    let Some(first) = errors.errors.iter().min_by_key(|e| e.meta.to_range().map_or(usize::MAX, |r| r.start))
+    else {
         return Complaint::whole("the text is no GLSL");
     };
     let range = first.meta.to_range().unwrap_or(0..0);

@@ -44,18 +44,62 @@ pub(super) enum Item {
     /// `precision …;`, `layout(…) uniform;`, `invariant x;`, a stray `;`.
     Nothing(Qualifiers),
     /// `struct Name { … } variables;`, perhaps with qualifiers.
-    Struct { qualifiers: Qualifiers, keyword: Token, name: Option<Token>, members: Vec<Member>, variables: Vec<Declarator> },
+    Struct {
+        qualifiers: Qualifiers,
+        keyword: Token,
+        name: Option<Token>,
+        members: Vec<Member>,
+        variables: Vec<Declarator>,
+    },
     /// `uniform Name { … } instance;`
-    Block { qualifiers: Qualifiers, name: Token, members: Vec<Member>, instance: Option<Declarator> },
-    Variables { qualifiers: Qualifiers, ty: Vec<Token>, variables: Vec<Declarator> },
+    Block {
+        qualifiers: Qualifiers,
+        name: Token,
+        members: Vec<Member>,
+        instance: Option<Declarator>,
+    },
+    Variables {
+        qualifiers: Qualifiers,
+        ty: Vec<Token>,
+        variables: Vec<Declarator>,
+    },
     /// A function or its prototype: up to its '(', the parameters, and the body with its braces or `;`.
-    Function { head: Vec<Token>, name: Token, parameters: Vec<Token>, body: Vec<Token> },
+    Function {
+        head: Vec<Token>,
+        name: Token,
+        parameters: Vec<Token>,
+        body: Vec<Token>,
+    },
 }
 
 const QUALIFIERS: [&str; 27] = [
-    "const", "uniform", "in", "out", "inout", "attribute", "varying", "smooth", "flat", "noperspective", "centroid",
-    "sample", "patch", "invariant", "precise", "highp", "mediump", "lowp", "buffer", "shared", "coherent", "volatile",
-    "restrict", "readonly", "writeonly", "subroutine", "layout",
+    "const",
+    "uniform",
+    "in",
+    "out",
+    "inout",
+    "attribute",
+    "varying",
+    "smooth",
+    "flat",
+    "noperspective",
+    "centroid",
+    "sample",
+    "patch",
+    "invariant",
+    "precise",
+    "highp",
+    "mediump",
+    "lowp",
+    "buffer",
+    "shared",
+    "coherent",
+    "volatile",
+    "restrict",
+    "readonly",
+    "writeonly",
+    "subroutine",
+    "layout",
 ];
 
 /// Whether the word stands before types and says nothing to this machine.
@@ -95,7 +139,10 @@ pub(super) fn check_nesting(tokens: &[Token]) -> Result<(), Complaint> {
             chain = 0;
         }
         if open.len().max(signs).max(keywords) > MOST_DEPTH || operators > MOST_OPERATORS || chain > 1000 {
-            return Err(Complaint::at("this is nested too deeply, or too long for one expression", token.origin));
+            return Err(Complaint::at(
+                "this is nested too deeply, or too long for one expression",
+                token.origin,
+            ));
         }
     }
     match open.pop() {
@@ -247,7 +294,8 @@ impl<'a> Reader<'a> {
 
     fn function(&mut self, qualifiers: &Qualifiers, ty: Vec<Token>, name: &Token) -> Result<Item, Complaint> {
         let parameters = self.balanced()?.to_vec();
-        let mut head: Vec<Token> = qualifiers.words.iter().filter(|t| !is_precision(&t.text)).cloned().collect();
+        let mut head: Vec<Token> =
+            qualifiers.words.iter().filter(|t| !is_precision(&t.text)).cloned().collect();
         head.extend(ty);
         let body = if self.is("{") { self.balanced()?.to_vec() } else { vec![self.expect(";")?.clone()] };
         Ok(Item::Function { head, name: name.clone(), parameters, body })
@@ -335,7 +383,9 @@ impl<'a> Reader<'a> {
                     self.balanced()?;
                 }
                 // The next line's word: the ';' is missing before it.
-                _ if token.first && self.at > start && token.is_identifier() && self.ends_value(start) => break,
+                _ if token.first && self.at > start && token.is_identifier() && self.ends_value(start) => {
+                    break;
+                }
                 _ => self.at += 1,
             }
         }

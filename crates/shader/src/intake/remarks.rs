@@ -128,7 +128,10 @@ fn guards_around(tokens: &[Token], origin: Origin) -> bool {
             "(" if depth > 0 => depth -= 1,
             "(" => {
                 let name = i.checked_sub(1).map_or("", |j| &tokens[j].text);
-                if matches!(name, "max" | "clamp" | "abs" | "saturate" | "step" | "smoothstep" | "acos" | "mix") {
+                if matches!(
+                    name,
+                    "max" | "clamp" | "abs" | "saturate" | "step" | "smoothstep" | "acos" | "mix"
+                ) {
                     return true;
                 }
             }
@@ -150,8 +153,7 @@ fn receives<'a>(call: &Call<'_>, tokens: &'a [Token]) -> Option<&'a str> {
 /// A cosine of normal and light that multiplies light although it may be negative.
 fn cosine(call: &Call<'_>, tokens: &[Token]) -> Option<Remark> {
     let (a, b) = (call.word(0)?, call.word(1)?);
-    let normal_and_light =
-        is_normal(&a.text) && is_light(&b.text) || is_light(&a.text) && is_normal(&b.text);
+    let normal_and_light = is_normal(&a.text) && is_light(&b.text) || is_light(&a.text) && is_normal(&b.text);
     if !normal_and_light || guards_around(tokens, call.origin) {
         return None;
     }
@@ -188,7 +190,8 @@ fn power(call: &Call<'_>, tokens: &[Token]) -> Option<Remark> {
         from_dot && !is_guarded(&word.text, tokens)
     });
     (direct || named).then(|| {
-        let message = "pow of a negative number is undefined, and a dot product may be negative: pow(max(…, 0.0), …)";
+        let message =
+            "pow of a negative number is undefined, and a dot product may be negative: pow(max(…, 0.0), …)";
         (message.to_owned(), call.origin)
     })
 }
@@ -204,7 +207,8 @@ fn divisions(tokens: &[Token]) -> Vec<Remark> {
         };
         let has = |word: &str| divisor.iter().any(|t| t.is(word));
         if has("dot") && !has("max") && !has("clamp") && !has("+") && !has("abs") {
-            let message = "this divides by a dot product, which is 0 at grazing angles: add a small number or use max";
+            let message =
+                "this divides by a dot product, which is 0 at grazing angles: add a small number or use max";
             all.push((message.to_owned(), token.origin));
         }
     }

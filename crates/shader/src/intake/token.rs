@@ -59,8 +59,8 @@ impl Token {
 }
 
 const TWO: [&str; 20] = [
-    "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "^^", "##", "++", "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=",
-    "^=",
+    "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "^^", "##", "++", "--", "+=", "-=", "*=", "/=", "%=",
+    "&=", "|=", "^=",
 ];
 
 /// The tokens of a text, comments and continued lines left out. Bytes count from `base` on.
@@ -116,9 +116,9 @@ fn one(text: &str, at: usize) -> (Kind, usize) {
         return (Kind::Identifier, at + end);
     }
     if c == '"' {
-        let end = rest[1..].find(['"', '\n']).map_or(rest.len(), |i| {
-            if rest.as_bytes()[i + 1] == b'"' { i + 2 } else { i + 1 }
-        });
+        let end = rest[1..]
+            .find(['"', '\n'])
+            .map_or(rest.len(), |i| if rest.as_bytes()[i + 1] == b'"' { i + 2 } else { i + 1 });
         return (Kind::Text, at + end);
     }
     for three in ["<<=", ">>="] {

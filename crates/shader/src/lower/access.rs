@@ -2,7 +2,7 @@
 
 use naga::{Span, TypeInner};
 
-use super::{Choice, Item, Lowering, MOST_SCALARS, Reg, Refused, VirtualOp};
+use super::{Choice, Item, Lowering, MOST_SCALARS, Refused, Reg, VirtualOp};
 use crate::machine::Code;
 
 /// A part of a type.

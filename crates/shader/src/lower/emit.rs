@@ -1,6 +1,6 @@
 //! Registers and instructions.
 
-use super::{Lowering, MOST_WORK, Reg, Refused, VirtualOp};
+use super::{Lowering, MOST_WORK, Refused, Reg, VirtualOp};
 use crate::machine::Code;
 
 impl VirtualOp {
@@ -111,8 +111,8 @@ impl Lowering<'_> {
             return Some(0);
         }
         let group = |r: Reg| self.state.groups[r as usize].0;
-        let side_by_side = regs.len() >= n
-            && (1..n).all(|k| regs[k] == first + k as Reg && group(regs[k]) == group(first));
+        let side_by_side =
+            regs.len() >= n && (1..n).all(|k| regs[k] == first + k as Reg && group(regs[k]) == group(first));
         side_by_side.then_some(1)
     }
 
@@ -203,8 +203,13 @@ impl Lowering<'_> {
         }
         let (code, c) = (if mask.is_some() { Code::Sel } else { Code::Mov }, mask.unwrap_or(0));
         let selects = u8::from(mask.is_some()) << 1;
-        if n > 1 && self.stride(d, n) == Some(1) && value.len() >= n && let Some(s) = self.stride(value, n) {
-            let op = VirtualOp { code, s: s | selects, n: n as u16, d: d[0], a: value[0], b: d[0], c, imm: 0 };
+        if n > 1
+            && self.stride(d, n) == Some(1)
+            && value.len() >= n
+            && let Some(s) = self.stride(value, n)
+        {
+            let op =
+                VirtualOp { code, s: s | selects, n: n as u16, d: d[0], a: value[0], b: d[0], c, imm: 0 };
             self.work += 1;
             return self.state.ops.push(op);
         }

@@ -1,8 +1,10 @@
 //! Expressions.
 
-use naga::{DerivativeAxis, Expression, Handle, Literal, RelationalFunction, ScalarKind, Span, UnaryOperator};
+use naga::{
+    DerivativeAxis, Expression, Handle, Literal, RelationalFunction, ScalarKind, Span, UnaryOperator,
+};
 
-use super::{Choice, Frame, Item, Lowering, Reg, Refused};
+use super::{Choice, Frame, Item, Lowering, Refused, Reg};
 use crate::machine::Code;
 
 impl<'a> Lowering<'a> {
@@ -16,7 +18,11 @@ impl<'a> Lowering<'a> {
     }
 
     /// The registers of a value; at least one.
-    pub(super) fn value(&mut self, frame: &mut Frame<'a>, e: Handle<Expression>) -> Result<Vec<Reg>, Refused> {
+    pub(super) fn value(
+        &mut self,
+        frame: &mut Frame<'a>,
+        e: Handle<Expression>,
+    ) -> Result<Vec<Reg>, Refused> {
         match self.item(frame, e)? {
             Item::Value(regs) if !regs.is_empty() => Ok(regs),
             _ => Err(Refused::new("a value is needed here", frame.function.expressions.get_span(e))),
@@ -50,7 +56,9 @@ impl<'a> Lowering<'a> {
                 Ok(all)
             }
             Expression::Splat { size, value } => Ok(vec![self.constant(*value)?[0]; *size as usize]),
-            Expression::Override(_) => Err(Refused::new("constants that are set from outside are not there", span)),
+            Expression::Override(_) => {
+                Err(Refused::new("constants that are set from outside are not there", span))
+            }
             _ => Err(Refused::new("this is no constant", span)),
         }
     }
@@ -61,7 +69,13 @@ impl<'a> Lowering<'a> {
             Literal::AbstractFloat(x) => (x as f32).to_bits(),
             Literal::U32(x) => x,
             Literal::I32(x) => x as u32,
-            Literal::Bool(holds) => if holds { u32::MAX } else { 0 },
+            Literal::Bool(holds) => {
+                if holds {
+                    u32::MAX
+                } else {
+                    0
+                }
+            }
             Literal::AbstractInt(x) => x as u32,
             Literal::F64(_) => return Err(Refused::new("numbers in double precision are not there", span)),
             Literal::F16(_) | Literal::I16(_) | Literal::U16(_) | Literal::I64(_) | Literal::U64(_) => {
@@ -71,7 +85,11 @@ impl<'a> Lowering<'a> {
         Ok(self.word(word))
     }
 
-    pub(super) fn expression(&mut self, frame: &mut Frame<'a>, e: Handle<Expression>) -> Result<Item, Refused> {
+    pub(super) fn expression(
+        &mut self,
+        frame: &mut Frame<'a>,
+        e: Handle<Expression>,
+    ) -> Result<Item, Refused> {
         let span = frame.function.expressions.get_span(e);
         Ok(match &frame.function.expressions[e] {
             Expression::Literal(literal) => Item::Value(vec![self.literal(*literal, span)?]),

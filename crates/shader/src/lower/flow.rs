@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use naga::{Block, Expression, Handle, Span, SwitchCase, SwitchValue};
 
 use super::uses::count_uses;
-use super::{Enclosing, EventKind, Frame, Lowering, Reg, Refused};
+use super::{Enclosing, EventKind, Frame, Lowering, Refused, Reg};
 use crate::machine::Code;
 
 /// Branches of so many expressions are worth a jump where no lane takes them.
@@ -130,7 +130,8 @@ impl<'a> Lowering<'a> {
         self.changed(frame, accept, &mut vars);
         self.changed(frame, reject, &mut vars);
         let in_switch = self.enclosing.last().is_some_and(|l| l.together.is_none());
-        let leaves = self.enclosing.last().is_some_and(|l| vars.contains(&l.broken) || vars.contains(&l.continued));
+        let leaves =
+            self.enclosing.last().is_some_and(|l| vars.contains(&l.broken) || vars.contains(&l.continued));
         !vars.contains(&frame.returned) && !vars.contains(&self.discarded) && !(in_switch && leaves)
     }
 

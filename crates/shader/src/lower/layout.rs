@@ -1,8 +1,11 @@
 //! What a program takes and gives, and the whole program.
 
-use naga::{AddressSpace, Binding, BuiltIn, FunctionArgument, Handle, ImageClass, ImageDimension, Span, Type, TypeInner};
+use naga::{
+    AddressSpace, Binding, BuiltIn, FunctionArgument, Handle, ImageClass, ImageDimension, Span, Type,
+    TypeInner,
+};
 
-use super::{Item, Lowered, Lowering, MOST_SCALARS, Reg, Refused};
+use super::{Item, Lowered, Lowering, MOST_SCALARS, Refused, Reg};
 use crate::{Stage, ValueType};
 
 /// What a private global of a GLSL text stands for. The name is the one by which the host knows it.

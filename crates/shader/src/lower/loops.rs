@@ -117,14 +117,19 @@ impl<'a> Lowering<'a> {
         self.check_work(parts.span)?;
         self.settle(vars, true);
         let unused = self.no_lanes();
-        self.enclosing.push(Enclosing { broken: unused, continued: unused, together: Some((vec![], vec![])) });
+        self.enclosing.push(Enclosing {
+            broken: unused,
+            continued: unused,
+            together: Some((vec![], vec![])),
+        });
         let start = self.count_turn(parts.span);
         self.block(frame, parts.body)?;
         self.dead = false;
         // A mask that is left here means that some lanes have gone another way.
         self.apart |= self.mask.is_some();
         self.mask = None;
-        let nexts = self.enclosing.last_mut().and_then(|l| l.together.as_mut()).map(|t| std::mem::take(&mut t.1));
+        let nexts =
+            self.enclosing.last_mut().and_then(|l| l.together.as_mut()).map(|t| std::mem::take(&mut t.1));
         nexts.into_iter().flatten().for_each(|jump| self.land(jump));
         self.block(frame, parts.continuing)?;
         self.dead = false;

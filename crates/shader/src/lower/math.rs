@@ -4,7 +4,7 @@ use core::f32::consts::{LN_2, LOG2_E};
 
 use naga::{MathFunction as M, ScalarKind as K, Span, TypeInner};
 
-use super::{Lowering, Reg, Refused};
+use super::{Lowering, Refused, Reg};
 use crate::machine::Code;
 
 impl Lowering<'_> {
@@ -94,9 +94,10 @@ impl Lowering<'_> {
             M::SmoothStep => self.op(Code::FSmooth, n.max(c.len()), &[a, b, c]),
             M::Sqrt => self.op(Code::FSqrt, n, &[a]),
             M::InverseSqrt => self.op(Code::FRsqrt, n, &[a]),
-            M::Outer | M::Inverse | M::Transpose | M::Determinant => self
-                .matrix_function(fun, inner, a, b)
-                .ok_or_else(|| Refused::new("this function is for square matrices", span))?,
+            M::Outer | M::Inverse | M::Transpose | M::Determinant => {
+                self.matrix_function(fun, inner, a, b)
+                    .ok_or_else(|| Refused::new("this function is for square matrices", span))?
+            }
             M::CountOneBits => self.op(Code::CountOnes, n, &[a]),
             M::ReverseBits => self.op(Code::ReverseBits, n, &[a]),
             M::CountLeadingZeros => self.op(Code::LeadingZeros, n, &[a]),

@@ -64,10 +64,8 @@ impl Lowering<'_> {
     /// The matrix without a column and a row.
     fn minor(m: &[Vec<Reg>], column: usize, row: usize) -> Vec<Vec<Reg>> {
         let kept = m.iter().enumerate().filter(|(c, _)| *c != column);
-        kept.map(|(_, col)| {
-            col.iter().enumerate().filter(|(r, _)| *r != row).map(|(_, x)| *x).collect()
-        })
-        .collect()
+        kept.map(|(_, col)| col.iter().enumerate().filter(|(r, _)| *r != row).map(|(_, x)| *x).collect())
+            .collect()
     }
 
     /// By the first column (Laplace).

@@ -29,8 +29,8 @@ use naga::{Expression, Function, Handle, Module, Span};
 use crate::Stage;
 use crate::machine::{Code, Look, Op};
 pub use layout::TextureInfo;
-pub(crate) use uses::inner_blocks;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
+pub(crate) use uses::inner_blocks;
 
 /// A register before allocation.
 pub(crate) type Reg = u32;
@@ -97,9 +97,16 @@ struct Choice {
 enum Item {
     Value(Vec<Reg>),
     /// A variable or a part of it.
-    Place { var: usize, offset: usize, dynamic: Option<Choice> },
+    Place {
+        var: usize,
+        offset: usize,
+        dynamic: Option<Choice>,
+    },
     /// Uniform memory from a word on; dynamic: register, stride in words, last index.
-    Uniform { word: usize, dynamic: Option<(Reg, usize, usize)> },
+    Uniform {
+        word: usize,
+        dynamic: Option<(Reg, usize, usize)>,
+    },
     Texture(usize),
     Nothing,
 }

@@ -7,7 +7,7 @@ use naga::{Block, Expression, Function, Handle, Span, Statement};
 
 use super::loops::Parts;
 use super::uses::count_uses;
-use super::{Choice, Event, EventKind, Frame, Item, Lowering, Reg, Refused, VirtualOp};
+use super::{Choice, Event, EventKind, Frame, Item, Lowering, Refused, Reg, VirtualOp};
 use crate::machine::Code;
 use crate::{Scalar, ValueType};
 
@@ -29,7 +29,12 @@ impl<'a> Lowering<'a> {
         Ok(())
     }
 
-    fn statement(&mut self, frame: &mut Frame<'a>, statement: &'a Statement, span: Span) -> Result<(), Refused> {
+    fn statement(
+        &mut self,
+        frame: &mut Frame<'a>,
+        statement: &'a Statement,
+        span: Span,
+    ) -> Result<(), Refused> {
         match statement {
             Statement::Emit(range) => {
                 for e in range.clone() {
@@ -57,7 +62,10 @@ impl<'a> Lowering<'a> {
             Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => {}
             Statement::ImageStore { .. } => return Err(Refused::new("images cannot be written here", span)),
             Statement::Atomic { .. } | Statement::ImageAtomic { .. } => {
-                return Err(Refused::new("atomic operations belong to compute shaders, which are not read here", span));
+                return Err(Refused::new(
+                    "atomic operations belong to compute shaders, which are not read here",
+                    span,
+                ));
             }
             Statement::WorkGroupUniformLoad { .. }
             | Statement::SubgroupBallot { .. }

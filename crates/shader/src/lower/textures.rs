@@ -2,7 +2,7 @@
 
 use naga::{Expression, Handle, ImageQuery, SampleLevel, Span};
 
-use super::{Frame, Item, Lowering, Reg, Refused, VirtualOp};
+use super::{Frame, Item, Lowering, Refused, Reg, VirtualOp};
 use crate::machine::{Code, Look, LookLod};
 
 impl<'a> Lowering<'a> {
@@ -43,16 +43,20 @@ impl<'a> Lowering<'a> {
             }
             Expression::ImageQuery { image, query } => {
                 let texture = self.image(frame, *image)?;
+                let is_layers = matches!(query, ImageQuery::NumLayers);
                 let lod = match query {
                     ImageQuery::Size { level } => LookLod::Size(self.optional(frame, *level)?),
                     ImageQuery::NumLevels => LookLod::Levels,
-                    ImageQuery::NumLayers | ImageQuery::NumSamples => {
-                        return Err(Refused::new("the numbers of layers and samples are not there", span));
+                    ImageQuery::NumLayers => LookLod::Size(None),
+                    ImageQuery::NumSamples => {
+                        return Err(Refused::new("textures of several samples are not there", span));
                     }
                 };
-                let look = Look { texture, coordinates: vec![], layer: None, offset: [0; 3], compare: None, lod };
-                let n = self.texel_size(frame, e);
-                Ok(Item::Value(self.look(look, n, true)))
+                let look =
+                    Look { texture, coordinates: vec![], layer: None, offset: [0; 3], compare: None, lod };
+                let n = if is_layers { 3 } else { self.texel_size(frame, e) };
+                let answer = self.look(look, n, true);
+                Ok(Item::Value(if is_layers { answer[2..].to_vec() } else { answer }))
             }
             _ => Err(Refused::new("this is no look into a texture", span)),
         }
@@ -66,7 +70,9 @@ impl<'a> Lowering<'a> {
     fn image(&mut self, frame: &mut Frame<'a>, e: Handle<Expression>) -> Result<usize, Refused> {
         match self.item(frame, e)? {
             Item::Texture(slot) => Ok(slot),
-            _ => Err(Refused::new("arrays of textures are not there", frame.function.expressions.get_span(e))),
+            _ => {
+                Err(Refused::new("arrays of textures are not there", frame.function.expressions.get_span(e)))
+            }
         }
     }
 
@@ -84,7 +90,9 @@ impl<'a> Lowering<'a> {
             SampleLevel::Zero => LookLod::Level(self.word(0)),
             SampleLevel::Exact(level) => LookLod::Level(self.value(frame, *level)?[0]),
             SampleLevel::Bias(bias) => LookLod::Bias(self.value(frame, *bias)?[0]),
-            SampleLevel::Gradient { x, y } => LookLod::Gradient(self.value(frame, *x)?, self.value(frame, *y)?),
+            SampleLevel::Gradient { x, y } => {
+                LookLod::Gradient(self.value(frame, *x)?, self.value(frame, *y)?)
+            }
         })
     }
 

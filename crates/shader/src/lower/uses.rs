@@ -24,7 +24,11 @@ pub(crate) fn inner_blocks<'a>(statement: &'a Statement, f: &mut dyn FnMut(&'a B
 }
 
 /// How often a block names each local, calls and loads included.
-pub(super) fn count_uses(function: &Function, block: &Block, out: &mut HashMap<Handle<LocalVariable>, usize>) {
+pub(super) fn count_uses(
+    function: &Function,
+    block: &Block,
+    out: &mut HashMap<Handle<LocalVariable>, usize>,
+) {
     let mut name = |e: Handle<Expression>| {
         if let Some(local) = local_of(function, e) {
             *out.entry(local).or_default() += 1;

@@ -44,9 +44,9 @@ pub(super) fn sine<S: Simd>(x: Lanes<S>, shift: i32) -> Lanes<S> {
         - whole * x.lit(4.837_512_969_970_703e-4)
         - whole * x.lit(7.549_789_948_768_648e-8);
     let z = r * r;
-    let s = r
-        + r * z
-            * ((z * x.lit(-1.951_529_589_1e-4) + x.lit(8.332_160_873_6e-3)) * z + x.lit(-1.666_665_461_1e-1));
+    let s = r + r
+        * z
+        * ((z * x.lit(-1.951_529_589_1e-4) + x.lit(8.332_160_873_6e-3)) * z + x.lit(-1.666_665_461_1e-1));
     let c = x.one() - z * x.lit(0.5)
         + z * z
             * ((z * x.lit(2.443_315_711_809_948e-5) + x.lit(-1.388_731_625_493_765e-3)) * z

@@ -122,17 +122,17 @@ impl Code {
     /// How many of a, b, c are registers.
     pub(crate) fn operands(self) -> usize {
         use Code::{
-            BToF, BToI, CountOnes, DdX, DdY, FAbs, FAcos, FAsin, FAtan, FCeil, FClamp, FCos, FExp2, FFloor, FFract,
-            FLog2, FMad, FMix, FNeg, FRound, FRsqrt, FSign, FSin, FSmooth, FSqrt, FTan, FToI, FToU, FTrunc, IAbs,
-            INeg, ISign, IToF, JumpAny, JumpNone, LeadingZeros, Length, LoadUI, Mov, Normalize, Not, ReverseBits, Sel,
-            TrailingZeros, UToF,
+            BToF, BToI, CountOnes, DdX, DdY, FAbs, FAcos, FAsin, FAtan, FCeil, FClamp, FCos, FExp2, FFloor,
+            FFract, FLog2, FMad, FMix, FNeg, FRound, FRsqrt, FSign, FSin, FSmooth, FSqrt, FTan, FToI, FToU,
+            FTrunc, IAbs, INeg, ISign, IToF, JumpAny, JumpNone, LeadingZeros, Length, LoadUI, Mov, Normalize,
+            Not, ReverseBits, Sel, TrailingZeros, UToF,
         };
         match self {
             Self::LoadU | Self::Imm | Self::Jump | Self::Count | Self::Note | Self::Texture => 0,
-            Mov | FNeg | FAbs | FFloor | FCeil | FFract | FTrunc | FRound | FSign | FSqrt | FRsqrt | FExp2 | FLog2
-            | FSin | FCos | FTan | FAcos | FAsin | FAtan | INeg | IAbs | ISign | Not | FToI | FToU | IToF | UToF
-            | BToF | BToI | Length | Normalize | LoadUI | DdX | DdY | JumpNone | JumpAny | CountOnes | ReverseBits
-            | LeadingZeros | TrailingZeros => 1,
+            Mov | FNeg | FAbs | FFloor | FCeil | FFract | FTrunc | FRound | FSign | FSqrt | FRsqrt
+            | FExp2 | FLog2 | FSin | FCos | FTan | FAcos | FAsin | FAtan | INeg | IAbs | ISign | Not
+            | FToI | FToU | IToF | UToF | BToF | BToI | Length | Normalize | LoadUI | DdX | DdY
+            | JumpNone | JumpAny | CountOnes | ReverseBits | LeadingZeros | TrailingZeros => 1,
             FMad | FMix | FClamp | FSmooth | Sel => 3,
             _ => 2,
         }

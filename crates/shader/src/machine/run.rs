@@ -191,8 +191,7 @@ pub(crate) fn execute<S: Simd, const G: usize>(
     let mut fuel = host.fuel;
     while let Some(op) = ops.get(next) {
         next += 1;
-        let (sa, sb, sc) =
-            (u16::from(op.s) & 1, u16::from(op.s) >> 1 & 1, u16::from(op.s) >> 2 & 1);
+        let (sa, sb, sc) = (u16::from(op.s) & 1, u16::from(op.s) >> 1 & 1, u16::from(op.s) >> 2 & 1);
         macro_rules! each {
             (|$x:ident| $e:expr) => {{
                 for k in 0..op.n {

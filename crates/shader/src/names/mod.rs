@@ -123,7 +123,8 @@ fn plain(name: &str) -> String {
 /// The role that a table gives a name, which may still have `mat` before it or `matrix` behind.
 fn look_up(table: &[(&str, Role, Shape)], name: &str, ty: ValueType) -> Option<Role> {
     let bare = plain(name);
-    let find = |name: &str| table.iter().find(|(n, _, shape)| *n == name && fits(*shape, ty)).map(|row| row.1);
+    let find =
+        |name: &str| table.iter().find(|(n, _, shape)| *n == name && fits(*shape, ty)).map(|row| row.1);
     let shorter = [bare.strip_suffix("matrix"), bare.strip_prefix("mat"), bare.strip_suffix("mat")];
     find(&bare).or_else(|| shorter.into_iter().flatten().filter(|n| !n.is_empty()).find_map(find))
 }

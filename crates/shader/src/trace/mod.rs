@@ -65,7 +65,9 @@ impl Record {
     /// The lanes that were here and in which a component is NaN.
     pub fn nan_lanes(&self) -> u16 {
         let nan = |lane: &usize| {
-            self.ty.scalar == Scalar::Float && self.is_here(*lane) && self.values(*lane).iter().any(|x| x.is_nan())
+            self.ty.scalar == Scalar::Float
+                && self.is_here(*lane)
+                && self.values(*lane).iter().any(|x| x.is_nan())
         };
         (0..16).filter(nan).fold(0, |all, lane| all | 1 << lane)
     }

@@ -56,7 +56,8 @@ pub(crate) fn outputs_at(
     }
     machine.run().unwrap();
     let outputs = program.interface().outputs.iter().enumerate();
-    outputs.flat_map(|(i, port)| (0..port.ty.scalars()).map(move |k| (i, k)))
+    outputs
+        .flat_map(|(i, port)| (0..port.ty.scalars()).map(move |k| (i, k)))
         .map(|(i, k)| machine.output(i, k)[0].0)
         .collect()
 }

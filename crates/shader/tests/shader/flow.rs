@@ -175,7 +175,9 @@ proptest! {
 
 #[test]
 fn an_endless_loop_ends_with_its_place() {
-    let program = common::fragment("out vec4 c;\nvoid main() {\n  float x = 0.0;\n  while (x < 1.0) { x *= 2.0; }\n  c = vec4(x);\n}");
+    let program = common::fragment(
+        "out vec4 c;\nvoid main() {\n  float x = 0.0;\n  while (x < 1.0) { x *= 2.0; }\n  c = vec4(x);\n}",
+    );
     let uniforms = program.uniforms();
     let mut machine = Machine::<1>::new(&program, &uniforms, &NoTextures, SimdLevel::best());
     machine.set_fuel(1000);

@@ -20,7 +20,9 @@ fn every_version_of_a_small_shader_gives_the_same() {
     ] {
         assert_eq!(value(text, 1.5), 3.0, "{text}");
     }
-    let wgsl = common::wgsl("@fragment fn main(@location(0) x: f32) -> @location(0) vec4<f32> { return vec4(x * 2.0); }");
+    let wgsl = common::wgsl(
+        "@fragment fn main(@location(0) x: f32) -> @location(0) vec4<f32> { return vec4(x * 2.0); }",
+    );
     assert_eq!(outputs(&wgsl, &|_, _, _| 1.5)[0][0], 3.0);
     let function = common::wgsl("fn twice(x: f32) -> f32 { return x * 2.0; }");
     assert_eq!((outputs(&function, &|_, _, _| 1.5)[0][0], &*function.interface().inputs[0].name), (3.0, "x"));
@@ -43,19 +45,37 @@ fn uniforms_of_all_kinds_have_names_and_values() {
     );
     let names: Vec<&str> = program.interface().uniforms.iter().map(|u| u.name.as_str()).collect();
     let expected = [
-        "lights[0].position", "lights[0].on", "lights[1].position", "lights[1].on", "fog.color", "fog.density",
-        "Matrices.view", "Matrices.small", "gain", "time", "scale[0]", "scale[1]",
+        "lights[0].position",
+        "lights[0].on",
+        "lights[1].position",
+        "lights[1].on",
+        "fog.color",
+        "fog.density",
+        "Matrices.view",
+        "Matrices.small",
+        "gain",
+        "time",
+        "scale[0]",
+        "scale[1]",
     ];
     assert_eq!(names, expected);
     let mut uniforms = program.uniforms();
     assert_eq!(uniforms.get("time"), Some(vec![1.5]));
-    for (name, values) in [("lights[1].position", &[1.0, 2.0, 3.0][..]), ("gain", &[2.0]), ("scale[1]", &[10.0])] {
+    for (name, values) in
+        [("lights[1].position", &[1.0, 2.0, 3.0][..]), ("gain", &[2.0]), ("scale[1]", &[10.0])]
+    {
         uniforms.set(name, values).unwrap();
     }
     let out = common::outputs_at(&program, &uniforms, Default::default(), &|_, _, _| 0.0);
     assert_eq!([out[0][0], out[1][0], out[2][0]], [30.0, 60.0, 90.0]);
-    assert_eq!(program.interface().uniform("lights[1].position").and_then(|u| u.role), Some(Role::LightPosition));
-    assert_eq!(uniforms.set("gian", &[0.0]).unwrap_err().to_string(), "there is no uniform 'gian'; did you mean 'gain'?");
+    assert_eq!(
+        program.interface().uniform("lights[1].position").and_then(|u| u.role),
+        Some(Role::LightPosition)
+    );
+    assert_eq!(
+        uniforms.set("gian", &[0.0]).unwrap_err().to_string(),
+        "there is no uniform 'gian'; did you mean 'gain'?"
+    );
     assert!(uniforms.set("gain", &[0.0, 1.0]).unwrap_err().to_string().contains("float of 1 numbers, not 2"));
 }
 
@@ -90,7 +110,10 @@ fn the_fixed_pipeline_is_there() {
     .compile()
     .unwrap();
     let interface = program.interface();
-    assert_eq!(interface.uniform("gl_ModelViewProjectionMatrix").unwrap().role, Some(Role::ModelViewProjection));
+    assert_eq!(
+        interface.uniform("gl_ModelViewProjectionMatrix").unwrap().role,
+        Some(Role::ModelViewProjection)
+    );
     assert_eq!(interface.uniform("gl_LightSource[1].diffuse").unwrap().role, Some(Role::LightColor));
     assert!(interface.output("gl_TexCoord[0]").is_some());
     assert_eq!(interface.inputs[interface.input("gl_Normal").unwrap()].role, Some(Role::Normal));
@@ -148,7 +171,11 @@ fn what_is_not_there_is_refused_by_name_and_line() {
         ("#version 400\nout vec4 c;\nvoid main() {\n double x = 1.0; }", "double", 4),
         ("#version 430\nuniform image2D picture;\nvoid main() {}", "image2D", 2),
         ("#version 430\nbuffer Data { float x; };\nvoid main() {}", "storage", 2),
-        ("float f(float x);\nfloat g(float x) { return f(x); }\nfloat f(float x) { return g(x); }\nvoid main() { f(1.0); }", "recursion", 2),
+        (
+            "float f(float x);\nfloat g(float x) { return f(x); }\nfloat f(float x) { return g(x); }\nvoid main() { f(1.0); }",
+            "recursion",
+            2,
+        ),
         ("uniform sampler2D maps[4];\nvoid main() {}", "arrays of samplers", 1),
         ("out vec4 c;\nvoid main() {\n float a[100000];\n a[0] = 1.0; c = vec4(a[0]); }", "too large", 3),
     ] {
@@ -164,7 +191,10 @@ fn what_is_not_there_is_refused_by_name_and_line() {
 
 #[test]
 fn uniforms_and_inputs_are_not_assigned_to() {
-    for text in ["uniform float u;\nvoid main() {\n u = 1.0; gl_FragColor = vec4(u); }", "varying float u;\nvoid main() {\n u = 1.0; gl_FragColor = vec4(u); }"] {
+    for text in [
+        "uniform float u;\nvoid main() {\n u = 1.0; gl_FragColor = vec4(u); }",
+        "varying float u;\nvoid main() {\n u = 1.0; gl_FragColor = vec4(u); }",
+    ] {
         let error = error(text);
         assert_eq!(error.place().map(|place| place.line), Some(3), "{error}");
         assert!(error.to_string().contains("assigned"), "{error}");
@@ -177,9 +207,10 @@ fn both_stages_may_stand_in_one_wgsl_text() {
         struct U { m: mat4x4<f32>, k: array<vec4<f32>, 2> } @group(0) @binding(0) var<uniform> u: U;
         @vertex fn vs(@location(0) a: vec3<f32>) -> V { return V(u.m * vec4(a, 1.0), a); }
         @fragment fn fs(v: V) -> @location(0) vec4<f32> { return vec4(normalize(v.n), v.p.x) * u.k[1]; }";
-    for (stage, inputs, outputs) in
-        [(Stage::Vertex, vec!["a"], vec!["gl_Position", "n"]), (Stage::Fragment, vec!["gl_FragCoord", "n"], vec!["result"])]
-    {
+    for (stage, inputs, outputs) in [
+        (Stage::Vertex, vec!["a"], vec!["gl_Position", "n"]),
+        (Stage::Fragment, vec!["gl_FragCoord", "n"], vec!["result"]),
+    ] {
         let program = Shader::new(stage, text).named("both.wgsl").compile().unwrap();
         let names = |ports: &[glanz_shader::Port]| ports.iter().map(|p| p.name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&program.interface().inputs), inputs);

@@ -17,8 +17,30 @@ const WGSL: &str = "fn f(x: f32) -> f32 { var s = x; for (var i = 0; i < 4; i++)
 @fragment fn main(@location(0) v: vec2<f32>) -> @location(0) vec4<f32> { return u * vec4(f(v.x), v, 1.0); }";
 
 const SPICE: [&str; 24] = [
-    "(", ")", "{", "}", "[", "]", ";", ",", "#", "\\\n", "\"", "uniform", "struct", "in", "1", "-", "layout", "é", "##",
-    "=", "#define F(x) x\n", "F(", "sampler2D", ".",
+    "(",
+    ")",
+    "{",
+    "}",
+    "[",
+    "]",
+    ";",
+    ",",
+    "#",
+    "\\\n",
+    "\"",
+    "uniform",
+    "struct",
+    "in",
+    "1",
+    "-",
+    "layout",
+    "é",
+    "##",
+    "=",
+    "#define F(x) x\n",
+    "F(",
+    "sampler2D",
+    ".",
 ];
 
 fn pieces(text: &str) -> Vec<&str> {
@@ -78,8 +100,9 @@ fn what_nests_too_deeply_or_grows_without_end_is_an_error() {
         format!("void main() {{ float x = {}1.0{}; }}", open.repeat(n), close.repeat(n))
     };
     let doubling: String = (0..40).map(|i| format!("#define M{}(x) M{i}(x) M{i}(x)\n", i + 1)).collect();
-    let calls: String =
-        (0..40).map(|i| format!("float f{}(float x) {{ return f{i}(x) + f{i}(x * 2.0); }}\n", i + 1)).collect();
+    let calls: String = (0..40)
+        .map(|i| format!("float f{}(float x) {{ return f{i}(x) + f{i}(x * 2.0); }}\n", i + 1))
+        .collect();
     let include = |_: &str, _: &str| Some("#include \"again\"\n".to_owned());
     for text in [
         nested("(", ")", 20_000),
@@ -88,7 +111,9 @@ fn what_nests_too_deeply_or_grows_without_end_is_an_error() {
         nested("1.0+", "", 20_000),
         format!("void main() {{ {} }}", "if (true) ".repeat(5000)),
         format!("{doubling} #define M0(x) x\nM40(1)"),
-        format!("float f0(float x) {{ return sin(x); }}\n{calls} void main() {{ gl_FragColor = vec4(f40(1.0)); }}"),
+        format!(
+            "float f0(float x) {{ return sin(x); }}\n{calls} void main() {{ gl_FragColor = vec4(f40(1.0)); }}"
+        ),
         "#include \"again\"\n".to_owned(),
         format!("#if {}1\n#endif\n", "!".repeat(10_000)),
         "float a[277803737]; void main() { gl_FragColor = vec4(a[3]); }".to_owned(),

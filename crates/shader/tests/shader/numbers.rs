@@ -29,7 +29,15 @@ fn functions_agree_with_double_precision() {
         ("fract(x)", |x| x - x.floor(), -5.0, 5.0),
         ("sign(x) * ceil(x)", |x| x.signum() * x.ceil(), -5.0, 5.0),
         ("mod(x, 3.0)", |x| x.rem_euclid(3.0), -9.5, 9.5),
-        ("smoothstep(0.0, 2.0, x)", |x| { let t = (x / 2.0).clamp(0.0, 1.0); t * t * (3.0 - 2.0 * t) }, -1.0, 3.0),
+        (
+            "smoothstep(0.0, 2.0, x)",
+            |x| {
+                let t = (x / 2.0).clamp(0.0, 1.0);
+                t * t * (3.0 - 2.0 * t)
+            },
+            -1.0,
+            3.0,
+        ),
     ];
     for (text, exact, low, high) in cases {
         let shader = format!("#version 330\nin float x; out float y; void main() {{ y = {text}; }}");
@@ -190,8 +198,11 @@ fn textures_are_asked_with_coordinates_and_gradients() {
 }
 
 /// Shaders that use much of the language.
-const TEXTS: [&str; 3] =
-    [include_str!("texts/loops.frag"), include_str!("texts/specular.frag"), include_str!("texts/specular.vert")];
+const TEXTS: [&str; 3] = [
+    include_str!("texts/loops.frag"),
+    include_str!("texts/specular.frag"),
+    include_str!("texts/specular.vert"),
+];
 
 #[test]
 fn all_levels_give_the_same_bits() {
@@ -200,7 +211,11 @@ fn all_levels_give_the_same_bits() {
         c.x += float(int(x.x * 1e9) % 1000) + refract(x, normalize(x.zyx), 0.7).y + float(uint(abs(x.y) * 4e9) >> 3u); }";
     let mut numbers = Numbers(7);
     for text in TEXTS.into_iter().chain([functions]) {
-        let stage = if text.contains("gl_Position") { glanz_shader::Stage::Vertex } else { glanz_shader::Stage::Fragment };
+        let stage = if text.contains("gl_Position") {
+            glanz_shader::Stage::Vertex
+        } else {
+            glanz_shader::Stage::Fragment
+        };
         let program = glanz_shader::Shader::new(stage, text).compile().unwrap();
         let mut uniforms = program.uniforms();
         for uniform in &program.interface().uniforms {
@@ -213,7 +228,9 @@ fn all_levels_give_the_same_bits() {
             .map(|(_, level)| {
                 let input = |i: usize, k: usize, lane: usize| inputs[i * 256 + k * 16 + lane];
                 let out = common::outputs_at(&program, &uniforms, level, &input);
-                out.into_iter().map(|row| row.map(|x| if x.is_nan() { 0x7fc0_0000 } else { x.to_bits() })).collect()
+                out.into_iter()
+                    .map(|row| row.map(|x| if x.is_nan() { 0x7fc0_0000 } else { x.to_bits() }))
+                    .collect()
             })
             .collect();
         assert!(results.iter().all(|r| *r == results[0]), "{text}");

@@ -42,11 +42,22 @@ fn values_stand_with_line_name_and_turn() {
     let (trace, _) = trace(TEXT, std::array::from_fn(|lane| lane as f32 * 0.25));
     let of = |name: &str| trace.records().iter().filter(|r| r.name == name).collect::<Vec<_>>();
     // Lane 2: x = 0.5, s = 1, 2, 4; lane 12: x = 3, s = 1, 7 and out.
-    let turns: Vec<f32> = of("s").iter().filter(|r| r.is_here(2) && r.place.as_ref().is_some_and(|p| p.line == 10)).map(|r| r.values(2)[0]).collect();
+    let turns: Vec<f32> = of("s")
+        .iter()
+        .filter(|r| r.is_here(2) && r.place.as_ref().is_some_and(|p| p.line == 10))
+        .map(|r| r.values(2)[0])
+        .collect();
     assert_eq!(turns, [1.0, 2.0, 4.0]);
-    let turns: Vec<f32> = of("s").iter().filter(|r| r.is_here(12) && r.place.as_ref().is_some_and(|p| p.line == 10)).map(|r| r.values(12)[0]).collect();
+    let turns: Vec<f32> = of("s")
+        .iter()
+        .filter(|r| r.is_here(12) && r.place.as_ref().is_some_and(|p| p.line == 10))
+        .map(|r| r.values(12)[0])
+        .collect();
     assert_eq!(turns, [1.0, 7.0]);
-    let branches: Vec<_> = trace.of_lane(12).filter(|r| r.kind == RecordKind::Branch && r.place.as_ref().is_some_and(|p| p.line == 11)).collect();
+    let branches: Vec<_> = trace
+        .of_lane(12)
+        .filter(|r| r.kind == RecordKind::Branch && r.place.as_ref().is_some_and(|p| p.line == 11))
+        .collect();
     assert_eq!(branches.iter().map(|r| r.taken() >> 12 & 1).collect::<Vec<_>>(), [0, 1]);
     assert!(trace.of_lane(12).any(|r| r.name == "break"));
     assert!(!trace.of_lane(0).any(|r| r.name == "break" && r.place.as_ref().is_some_and(|p| p.line == 12)));

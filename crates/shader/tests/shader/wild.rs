@@ -34,7 +34,9 @@ fn bits(program: &Program, level: SimdLevel) -> Vec<[u32; 16]> {
         let values: Vec<f32> = (0..uniform.ty.scalars()).map(|_| numbers.unit() * 2.0).collect();
         uniforms.set(&uniform.name, &values).unwrap();
     }
-    let out = outputs_at(program, &uniforms, level, &|i, k, lane| ((i * 7 + k * 3 + lane) % 17) as f32 * 0.11 - 0.7);
+    let out = outputs_at(program, &uniforms, level, &|i, k, lane| {
+        ((i * 7 + k * 3 + lane) % 17) as f32 * 0.11 - 0.7
+    });
     out.into_iter().map(|row| row.map(|x| if x.is_nan() { 1 } else { x.to_bits() })).collect()
 }
 
@@ -54,12 +56,17 @@ fn wild_shaders_pass_or_say_why_not() {
         match Shader::new(stage, text).named(path.display().to_string()).include(&include).compile() {
             Ok(program) => {
                 let first = bits(&program, SimdLevel::narrowest());
-                assert!(SimdLevel::available().into_iter().all(|(_, level)| bits(&program, level) == first), "{path:?}");
+                assert!(
+                    SimdLevel::available().into_iter().all(|(_, level)| bits(&program, level) == first),
+                    "{path:?}"
+                );
                 passed += 1;
             }
             Err(error) => {
                 let message = match &error {
-                    ShaderError::Invalid { message, .. } | ShaderError::Unsupported { message, .. } => message.clone(),
+                    ShaderError::Invalid { message, .. } | ShaderError::Unsupported { message, .. } => {
+                        message.clone()
+                    }
                     ShaderError::Broken => "broken".to_owned(),
                 };
                 println!("{error}");

@@ -33,7 +33,9 @@ impl Preprocessor<'_> {
         let value = parser.binary(0)?;
         match tokens.get(parser.at) {
             None => Ok(value != 0),
-            Some(token) => Err(Complaint::at(format!("'{}' is not expected in a condition", token.text), token.origin)),
+            Some(token) => {
+                Err(Complaint::at(format!("'{}' is not expected in a condition", token.text), token.origin))
+            }
         }
     }
 }

@@ -97,7 +97,8 @@ impl Preprocessor<'_> {
         arguments: &[Vec<Token>],
         depth: usize,
     ) -> Result<Vec<Token>, Complaint> {
-        let given = if parameters.is_empty() && arguments.iter().all(Vec::is_empty) { 0 } else { arguments.len() };
+        let given =
+            if parameters.is_empty() && arguments.iter().all(Vec::is_empty) { 0 } else { arguments.len() };
         if given != parameters.len() {
             let wanted = parameters.len();
             let message = format!("the macro '{}' takes {wanted} arguments, not {given}", token.text);

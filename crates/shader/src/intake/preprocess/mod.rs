@@ -37,6 +37,8 @@ pub(super) struct Preprocessor<'a> {
     macros: HashMap<Rc<str>, Macro>,
     /// Of each conditional around: whether it holds, whether a branch held, whether `#else` was there.
     conditions: Vec<(bool, bool, bool)>,
+    /// Where they stand.
+    opened: Vec<Origin>,
     pub(super) version: Version,
     out: Vec<Token>,
     steps: usize,
@@ -53,6 +55,7 @@ impl<'a> Preprocessor<'a> {
             include,
             macros: HashMap::new(),
             conditions: Vec::new(),
+            opened: Vec::new(),
             version: Version::default(),
             out: Vec::new(),
             steps: 0,
@@ -71,7 +74,12 @@ impl<'a> Preprocessor<'a> {
     }
 
     /// The tokens after all directives.
-    pub(super) fn run(mut self, file: u32, base: usize, length: usize) -> Result<(Vec<Token>, Version), Complaint> {
+    pub(super) fn run(
+        mut self,
+        file: u32,
+        base: usize,
+        length: usize,
+    ) -> Result<(Vec<Token>, Version), Complaint> {
         self.file(file, base, length)?;
         Ok((self.out, self.version))
     }
@@ -101,8 +109,8 @@ impl<'a> Preprocessor<'a> {
             at = end;
         }
         if self.conditions.len() > outer {
-            let origin = all.last().map(|t| t.origin).unwrap_or_default();
-            return Err(Complaint::at("an #if has no #endif", origin));
+            let origin = self.opened.last().copied().unwrap_or_default();
+            return Err(Complaint::at("this #if has no #endif", origin));
         }
         Ok(())
     }
@@ -119,11 +127,13 @@ impl<'a> Preprocessor<'a> {
                 let holds = around && self.holds(name, rest)?;
                 // Where nothing around is active, no branch ever is.
                 self.conditions.push((holds, holds || !around, false));
+                self.opened.push(name.origin);
                 Ok(())
             }
             "elif" | "else" => self.otherwise(name, rest),
             "endif" => {
                 let popped = self.conditions.pop();
+                self.opened.pop();
                 popped.map(|_| ()).ok_or_else(|| Complaint::at("this #endif has no #if", name.origin))
             }
             _ if !self.active() => Ok(()),
@@ -182,7 +192,10 @@ impl<'a> Preprocessor<'a> {
             _ => return Err(Complaint::at("#include wants a file in quotation marks", name.origin)),
         };
         if self.depth >= MOST_INCLUDES {
-            return Err(Complaint::at(format!("more than {MOST_INCLUDES} includes inside each other"), name.origin));
+            return Err(Complaint::at(
+                format!("more than {MOST_INCLUDES} includes inside each other"),
+                name.origin,
+            ));
         }
         let from = self.sources.place(name.origin).file;
         let Some(text) = self.include.and_then(|include| include(&path, &from)) else {

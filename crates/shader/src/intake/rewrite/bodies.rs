@@ -10,12 +10,23 @@ use crate::intake::{Complaint, SAMPLER_SUFFIX, TEXTURE_SUFFIX};
 
 /// Words of later versions that earlier ones may use as names.
 const LATER_WORDS: [&str; 12] = [
-    "sample", "buffer", "shared", "patch", "precise", "texture1D", "texture2D", "texture3D", "textureCube", "sampler",
-    "samplerShadow", "texture2DArray",
+    "sample",
+    "buffer",
+    "shared",
+    "patch",
+    "precise",
+    "texture1D",
+    "texture2D",
+    "texture3D",
+    "textureCube",
+    "sampler",
+    "samplerShadow",
+    "texture2DArray",
 ];
 
 pub(super) fn is_sampler_type(word: &str) -> bool {
-    word.trim_start_matches(['i', 'u']).starts_with("sampler") && word.ends_with(|c: char| c.is_alphanumeric())
+    word.trim_start_matches(['i', 'u']).starts_with("sampler")
+        && word.ends_with(|c: char| c.is_alphanumeric())
 }
 
 /// The type of the texture in a sampler.
@@ -78,10 +89,8 @@ impl Rewriter {
                         return Err(Complaint::unsupported("arrays of samplers are not there", name.origin));
                     }
                     samplers.insert(name.text.to_string(), token.text.to_string());
-                    let text = format!(
-                        "{texture} {0}{TEXTURE_SUFFIX}, {sampler} {0}{SAMPLER_SUFFIX}",
-                        name.text
-                    );
+                    let text =
+                        format!("{texture} {0}{TEXTURE_SUFFIX}, {sampler} {0}{SAMPLER_SUFFIX}", name.text);
                     self.out.push(token.renamed(&text));
                 }
                 // A prototype may leave the name out.
@@ -92,7 +101,11 @@ impl Rewriter {
     }
 
     /// Writes tokens in which names are replaced. `local`: samplers among the function's parameters.
-    pub(super) fn body(&mut self, tokens: &[Token], local: &HashMap<String, String>) -> Result<(), Complaint> {
+    pub(super) fn body(
+        &mut self,
+        tokens: &[Token],
+        local: &HashMap<String, String>,
+    ) -> Result<(), Complaint> {
         // The functions in whose arguments we stand.
         let mut calls: Vec<bool> = Vec::new();
         let mut at = 0;
@@ -128,8 +141,10 @@ impl Rewriter {
             if let Some(holder) = self.holders.get(&*token.text)
                 && let [dot, member, ..] = &tokens[at..]
                 && dot.is(".")
-                && let Some((_, ty)) =
-                    self.struct_samplers.get(holder).and_then(|list| list.iter().find(|m| m.0 == *member.text))
+                && let Some((_, ty)) = self
+                    .struct_samplers
+                    .get(holder)
+                    .and_then(|list| list.iter().find(|m| m.0 == *member.text))
             {
                 let name = format!("{}_{}", token.text, member.text);
                 let text = sampler_text(&name, ty, to_function);
@@ -137,12 +152,14 @@ impl Rewriter {
                 at += 2;
                 continue;
             }
-            if let Some(ty) = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text)) {
+            let is_call = tokens.get(at).is_some_and(|t| t.is("("));
+            let sampler = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text));
+            // A sampler may be called `texture`, as the function is.
+            if let Some(ty) = sampler.filter(|_| !is_call) {
                 let text = sampler_text(&token.text, ty, to_function);
                 self.out.push(token.renamed(&text));
                 continue;
             }
-            let is_call = tokens.get(at).is_some_and(|t| t.is("("));
             let replaced = self.replacement(token, is_call);
             self.out.push(replaced);
         }

@@ -29,9 +29,14 @@ impl Rewriter {
                 "varying" if vertex => Storage::Output,
                 "varying" => Storage::Input,
                 "buffer" | "shared" => {
-                    return Err(Complaint::unsupported("storage and shared memory are not there", token.origin));
+                    return Err(Complaint::unsupported(
+                        "storage and shared memory are not there",
+                        token.origin,
+                    ));
                 }
-                "patch" => return Err(Complaint::unsupported("tessellation shaders are not there", token.origin)),
+                "patch" => {
+                    return Err(Complaint::unsupported("tessellation shaders are not there", token.origin));
+                }
                 _ => continue,
             };
             if matches!(&*token.text, "attribute" | "varying") && self.version.number >= 140 {
@@ -48,8 +53,15 @@ impl Rewriter {
     pub(super) fn default_layout(&mut self, qualifiers: &Qualifiers) -> Result<(), Complaint> {
         for token in &qualifiers.words {
             let stage = match &*token.text {
-                "triangles" | "lines" | "points" | "triangle_strip" | "line_strip" | "max_vertices"
-                | "triangles_adjacency" | "lines_adjacency" | "invocations" => "geometry",
+                "triangles"
+                | "lines"
+                | "points"
+                | "triangle_strip"
+                | "line_strip"
+                | "max_vertices"
+                | "triangles_adjacency"
+                | "lines_adjacency"
+                | "invocations" => "geometry",
                 "quads" | "isolines" | "vertices" | "equal_spacing" => "tessellation",
                 _ => continue,
             };
@@ -59,7 +71,14 @@ impl Rewriter {
     }
 
     /// Remembers what a variable stands for, under the name by which the host knows it.
-    fn give(&mut self, variable: &str, host: &str, storage: Storage, qualifiers: &Qualifiers, origin: Origin) {
+    fn give(
+        &mut self,
+        variable: &str,
+        host: &str,
+        storage: Storage,
+        qualifiers: &Qualifiers,
+        origin: Origin,
+    ) {
         let role = match storage {
             Storage::Uniform => Purpose::Uniform(host.to_owned()),
             Storage::Input => Purpose::Input(host.to_owned()),
@@ -92,7 +111,10 @@ impl Rewriter {
         if is_sampler_type(&name.text) {
             for variable in variables {
                 if !variable.dimensions.is_empty() {
-                    return Err(Complaint::unsupported("arrays of samplers are not there", variable.name.origin));
+                    return Err(Complaint::unsupported(
+                        "arrays of samplers are not there",
+                        variable.name.origin,
+                    ));
                 }
                 self.given.declared.insert(variable.name.text.to_string(), variable.name.origin);
                 self.declare_sampler(&name.text, &variable.name.text, variable.name.origin);
@@ -119,7 +141,8 @@ impl Rewriter {
 
     /// A uniform that is a struct with samplers: those stand beside it.
     fn hold(&mut self, ty: &str, variable: &Declarator, storage: Storage) -> Result<(), Complaint> {
-        let Some(members) = self.struct_samplers.get(ty).cloned().filter(|_| storage == Storage::Uniform) else {
+        let Some(members) = self.struct_samplers.get(ty).cloned().filter(|_| storage == Storage::Uniform)
+        else {
             return Ok(());
         };
         if !variable.dimensions.is_empty() {

@@ -28,7 +28,9 @@ impl Rewriter {
             return Ok(());
         }
         let last = items.iter().rev().find_map(|item| match item {
-            Item::Function { head, name, parameters, body } if body.len() > 1 => Some((head, name, parameters)),
+            Item::Function { head, name, parameters, body } if body.len() > 1 => {
+                Some((head, name, parameters))
+            }
             _ => None,
         });
         let Some((head, name, parameters)) = last else {

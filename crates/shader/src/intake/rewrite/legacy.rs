@@ -18,8 +18,14 @@ enum Side {
     Output,
 }
 
-/// Name, type (with array size), what it is.
-const NAMES: [(&str, &str, &str, Side); 26] = [
+/// Name, type, array size or initial value, what it is.
+const NAMES: [(&str, &str, &str, Side); 27] = [
+    (
+        "gl_DepthRange",
+        "glanz_DepthRangeParameters",
+        " = glanz_DepthRangeParameters(0.0, 1.0, 1.0)",
+        Side::Uniform,
+    ),
     ("gl_Vertex", "vec4", "", Side::Attribute),
     ("gl_Normal", "vec3", "", Side::Attribute),
     ("gl_MultiTexCoord0", "vec4", "", Side::Attribute),
@@ -49,7 +55,11 @@ const NAMES: [(&str, &str, &str, Side); 26] = [
 ];
 
 /// The structs that some of them have.
-const STRUCTS: [(&str, &str); 3] = [
+const STRUCTS: [(&str, &str); 4] = [
+    (
+        "glanz_DepthRangeParameters",
+        "struct glanz_DepthRangeParameters { float near; float far; float diff; };",
+    ),
     (
         "glanz_Light",
         "struct glanz_Light { vec4 ambient; vec4 diffuse; vec4 specular; vec4 position; vec4 halfVector; \

@@ -9,11 +9,11 @@ mod writer;
 
 use std::collections::{HashMap, HashSet};
 
+use super::Complaint;
 use super::items::{Item, Reader, check_nesting};
 use super::preprocess::Version;
 use super::source::{Map, Origin};
 use super::token::{Kind, Token};
-use super::Complaint;
 use crate::lower::Purpose;
 use crate::{Interpolation, Stage};
 

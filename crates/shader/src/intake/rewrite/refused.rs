@@ -18,7 +18,9 @@ fn reason(word: &str) -> Option<&'static str> {
             "compute shaders are not there"
         }
         "imageStore" | "imageLoad" | "imageAtomicAdd" => "images that are written are not there",
-        "atomic_uint" | "atomicCounterIncrement" | "atomicCounter" | "atomicAdd" => "atomic counters are not there",
+        "atomic_uint" | "atomicCounterIncrement" | "atomicCounter" | "atomicAdd" => {
+            "atomic counters are not there"
+        }
         "double" => "numbers in double precision are not there: use float",
         "samplerBuffer" | "isamplerBuffer" | "usamplerBuffer" | "sampler2DRect" | "sampler2DRectShadow" => {
             "buffer and rectangle textures are not there"
@@ -34,7 +36,10 @@ fn reason(word: &str) -> Option<&'static str> {
 }
 
 fn is_dimension(rest: Option<&str>) -> bool {
-    matches!(rest, Some("1D" | "2D" | "3D" | "Cube" | "Buffer" | "2DArray" | "1DArray" | "2DRect" | "CubeArray"))
+    matches!(
+        rest,
+        Some("1D" | "2D" | "3D" | "Cube" | "Buffer" | "2DArray" | "1DArray" | "2DRect" | "CubeArray")
+    )
 }
 
 fn is_number(rest: &str) -> bool {
@@ -92,8 +97,8 @@ pub(super) fn check_recursion(items: &[Item]) -> Result<(), Complaint> {
 
 /// Whether several functions have this name.
 fn overloaded(items: &[Item], wanted: &str) -> bool {
-    let defined = items.iter().filter(|item| {
-        matches!(item, Item::Function { name, body, .. } if name.is(wanted) && body.len() > 1)
-    });
+    let defined = items.iter().filter(
+        |item| matches!(item, Item::Function { name, body, .. } if name.is(wanted) && body.len() > 1),
+    );
     defined.count() > 1
 }

@@ -23,7 +23,8 @@ impl Lowering<'_> {
                 }
                 Code::FAdd => {
                     // A sum is the same bits with its terms exchanged.
-                    let terms = [(op.a, op.s & 1, op.b, op.s >> 1 & 1), (op.b, op.s >> 1 & 1, op.a, op.s & 1)];
+                    let terms =
+                        [(op.a, op.s & 1, op.b, op.s >> 1 & 1), (op.b, op.s >> 1 & 1, op.a, op.s & 1)];
                     for (product, moves, other, other_moves) in terms {
                         let Some(&m) = products.get(&product) else { continue };
                         let mul = self.state.ops[m];

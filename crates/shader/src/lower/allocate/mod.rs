@@ -7,17 +7,21 @@ mod place;
 use naga::Span;
 
 use super::layout::Slot;
-use super::{Event, Lowered, Lowering, Reg, Refused, VirtualOp};
+use super::{Event, Lowered, Lowering, Refused, Reg, VirtualOp};
 use crate::machine::{Code, Op};
 
 impl Lowering<'_> {
     /// Registers that are read beside the operands of instructions, by the looks and events among them.
     fn read_elsewhere(&self, op: &VirtualOp) -> Vec<Reg> {
         match op.code {
-            Code::Texture => self.state.looks.get(op.imm as usize).map(|look| look.reads()).unwrap_or_default(),
-            Code::Note => self.state.events.get(op.imm as usize).map_or_else(Vec::new, |event| {
-                event.registers.iter().chain(&event.mask).copied().collect()
-            }),
+            Code::Texture => {
+                self.state.looks.get(op.imm as usize).map(|look| look.reads()).unwrap_or_default()
+            }
+            Code::Note => {
+                self.state.events.get(op.imm as usize).map_or_else(Vec::new, |event| {
+                    event.registers.iter().chain(&event.mask).copied().collect()
+                })
+            }
             _ => Vec::new(),
         }
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use naga::Span;
 
-use crate::lower::{Lowering, Reg, Refused};
+use crate::lower::{Lowering, Refused, Reg};
 use crate::machine::ROWS;
 
 /// First and last instruction at which a group must lie in the file.
