@@ -10,6 +10,7 @@ mod brdf;
 mod front;
 mod hints;
 mod items;
+mod nesting;
 mod preprocess;
 mod remarks;
 mod rewrite;

@@ -132,7 +132,7 @@ impl<'a> Lowering<'a> {
         let in_switch = self.enclosing.last().is_some_and(|l| l.together.is_none());
         let leaves =
             self.enclosing.last().is_some_and(|l| vars.contains(&l.broken) || vars.contains(&l.continued));
-        !vars.contains(&frame.returned) && !vars.contains(&self.discarded) && !(in_switch && leaves)
+        !(vars.contains(&frame.returned) || vars.contains(&self.discarded) || in_switch && leaves)
     }
 
     /// All lanes take the same branch: jumps, no masks.

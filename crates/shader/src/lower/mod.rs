@@ -157,6 +157,9 @@ struct Enclosing {
     together: Option<(Vec<usize>, Vec<usize>)>,
 }
 
+/// Of an instruction of the prologue: code, constant, operands, components, strides.
+type Key = (Code, u32, [Reg; 3], u16, u8);
+
 /// Instructions and what is known of registers: what is put back when a try fails.
 #[derive(Clone, Default)]
 struct State {
@@ -168,7 +171,7 @@ struct State {
     hoisted: Vec<bool>,
     /// The same in all lanes.
     even: Vec<bool>,
-    known: HashMap<(Code, u32, [Reg; 3], u16, u8), Vec<Reg>>,
+    known: HashMap<Key, Vec<Reg>>,
     variables: Vec<Variable>,
     loops: Vec<(usize, usize)>,
     counts: Vec<(usize, Span)>,

@@ -22,7 +22,7 @@ pub(crate) struct RegisterFile<const G: usize>(pub(crate) Box<[[Row; G]; ROWS]>)
 impl<const G: usize> RegisterFile<G> {
     pub(crate) fn new() -> Self {
         let rows: Box<[[Row; G]]> = vec![[Row([0.0; 16]); G]; ROWS].into_boxed_slice();
-        Self(rows.try_into().ok().expect("the length is ROWS"))
+        Self(rows.try_into().expect("the length is ROWS"))
     }
 
     /// The rows of a register.

@@ -74,6 +74,7 @@ fn cross<S: Simd, const G: usize>(simd: S, file: &mut Registers<G>, op: &Op) {
 }
 
 /// Lanes are 4×4 pixels, row by row; quads are 2×2 of them. `bit` is 1 along x and 4 along y.
+#[expect(clippy::needless_range_loop, reason = "two registers of the file are indexed")]
 #[inline(always)]
 fn derivative<const G: usize>(file: &mut Registers<G>, op: &Op, bit: usize) {
     for k in 0..op.n {
@@ -97,6 +98,7 @@ fn load_uniform<const G: usize>(file: &mut Registers<G>, op: &Op, uniforms: &[u3
     }
 }
 
+#[expect(clippy::needless_range_loop, reason = "two registers of the file are indexed")]
 fn load_uniform_indexed<const G: usize>(file: &mut Registers<G>, op: &Op, uniforms: &[u32]) {
     let first = |i: f32| op.imm as usize + (i.to_bits() as usize).min(op.b as usize) * op.c as usize;
     if op.s & 8 != 0 {

@@ -1,6 +1,10 @@
 //! What shaders see of textures.
 
 /// How fine a texture is looked at.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives for one look, and the large variant is the usual one"
+)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Lod {
     /// By how far the coordinates move to the next pixel to the right and down, as `texture` does in a fragment shader

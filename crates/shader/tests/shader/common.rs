@@ -54,7 +54,7 @@ pub(crate) fn outputs_at(
             }));
         }
     }
-    machine.run().unwrap();
+    machine.run().expect("it ends");
     let outputs = program.interface().outputs.iter().enumerate();
     outputs
         .flat_map(|(i, port)| (0..port.ty.scalars()).map(move |k| (i, k)))

@@ -139,7 +139,7 @@ fn run(program: &Program, pairs: &[(f32, f32)], level: SimdLevel) -> ([f32; 16],
     } else {
         (machine.input(0, 0)[0], machine.input(0, 1)[0]) = (Row(x), Row(y));
     }
-    machine.run().unwrap();
+    machine.run().expect("it ends");
     (machine.output(0, 0)[0].0, machine.discarded()[0])
 }
 

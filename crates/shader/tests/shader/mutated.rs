@@ -77,7 +77,9 @@ fn mutated(text: &str, numbers: &mut Numbers) -> String {
 fn thousands_of_damaged_texts_panic_nowhere_in_our_code() {
     let mut numbers = Numbers(3);
     let (mut passed, mut wrong, mut broken) = (0, 0, Vec::new());
-    for round in 0..2400 {
+    // More, for a longer search: `GLANZ_MUTATIONS=100000 cargo test …`
+    let rounds = std::env::var("GLANZ_MUTATIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(2400);
+    for round in 0..rounds {
         let which = round % 6;
         let (text, language) = match GLSL.get(which) {
             Some(text) => (mutated(text, &mut numbers), Language::Glsl),
@@ -91,7 +93,7 @@ fn thousands_of_damaged_texts_panic_nowhere_in_our_code() {
     }
     assert!(passed > 100 && wrong > 1000, "{passed} passed, {wrong} were wrong");
     // A few panics are naga's own, and are contained.
-    assert!(broken.len() <= 3, "{}: {}", broken.len(), broken[0]);
+    assert!(broken.len() <= rounds / 800, "{}: {}", broken.len(), broken[0]);
 }
 
 #[test]

@@ -5,15 +5,15 @@ use glanz_shader::{Machine, NoTextures, RecordKind, Row, Shader, Trace};
 
 fn trace(text: &str, input: [f32; 16]) -> (Trace, Vec<u32>) {
     let shader = Shader::fragment(text);
-    let plain = shader.compile().unwrap();
-    let traced = shader.traced().compile().unwrap();
+    let plain = shader.compile().expect("it compiles");
+    let traced = shader.traced().compile().expect("it compiles");
     let uniforms = plain.uniforms();
     let mut machine = Machine::<1>::new(&traced, &uniforms, &NoTextures, SimdLevel::best());
     machine.input(0, 0)[0] = Row(input);
     let trace = machine.trace();
     let mut other = Machine::<1>::new(&plain, &uniforms, &NoTextures, SimdLevel::best());
     other.input(0, 0)[0] = Row(input);
-    other.run().unwrap();
+    other.run().expect("it ends");
     let bits = |m: &Machine<'_, 1>| m.output(0, 0)[0].0.map(f32::to_bits).to_vec();
     assert_eq!(bits(&machine), bits(&other), "a trace changes nothing");
     (trace, bits(&machine))

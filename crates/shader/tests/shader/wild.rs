@@ -32,7 +32,7 @@ fn bits(program: &Program, level: SimdLevel) -> Vec<[u32; 16]> {
     let mut uniforms = program.uniforms();
     for uniform in &program.interface().uniforms {
         let values: Vec<f32> = (0..uniform.ty.scalars()).map(|_| numbers.unit() * 2.0).collect();
-        uniforms.set(&uniform.name, &values).unwrap();
+        uniforms.set(&uniform.name, &values).expect("it is there");
     }
     let out = outputs_at(program, &uniforms, level, &|i, k, lane| {
         ((i * 7 + k * 3 + lane) % 17) as f32 * 0.11 - 0.7

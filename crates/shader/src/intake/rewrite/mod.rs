@@ -10,7 +10,8 @@ mod writer;
 use std::collections::{HashMap, HashSet};
 
 use super::Complaint;
-use super::items::{Item, Reader, check_nesting};
+use super::items::{Item, Reader};
+use super::nesting::check_nesting;
 use super::preprocess::Version;
 use super::source::{Map, Origin};
 use super::token::{Kind, Token};

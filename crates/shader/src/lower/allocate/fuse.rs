@@ -13,11 +13,8 @@ impl Lowering<'_> {
         for i in 0..self.state.ops.len() {
             let op = self.state.ops[i];
             match op.code {
-                code if code.is_control() => {
-                    if code != Code::Note {
-                        products.clear();
-                    }
-                }
+                Code::Note => {}
+                code if code.is_control() => products.clear(),
                 Code::FMul => {
                     products.insert(op.d, i);
                 }
