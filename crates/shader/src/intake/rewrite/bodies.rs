@@ -1,0 +1,190 @@
+//! Functions: parameters and what stands between their braces.
+
+use std::collections::HashMap;
+
+use super::Rewriter;
+use super::legacy::modern_function;
+use crate::intake::items::is_precision;
+use crate::intake::token::{Kind, Token};
+use crate::intake::{Complaint, SAMPLER_SUFFIX, TEXTURE_SUFFIX};
+
+/// Words of later versions that earlier ones may use as names.
+const LATER_WORDS: [&str; 12] = [
+    "sample",
+    "buffer",
+    "shared",
+    "patch",
+    "precise",
+    "texture1D",
+    "texture2D",
+    "texture3D",
+    "textureCube",
+    "sampler",
+    "samplerShadow",
+    "texture2DArray",
+];
+
+pub(super) fn is_sampler_type(word: &str) -> bool {
+    word.trim_start_matches(['i', 'u']).starts_with("sampler")
+        && word.ends_with(|c: char| c.is_alphanumeric())
+}
+
+/// The type of the texture in a sampler.
+pub(super) fn texture_type(sampler: &str) -> String {
+    sampler.replacen("sampler", "texture", 1).replace("Shadow", "")
+}
+
+/// The type of its other half.
+pub(super) fn sampler_type(sampler: &str) -> &'static str {
+    if sampler.ends_with("Shadow") { "samplerShadow" } else { "sampler" }
+}
+
+impl Rewriter {
+    /// A name that is no word of GLSL 450.
+    pub(super) fn safe_name(&self, token: &Token) -> Token {
+        if LATER_WORDS.contains(&&*token.text) && !self.is_word(&token.text) {
+            return token.renamed(&format!("{}_glanz", token.text));
+        }
+        token.clone()
+    }
+
+    /// Whether the text uses the word as GLSL means it.
+    fn is_word(&self, word: &str) -> bool {
+        matches!(word, "sample" | "buffer" | "shared" | "patch" | "precise") && self.version.number >= 400
+    }
+
+    pub(super) fn function(
+        &mut self,
+        head: &[Token],
+        name: &Token,
+        parameters: &[Token],
+        body: &[Token],
+    ) -> Result<(), Complaint> {
+        head.iter().for_each(|t| self.push(t));
+        let name = self.safe_name(name);
+        self.out.push(Token { spaced: true, ..name });
+        let samplers = self.parameters(parameters)?;
+        self.body(body, &samplers)
+    }
+
+    /// Writes the parameters; those that are samplers, with their types.
+    fn parameters(&mut self, tokens: &[Token]) -> Result<HashMap<String, String>, Complaint> {
+        let mut samplers = HashMap::new();
+        let mut at = 0;
+        while let Some(token) = tokens.get(at) {
+            at += 1;
+            if is_precision(&token.text) || token.is("const") {
+                continue;
+            }
+            if !is_sampler_type(&token.text) || !token.is_identifier() {
+                let token = self.safe_name(token);
+                self.out.push(token);
+                continue;
+            }
+            let (texture, sampler) = (texture_type(&token.text), sampler_type(&token.text));
+            match tokens.get(at).filter(|t| t.is_identifier()) {
+                Some(name) => {
+                    at += 1;
+                    if tokens.get(at).is_some_and(|t| t.is("[")) {
+                        return Err(Complaint::unsupported("arrays of samplers are not there", name.origin));
+                    }
+                    samplers.insert(name.text.to_string(), token.text.to_string());
+                    let text =
+                        format!("{texture} {0}{TEXTURE_SUFFIX}, {sampler} {0}{SAMPLER_SUFFIX}", name.text);
+                    self.out.push(token.renamed(&text));
+                }
+                // A prototype may leave the name out.
+                None => self.out.push(token.renamed(&format!("{texture}, {sampler}"))),
+            }
+        }
+        Ok(samplers)
+    }
+
+    /// Writes tokens in which names are replaced. `local`: samplers among the function's parameters.
+    pub(super) fn body(
+        &mut self,
+        tokens: &[Token],
+        local: &HashMap<String, String>,
+    ) -> Result<(), Complaint> {
+        // The functions in whose arguments we stand.
+        let mut calls: Vec<bool> = Vec::new();
+        let mut at = 0;
+        while let Some(token) = tokens.get(at) {
+            at += 1;
+            if token.kind != Kind::Identifier {
+                if token.is("(") {
+                    let before = at.checked_sub(2).and_then(|i| tokens.get(i));
+                    calls.push(before.is_some_and(|t| self.functions.contains(&*t.text)));
+                } else if token.is(")") {
+                    calls.pop();
+                }
+                self.push(token);
+                continue;
+            }
+            if at > 1 && tokens[at - 2].is(".") {
+                let token = self.safe_name(token);
+                self.out.push(token);
+                continue;
+            }
+            if token.is("precision") {
+                while tokens.get(at).is_some_and(|t| !t.is(";")) {
+                    at += 1;
+                }
+                at += 1;
+                continue;
+            }
+            if is_precision(&token.text) {
+                continue;
+            }
+            let to_function = calls.last() == Some(&true);
+            // `material.diffuse` where the member is a sampler.
+            if let Some(holder) = self.holders.get(&*token.text)
+                && let [dot, member, ..] = &tokens[at..]
+                && dot.is(".")
+                && let Some((_, ty)) = self
+                    .struct_samplers
+                    .get(holder)
+                    .and_then(|list| list.iter().find(|m| m.0 == *member.text))
+            {
+                let name = format!("{}_{}", token.text, member.text);
+                let text = sampler_text(&name, ty, to_function);
+                self.out.push(token.renamed(&text));
+                at += 2;
+                continue;
+            }
+            let is_call = tokens.get(at).is_some_and(|t| t.is("("));
+            let sampler = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text));
+            // A sampler may be called `texture`, as the function is.
+            if let Some(ty) = sampler.filter(|_| !is_call) {
+                let text = sampler_text(&token.text, ty, to_function);
+                self.out.push(token.renamed(&text));
+                continue;
+            }
+            let replaced = self.replacement(token, is_call);
+            self.out.push(replaced);
+        }
+        Ok(())
+    }
+
+    fn replacement(&mut self, token: &Token, is_call: bool) -> Token {
+        if self.functions.contains(&*token.text) {
+            return self.safe_name(token);
+        }
+        if is_call && let Some(modern) = modern_function(&token.text) {
+            if self.version.number >= 130 {
+                let message = format!("'{}' is '{modern}' since GLSL 1.30", token.text);
+                self.given.remarks.push((message, token.origin));
+            }
+            return token.renamed(modern);
+        }
+        match self.legacy_name(&token.text) {
+            Some(name) => token.renamed(&name),
+            None => self.safe_name(token),
+        }
+    }
+}
+
+fn sampler_text(name: &str, ty: &str, to_function: bool) -> String {
+    let halves = format!("{name}{TEXTURE_SUFFIX}, {name}{SAMPLER_SUFFIX}");
+    if to_function { halves } else { format!("{ty}({halves})") }
+}

@@ -1,0 +1,53 @@
+//! GLSL and WGSL of users, with no GPU and every value of every line in the open.
+//!
+//! A [`Shader`] is a text: GLSL as courses write it (1.10 to 4.60, ES, Shadertoy), WGSL, a file of BRDF Explorer, or one
+//! function. It compiles to a [`Program`], whose [`Interface`] says what it takes and gives, and which a [`Machine`] runs
+//! for 16 or 64 fragments at a time. The numbers are those of `glanz_math`: the same bits on every SIMD level.
+//!
+//! ```
+//! use glanz_shader::{Machine, NoTextures, Row, Shader};
+//!
+//! let program = Shader::fragment(
+//!     "#version 330
+//!      uniform vec3 light = vec3(0.0, 0.0, 1.0);
+//!      in vec3 normal;
+//!      out vec4 color;
+//!      void main() { color = vec4(vec3(max(dot(normalize(normal), light), 0.0)), 1.0); }",
+//! )
+//! .compile()?;
+//! let mut uniforms = program.uniforms();
+//! uniforms.set("light", &[0.6, 0.0, 0.8])?;
+//! let mut machine = Machine::<1>::new(&program, &uniforms, &NoTextures, Default::default());
+//! let normal = program.interface().input("normal").expect("it is declared");
+//! machine.input(normal, 2)[0] = Row::splat(5.0);
+//! machine.run()?;
+//! assert_eq!(machine.output(0, 0)[0], Row::splat(0.8));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What a value is at a pixel, line by line, is a [`Trace`]; what a name stands for, a [`Role`]; what is right but
+//! probably not meant, a [`Warning`].
+
+mod check;
+mod error;
+mod intake;
+mod interface;
+mod lower;
+mod machine;
+mod names;
+mod program;
+mod run;
+mod stage;
+mod trace;
+
+pub use check::{Warning, check_stages};
+pub use error::{Place, RunError, ShaderError};
+pub use intake::Range;
+pub use interface::{Interface, Port, Uniform, UniformError, UniformValues};
+pub use lower::TextureInfo;
+pub use machine::{Lod, NoTextures, Row, TextureQuery, Textures};
+pub use names::{Role, attribute_role, uniform_role};
+pub use program::{Program, Shader};
+pub use run::Machine;
+pub use stage::{Interpolation, Language, Scalar, Stage, ValueType};
+pub use trace::{Record, RecordKind, Trace};

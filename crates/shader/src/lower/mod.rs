@@ -1,0 +1,242 @@
+//! naga's IR to instructions.
+//!
+//! Calls are inlined. A value is a list of registers, one per scalar, so composing, splitting and swizzling cost nothing.
+//! Variables are renamed registers until control flow may jump; then they have a home, loads copy and stores select by
+//! the mask of the lanes that are here. What follows from constants and uniforms alone goes to a prologue that runs once
+//! per draw. Matches over the IR are exhaustive on purpose: what a new version of naga adds must be decided on.
+
+mod access;
+mod allocate;
+mod arithmetic;
+mod emit;
+mod expressions;
+mod flow;
+mod layout;
+mod loops;
+mod math;
+mod matrices;
+mod statements;
+mod textures;
+mod types;
+mod uses;
+mod variables;
+
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+use naga::valid::{FunctionInfo, ModuleInfo};
+use naga::{Expression, Function, Handle, Module, Span};
+
+use crate::Stage;
+use crate::machine::{Code, Look, Op};
+pub use layout::TextureInfo;
+pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
+pub(crate) use uses::inner_blocks;
+
+/// A register before allocation.
+pub(crate) type Reg = u32;
+
+/// What cannot be lowered, and where.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    pub(crate) message: String,
+    pub(crate) span: Span,
+}
+
+impl Refused {
+    fn new(message: impl Into<String>, span: Span) -> Self {
+        Self { message: message.into(), span }
+    }
+}
+
+/// What a trace hears of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum EventKind {
+    /// A value got a name or a variable a value.
+    Value,
+    /// The condition of an `if`, a loop or a `switch`.
+    Branch,
+    /// Lanes return, break, continue or are discarded.
+    Leave,
+}
+
+/// An event; `R` numbers registers.
+#[derive(Clone, Debug)]
+pub(crate) struct Event<R> {
+    pub(crate) kind: EventKind,
+    pub(crate) span: Span,
+    pub(crate) name: String,
+    pub(crate) ty: crate::ValueType,
+    pub(crate) registers: Vec<R>,
+    /// The lanes that are here; all if there is none.
+    pub(crate) mask: Option<R>,
+}
+
+/// The lowered program.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Lowered {
+    pub(crate) prologue: Vec<Op>,
+    pub(crate) ops: Vec<Op>,
+    pub(crate) layout: Layout,
+    pub(crate) discarded: Option<u16>,
+    pub(crate) registers: usize,
+    pub(crate) looks: Vec<Look<u16>>,
+    pub(crate) events: Vec<Event<u16>>,
+    /// Instruction → span of the loop that counts there.
+    pub(crate) loops: BTreeMap<usize, Span>,
+}
+
+/// A dynamic index: the value of `index` stands for one of the `choices`, as an offset in registers.
+#[derive(Clone, Debug)]
+struct Choice {
+    index: Reg,
+    offsets: Vec<usize>,
+}
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+enum Item {
+    Value(Vec<Reg>),
+    /// A variable or a part of it.
+    Place {
+        var: usize,
+        offset: usize,
+        dynamic: Option<Choice>,
+    },
+    /// Uniform memory from a word on; dynamic: register, stride in words, last index.
+    Uniform {
+        word: usize,
+        dynamic: Option<(Reg, usize, usize)>,
+    },
+    Texture(usize),
+    Nothing,
+}
+
+#[derive(Clone)]
+struct Variable {
+    registers: Vec<Reg>,
+    /// How many enclosing jumps made it have fixed registers.
+    homes: u32,
+    name: String,
+    /// The mask of the branch that alone uses the variable: stores under it need no mask.
+    private: Option<Reg>,
+    /// Why it cannot be stored to.
+    constant: Option<&'static str>,
+}
+
+/// An instruction before allocation.
+#[derive(Clone, Copy, Debug)]
+struct VirtualOp {
+    code: Code,
+    s: u8,
+    n: u16,
+    d: Reg,
+    a: Reg,
+    b: Reg,
+    c: Reg,
+    imm: u32,
+}
+
+/// The function that is being inlined.
+struct Frame<'a> {
+    function: &'a Function,
+    info: &'a FunctionInfo,
+    items: HashMap<Handle<Expression>, Item>,
+    locals: HashMap<Handle<naga::LocalVariable>, usize>,
+    /// How often each local is named in the whole function.
+    uses: HashMap<Handle<naga::LocalVariable>, usize>,
+    arguments: Vec<Item>,
+    result: Option<usize>,
+    returned: usize,
+}
+
+/// A loop or switch around what is being lowered.
+struct Enclosing {
+    broken: usize,
+    continued: usize,
+    /// Jumps to the end and to the continuing block, where all lanes go together.
+    together: Option<(Vec<usize>, Vec<usize>)>,
+}
+
+/// Of an instruction of the prologue: code, constant, operands, components, strides.
+type Key = (Code, u32, [Reg; 3], u16, u8);
+
+/// Instructions and what is known of registers: what is put back when a try fails.
+#[derive(Clone, Default)]
+struct State {
+    prologue: Vec<VirtualOp>,
+    ops: Vec<VirtualOp>,
+    /// Per register: the first of its group and the size of the group.
+    groups: Vec<(Reg, u32)>,
+    /// Computed in the prologue.
+    hoisted: Vec<bool>,
+    /// The same in all lanes.
+    even: Vec<bool>,
+    known: HashMap<Key, Vec<Reg>>,
+    variables: Vec<Variable>,
+    loops: Vec<(usize, usize)>,
+    counts: Vec<(usize, Span)>,
+    looks: Vec<Look<Reg>>,
+    events: Vec<Event<Reg>>,
+}
+
+/// Most instructions that may be made, tries included: functions that call others often grow exponentially.
+const MOST_WORK: usize = 400_000;
+
+/// Most scalars of one variable: half of the register file.
+const MOST_SCALARS: usize = crate::machine::ROWS / 2;
+
+struct Lowering<'a> {
+    module: &'a Module,
+    info: &'a ModuleInfo,
+    stage: Stage,
+    roles: &'a dyn Fn(&str) -> Option<Purpose>,
+    state: State,
+    globals: HashMap<Handle<naga::GlobalVariable>, Item>,
+    mask: Option<Reg>,
+    /// What follows in this block is never reached.
+    dead: bool,
+    enclosing: Vec<Enclosing>,
+    discarded: usize,
+    /// Functions that discard.
+    discarding: HashSet<Handle<Function>>,
+    /// Variables that differ between lanes although they were believed not to.
+    uneven: BTreeSet<usize>,
+    found: BTreeSet<usize>,
+    /// Lanes leave a loop one by one that was believed to be left by all together.
+    apart: bool,
+    work: usize,
+    depth: usize,
+    trace: bool,
+    layout: Layout,
+}
+
+/// Lowers the entry point of the module's only stage. `roles` tells what a private global stands for.
+pub(crate) fn lower(
+    module: &Module,
+    info: &ModuleInfo,
+    stage: Stage,
+    roles: &dyn Fn(&str) -> Option<Purpose>,
+    trace: bool,
+) -> Result<Lowered, Refused> {
+    let lowering = Lowering {
+        module,
+        info,
+        stage,
+        roles,
+        state: State::default(),
+        globals: HashMap::new(),
+        mask: None,
+        dead: false,
+        enclosing: Vec::new(),
+        discarded: 0,
+        discarding: HashSet::new(),
+        uneven: BTreeSet::new(),
+        found: BTreeSet::new(),
+        apart: false,
+        work: 0,
+        depth: 0,
+        trace,
+        layout: Layout::default(),
+    };
+    lowering.program()
+}

@@ -1,0 +1,120 @@
+//! Running a program.
+
+use glanz_math::{SimdLevel, at_level};
+
+use crate::machine::{Host, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute};
+use crate::{Program, RunError, Trace, UniformValues};
+
+/// Turns of loops in one run. A shader that takes more is taken for endless.
+const FUEL: u32 = 1 << 20;
+
+/// Runs a [`Program`] for 16·`G` vertices or fragments at a time; `G` is 1 or 4. See the [crate](crate)'s example.
+///
+/// In a fragment shader 16 lanes are 4×4 pixels, row by row, so that derivatives are differences in the quads of 2×2;
+/// with `G` = 4 each row of the register is such a block.
+pub struct Machine<'a, const G: usize> {
+    program: &'a Program,
+    uniforms: &'a UniformValues,
+    textures: &'a dyn Textures,
+    level: SimdLevel,
+    file: RegisterFile<G>,
+    fuel: u32,
+}
+
+/// One copy of the loop per level and width, made in this crate.
+macro_rules! executors {
+    ($($name:ident $g:literal),*) => {$(
+        #[inline(never)]
+        fn $name(
+            level: SimdLevel,
+            ops: &[Op],
+            file: &mut RegisterFile<$g>,
+            host: &Host<'_>,
+            recorder: &mut dyn Recorder,
+        ) -> Result<(), OutOfFuel> {
+            at_level!(level, simd => execute(simd, ops, file, host, recorder))
+        }
+
+        impl<'a> Machine<'a, $g> {
+            /// A machine for a draw: what is the same for all fragments is computed here.
+            pub fn new(
+                program: &'a Program,
+                uniforms: &'a UniformValues,
+                textures: &'a dyn Textures,
+                level: SimdLevel,
+            ) -> Self {
+                let mut file = RegisterFile::<$g>::new();
+                let looks = &program.lowered.looks;
+                let host = Host { uniforms: &uniforms.words, textures, looks, fuel: FUEL };
+                // The prologue has no loops, so its fuel lasts.
+                let _ = $name(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
+                Self { program, uniforms, textures, level, file, fuel: FUEL }
+            }
+
+            /// Runs the program for what the inputs hold. Inputs must be written anew for each run.
+            pub fn run(&mut self) -> Result<(), RunError> {
+                self.run_with(&mut Silent)
+            }
+
+            fn run_with(&mut self, recorder: &mut dyn Recorder) -> Result<(), RunError> {
+                let lowered = &self.program.lowered;
+                let (words, looks) = (&self.uniforms.words, &lowered.looks);
+                let host = Host { uniforms: words, textures: self.textures, looks, fuel: self.fuel };
+                let done = $name(self.level, &lowered.ops, &mut self.file, &host, recorder);
+                done.map_err(|stopped| self.endless(stopped))
+            }
+        }
+    )*};
+}
+executors!(execute_16 1, execute_64 4);
+
+impl<const G: usize> Machine<'_, G> {
+    /// Sets how many turns all loops of a run may take together.
+    pub fn set_fuel(&mut self, turns: u32) {
+        self.fuel = turns;
+    }
+
+    fn endless(&self, stopped: OutOfFuel) -> RunError {
+        let place = self.program.loop_places.iter().find(|(at, _)| *at == stopped.at);
+        RunError::EndlessLoop { place: place.map(|(_, place)| place.clone()), turns: self.fuel }
+    }
+
+    /// The lanes of a component of an input, to be written. Whole numbers are their bits.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such input or component.
+    pub fn input(&mut self, input: usize, component: usize) -> &mut [Row; G] {
+        self.file.get_mut(self.program.lowered.layout.inputs[input].registers[component])
+    }
+
+    /// The lanes of a component of an output.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such output or component.
+    pub fn output(&self, output: usize, component: usize) -> &[Row; G] {
+        self.file.get(self.program.lowered.layout.outputs[output].registers[component])
+    }
+
+    /// Which lanes were discarded: bit i of element g is lane i of row g.
+    pub fn discarded(&self) -> [u16; G] {
+        let Some(register) = self.program.lowered.discarded else { return [0; G] };
+        self.file.get(register).map(|row| {
+            let bit = |(lane, x): (usize, &f32)| u16::from(x.to_bits() != 0) << lane;
+            row.0.iter().enumerate().map(bit).fold(0, |all, bit| all | bit)
+        })
+    }
+}
+
+impl Machine<'_, 1> {
+    /// Runs the program and records what happened. It must be [`traced`](crate::Shader::traced); else the trace is empty.
+    ///
+    /// The trace of an endless loop ends where it was stopped.
+    pub fn trace(&mut self) -> Trace {
+        let mut trace = Trace::new(self.program);
+        let end = self.run_with(&mut trace.recorder());
+        trace.ended(end);
+        trace
+    }
+}

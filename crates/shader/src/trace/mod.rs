@@ -1,0 +1,183 @@
+//! What happened in a run, line by line.
+
+use crate::lower::EventKind;
+use crate::machine::Recorder;
+use crate::{Place, Program, RunError, Scalar, ValueType};
+
+/// Most records; a shader with loops makes many.
+const MOST_RECORDS: usize = 20_000;
+
+/// What a [`Record`] tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RecordKind {
+    /// A value got a name, or a variable (or a part of it) a value.
+    Value,
+    /// A condition: its value says which lanes take the branch.
+    Branch,
+    /// Lanes return, break, continue or are discarded.
+    Leave,
+}
+
+/// One event of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// What it tells.
+    pub kind: RecordKind,
+    /// Where in the source.
+    pub place: Option<Place>,
+    /// The variable, or `if`, `switch`, `return`, `break`, `continue`, `discard`.
+    pub name: String,
+    /// Type of the value.
+    pub ty: ValueType,
+    /// Words of the value, one row of 16 lanes per component.
+    pub words: Vec<[u32; 16]>,
+    /// Bit i: lane i was here.
+    pub lanes: u16,
+}
+
+impl Record {
+    /// The components of the value in a lane; truth values are 0 and 1.
+    pub fn values(&self, lane: usize) -> Vec<f32> {
+        self.words.iter().map(|row| crate::interface::number(row[lane & 15], self.ty.scalar)).collect()
+    }
+
+    /// Whether the lane was here.
+    pub fn is_here(&self, lane: usize) -> bool {
+        self.lanes >> (lane & 15) & 1 == 1
+    }
+
+    /// Of a branch: the lanes that took it.
+    pub fn taken(&self) -> u16 {
+        let Some(row) = self.words.first() else { return 0 };
+        let taken = row.iter().enumerate().fold(0, |all, (lane, word)| all | u16::from(*word != 0) << lane);
+        taken & self.lanes
+    }
+
+    /// The least and greatest number of the lanes that were here, NaN aside.
+    pub fn extent(&self) -> Option<(f32, f32)> {
+        let here = (0..16).filter(|lane| self.is_here(*lane)).flat_map(|lane| self.values(lane));
+        here.filter(|x| !x.is_nan()).fold(None, |extent, x| {
+            let (low, high) = extent.unwrap_or((x, x));
+            Some((f32::min(low, x), f32::max(high, x)))
+        })
+    }
+
+    /// The lanes that were here and in which a component is NaN.
+    pub fn nan_lanes(&self) -> u16 {
+        let nan = |lane: &usize| {
+            self.ty.scalar == Scalar::Float
+                && self.is_here(*lane)
+                && self.values(*lane).iter().any(|x| x.is_nan())
+        };
+        (0..16).filter(nan).fold(0, |all, lane| all | 1 << lane)
+    }
+}
+
+/// Every named value of a run of 16 lanes, with its line.
+///
+/// ```
+/// use glanz_shader::{Machine, NoTextures, Row, Shader};
+///
+/// let program = Shader::fragment(
+///     "#version 330
+///      in float x;
+///      out vec4 color;
+///      void main() {
+///          float root = sqrt(x);
+///          color = vec4(root);
+///      }",
+/// )
+/// .traced()
+/// .compile()?;
+/// let uniforms = program.uniforms();
+/// let mut machine = Machine::<1>::new(&program, &uniforms, &NoTextures, Default::default());
+/// machine.input(0, 0)[0] = Row::splat(-4.0);
+/// let trace = machine.trace();
+/// let root = trace.records().iter().find(|record| record.name == "root").expect("it is recorded");
+/// assert!(root.values(0)[0].is_nan());
+/// assert_eq!(trace.first_nan().and_then(|record| record.place.as_ref()).map(|place| place.line), Some(5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Trace {
+    records: Vec<Record>,
+    templates: Vec<(Record, Vec<u16>, Option<u16>)>,
+    left_out: usize,
+    end: Option<RunError>,
+}
+
+/// What hears of a run's events.
+pub(crate) struct TraceRecorder<'a> {
+    trace: &'a mut Trace,
+}
+
+impl Trace {
+    pub(crate) fn new(program: &Program) -> Self {
+        let events = program.lowered.events.iter().zip(&program.event_places);
+        let templates = events.map(|(event, place)| {
+            let kind = match event.kind {
+                EventKind::Value => RecordKind::Value,
+                EventKind::Branch => RecordKind::Branch,
+                EventKind::Leave => RecordKind::Leave,
+            };
+            let (place, name, ty) = (place.clone(), event.name.clone(), event.ty);
+            let record = Record { kind, place, name, ty, words: Vec::new(), lanes: u16::MAX };
+            (record, event.registers.clone(), event.mask)
+        });
+        Self { records: Vec::new(), templates: templates.collect(), left_out: 0, end: None }
+    }
+
+    pub(crate) fn recorder(&mut self) -> TraceRecorder<'_> {
+        TraceRecorder { trace: self }
+    }
+
+    pub(crate) fn ended(&mut self, end: Result<(), RunError>) {
+        self.end = end.err();
+        self.templates.clear();
+    }
+
+    /// What happened, in order; of loops turn by turn.
+    pub fn records(&self) -> &[Record] {
+        &self.records
+    }
+
+    /// How many records did not fit.
+    pub fn left_out(&self) -> usize {
+        self.left_out
+    }
+
+    /// Why the run ended early, if it did.
+    pub fn error(&self) -> Option<&RunError> {
+        self.end.as_ref()
+    }
+
+    /// What happened to a lane.
+    pub fn of_lane(&self, lane: usize) -> impl Iterator<Item = &Record> {
+        self.records.iter().filter(move |record| record.is_here(lane))
+    }
+
+    /// The first value that is NaN in a lane that was there.
+    pub fn first_nan(&self) -> Option<&Record> {
+        self.records.iter().find(|record| record.nan_lanes() != 0)
+    }
+}
+
+impl Recorder for TraceRecorder<'_> {
+    fn note(&mut self, event: usize, registers: &dyn Fn(u16) -> [f32; 16]) {
+        if self.trace.records.len() >= MOST_RECORDS {
+            self.trace.left_out += 1;
+            return;
+        }
+        let Some((template, values, mask)) = self.trace.templates.get(event) else { return };
+        let lanes = mask.map_or(u16::MAX, |mask| {
+            let bits = registers(mask).map(f32::to_bits);
+            bits.iter().enumerate().fold(0, |all, (lane, word)| all | u16::from(*word != 0) << lane)
+        });
+        // A branch that no lane is in is run through where a jump is not worth it.
+        if lanes == 0 {
+            return;
+        }
+        let words = values.iter().map(|r| registers(*r).map(f32::to_bits)).collect();
+        self.trace.records.push(Record { words, lanes, ..template.clone() });
+    }
+}

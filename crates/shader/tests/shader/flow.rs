@@ -1,0 +1,207 @@
+//! Divergent control flow against plain Rust, lane by lane.
+
+use glanz_math::SimdLevel;
+use glanz_shader::{Machine, NoTextures, Program, Row, RunError};
+use proptest::prelude::*;
+
+use crate::common;
+
+const WGSL: &str = "
+fn f(x: f32, n: i32) -> f32 {
+    var s = 0.0;
+    for (var i = 0; i < n; i++) {
+        if (i == 3) { continue; }
+        if (s > 5.0) { break; }
+        switch (i % 3) {
+            case 0: { s += x; }
+            case 1: { s += x * x; }
+            default: { if (x > 0.7) { return -s; } s += 0.5; }
+        }
+        var k = 0;
+        loop { k++; if (k > i) { break; } s += 0.125; continuing { break if (k * i > 11); } }
+    }
+    if (s > 2.5) { return s * 2.0; }
+    return s;
+}
+@fragment fn main(@location(0) v: vec2<f32>) -> @location(0) vec4<f32> {
+    let y = f(v.x, i32(v.y * 10.0));
+    if (y < -1.0) { discard; }
+    return vec4(y, f32(i32(v.y * 10.0) % 4), v);
+}";
+
+fn f(x: f32, n: i32) -> f32 {
+    let mut s = 0.0f32;
+    let mut i = 0;
+    while i < n {
+        if i == 3 {
+            i += 1;
+            continue;
+        }
+        if s > 5.0 {
+            break;
+        }
+        match i % 3 {
+            0 => s += x,
+            1 => s += x * x,
+            _ => {
+                if x > 0.7 {
+                    return -s;
+                }
+                s += 0.5;
+            }
+        }
+        let mut k = 0;
+        loop {
+            k += 1;
+            if k > i {
+                break;
+            }
+            s += 0.125;
+            if k * i > 11 {
+                break;
+            }
+        }
+        i += 1;
+    }
+    if s > 2.5 { s * 2.0 } else { s }
+}
+
+const GLSL: &str = "#version 330
+in float x; in float y; out float s;
+int steps(int n) {
+    int count = 0;
+    while (n != 1 && count < 40) { n = (n & 1) == 1 ? 3 * n + 1 : n / 2; count++; }
+    return count;
+}
+float branch(int k, float x) {
+    float r = 0.0;
+    switch (k) {
+        case 0: r += 1.0;
+        case 1: r += x; break;
+        case 5: if (x > 0.5) return 7.0; r = 3.0;
+        default: r += 10.0;
+        case 2: r -= 0.25; break;
+        case 3: for (int i = 0; i < 4; ++i) { if (i == k - 1) continue; r += float(i); }
+    }
+    return r;
+}
+void main() {
+    int n = int(y * 20.0) + 1;
+    s = float(steps(n)) + branch(int(x * 6.0), x);
+    float table[4] = float[4](1.0, 2.0, 4.0, 8.0);
+    table[n & 3] += 0.5;
+    do { s += table[(n + 1) & 3]; n -= 3; } while (n > 0);
+    if (x > 0.9) discard;
+}";
+
+fn steps(mut n: i32) -> i32 {
+    let mut count = 0;
+    while n != 1 && count < 40 {
+        n = if n & 1 == 1 { 3 * n + 1 } else { n / 2 };
+        count += 1;
+    }
+    count
+}
+
+fn branch(k: i32, x: f32) -> f32 {
+    match k {
+        0 => 1.0 + x,
+        1 => x,
+        2 => -0.25,
+        3 => [0, 1, 3].into_iter().map(|i| i as f32).sum(),
+        5 if x > 0.5 => 7.0,
+        5 => 3.0 + 10.0 - 0.25,
+        _ => 10.0 - 0.25,
+    }
+}
+
+fn g(x: f32, y: f32) -> f32 {
+    let mut n = (y * 20.0) as i32 + 1;
+    let mut s = steps(n) as f32 + branch((x * 6.0) as i32, x);
+    let mut table = [1.0, 2.0, 4.0, 8.0];
+    table[(n & 3) as usize] += 0.5;
+    loop {
+        s += table[((n + 1) & 3) as usize];
+        n -= 3;
+        if n <= 0 {
+            return s;
+        }
+    }
+}
+
+/// Runs 16 pairs; the first output and which lanes were discarded.
+fn run(program: &Program, pairs: &[(f32, f32)], level: SimdLevel) -> ([f32; 16], u16) {
+    let uniforms = program.uniforms();
+    let mut machine = Machine::<1>::new(program, &uniforms, &NoTextures, level);
+    let (x, y) = (std::array::from_fn(|i| pairs[i].0), std::array::from_fn(|i| pairs[i].1));
+    if program.interface().inputs.len() == 2 {
+        (machine.input(0, 0)[0], machine.input(1, 0)[0]) = (Row(x), Row(y));
+    } else {
+        (machine.input(0, 0)[0], machine.input(0, 1)[0]) = (Row(x), Row(y));
+    }
+    machine.run().expect("it ends");
+    (machine.output(0, 0)[0].0, machine.discarded()[0])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn loops_switches_returns_and_discard_are_those_of_rust(
+        pairs in prop::collection::vec((0.0f32..1.0, 0.0f32..1.0), 16)
+    ) {
+        thread_local! {
+            static PROGRAMS: [Program; 2] = [common::wgsl(WGSL), common::fragment(GLSL)];
+        }
+        PROGRAMS.with(|[wgsl, glsl]| {
+            for (_, level) in SimdLevel::available() {
+                let (got, discarded) = run(wgsl, &pairs, level);
+                for (lane, (x, y)) in pairs.iter().enumerate() {
+                    let expected = f(*x, (y * 10.0) as i32);
+                    let is_discarded = discarded >> lane & 1 == 1;
+                    prop_assert_eq!(is_discarded, expected < -1.0, "lane {}", lane);
+                    prop_assert!(is_discarded || got[lane].to_bits() == expected.to_bits());
+                }
+                let (got, discarded) = run(glsl, &pairs, level);
+                for (lane, (x, y)) in pairs.iter().enumerate() {
+                    prop_assert_eq!(discarded >> lane & 1 == 1, *x > 0.9);
+                    prop_assert_eq!(got[lane].to_bits(), g(*x, *y).to_bits(), "lane {} {:?}", lane, (x, y));
+                }
+            }
+            Ok(())
+        })?;
+    }
+}
+
+#[test]
+fn an_endless_loop_ends_with_its_place() {
+    let program = common::fragment(
+        "out vec4 c;\nvoid main() {\n  float x = 0.0;\n  while (x < 1.0) { x *= 2.0; }\n  c = vec4(x);\n}",
+    );
+    let uniforms = program.uniforms();
+    let mut machine = Machine::<1>::new(&program, &uniforms, &NoTextures, SimdLevel::best());
+    machine.set_fuel(1000);
+    let RunError::EndlessLoop { place, turns } = machine.run().unwrap_err();
+    assert_eq!((place.map(|place| place.line), turns), (Some(4), 1000));
+}
+
+#[test]
+fn uniform_loops_have_the_values_of_divergent_ones() {
+    // The same loop over a uniform count, and over an input of the same value.
+    let body = "int i; float s = 0.0;
+        for (i = 0; i < n; i++) { if (i == 4) break; if (i == 1) continue; s += lights[i].y * float(i + 1); }
+        color = vec4(s);";
+    let head = "#version 330\nuniform vec3 lights[5]; out vec4 color;";
+    let even = common::fragment(&format!("{head} uniform int n = 5; void main() {{ {body} }}"));
+    let apart = common::fragment(&format!("{head} flat in int n; void main() {{ {body} }}"));
+    let values = |program: &Program| {
+        let mut uniforms = program.uniforms();
+        for i in 0..5 {
+            uniforms.set(&format!("lights[{i}]"), &[0.0, i as f32 * 0.3 + 0.1, 0.0]).unwrap();
+        }
+        common::outputs_at(program, &uniforms, SimdLevel::best(), &|_, _, _| 5.0)[0]
+    };
+    assert_eq!(values(&even), values(&apart));
+    assert_eq!(values(&even)[0], 0.1f32 + 0.7 * 3.0 + 1.0 * 4.0);
+    assert!(even.size().0 < apart.size().0, "the uniform one needs no masks");
+}

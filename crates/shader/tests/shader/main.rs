@@ -1,0 +1,12 @@
+//! Tests of the shader crate as a whole.
+
+mod common;
+mod flow;
+mod languages;
+mod mutated;
+mod numbers;
+mod phong;
+mod places;
+mod trace;
+mod warnings;
+mod wild;
