@@ -127,6 +127,41 @@ impl<'a> Lowering<'a> {
                 self.access(&item, &inner, 0, Some(i), span)?
             }
             Expression::Load { pointer } => Item::Value(self.load_from(frame, *pointer, span)?),
+            Expression::Unary { .. }
+            | Expression::Binary { .. }
+            | Expression::Select { .. }
+            | Expression::Derivative { .. }
+            | Expression::Relational { .. }
+            | Expression::Math { .. }
+            | Expression::As { .. } => Item::Value(self.operation(frame, e, span)?),
+            Expression::ImageSample { .. } | Expression::ImageLoad { .. } | Expression::ImageQuery { .. } => {
+                self.texture(frame, e, span)?
+            }
+            Expression::CallResult(_) => Item::Nothing,
+            Expression::Override(_)
+            | Expression::ArrayLength(_)
+            | Expression::AtomicResult { .. }
+            | Expression::WorkGroupUniformLoadResult { .. }
+            | Expression::SubgroupBallotResult
+            | Expression::SubgroupOperationResult { .. }
+            | Expression::RayQueryVertexPositions { .. }
+            | Expression::RayQueryProceedResult
+            | Expression::RayQueryGetIntersection { .. }
+            | Expression::CooperativeLoad { .. }
+            | Expression::CooperativeMultiplyAdd { .. } => {
+                return Err(Refused::new(absent(&frame.function.expressions[e]), span));
+            }
+        })
+    }
+
+    /// Operators and functions of values.
+    fn operation(
+        &mut self,
+        frame: &mut Frame<'a>,
+        e: Handle<Expression>,
+        span: Span,
+    ) -> Result<Vec<Reg>, Refused> {
+        Ok(match &frame.function.expressions[e] {
             Expression::Unary { op, expr } => {
                 let (x, kind) = (self.value(frame, *expr)?, self.kind(&self.inner(frame, *expr)));
                 let code = match (op, kind) {
@@ -134,25 +169,25 @@ impl<'a> Lowering<'a> {
                     (UnaryOperator::Negate, _) => Code::INeg,
                     (UnaryOperator::LogicalNot | UnaryOperator::BitwiseNot, _) => Code::Not,
                 };
-                Item::Value(self.op(code, x.len(), &[&x]))
+                self.op(code, x.len(), &[&x])
             }
             Expression::Binary { op, left, right } => {
                 let (l, r) = (self.inner(frame, *left), self.inner(frame, *right));
                 let (a, b) = (self.value(frame, *left)?, self.value(frame, *right)?);
-                Item::Value(self.binary(*op, &l, &r, &a, &b))
+                self.binary(*op, &l, &r, &a, &b)
             }
             Expression::Select { condition, accept, reject } => {
                 let c = self.value(frame, *condition)?;
                 let (a, b) = (self.value(frame, *accept)?, self.value(frame, *reject)?);
-                Item::Value(self.op(Code::Sel, a.len(), &[&a, &b, &c]))
+                self.op(Code::Sel, a.len(), &[&a, &b, &c])
             }
             Expression::Derivative { axis, expr, .. } => {
                 let x = self.value(frame, *expr)?;
-                Item::Value(self.derivative(*axis, &x))
+                self.derivative(*axis, &x)
             }
             Expression::Relational { fun, argument } => {
                 let x = self.value(frame, *argument)?;
-                Item::Value(self.relational(*fun, &x))
+                self.relational(*fun, &x)
             }
             Expression::Math { fun, arg, arg1, arg2, arg3 } => {
                 let inner = self.inner(frame, *arg);
@@ -163,7 +198,7 @@ impl<'a> Lowering<'a> {
                     }
                 }
                 let [a, b, c, d] = &args;
-                Item::Value(self.math(*fun, &inner, [a, b, c, d], span)?)
+                self.math(*fun, &inner, [a, b, c, d], span)?
             }
             Expression::As { expr, kind, convert } => {
                 let from = self.kind(&self.inner(frame, *expr));
@@ -171,32 +206,9 @@ impl<'a> Lowering<'a> {
                 if convert.is_some_and(|width| width != 4 && width != 1) {
                     return Err(Refused::new("numbers of 16 or 64 bits are not there", span));
                 }
-                Item::Value(if convert.is_none() { x } else { self.convert(from, *kind, x) })
+                if convert.is_none() { x } else { self.convert(from, *kind, x) }
             }
-            Expression::ImageSample { .. } | Expression::ImageLoad { .. } | Expression::ImageQuery { .. } => {
-                self.texture(frame, e, span)?
-            }
-            Expression::CallResult(_) => Item::Nothing,
-            Expression::Override(_) => {
-                return Err(Refused::new("constants that are set from outside are not there", span));
-            }
-            Expression::ArrayLength(_) => {
-                return Err(Refused::new("arrays whose length only the host knows are not there", span));
-            }
-            Expression::AtomicResult { .. }
-            | Expression::WorkGroupUniformLoadResult { .. }
-            | Expression::SubgroupBallotResult
-            | Expression::SubgroupOperationResult { .. } => {
-                return Err(Refused::new("atomic operations, workgroups and subgroups are not there", span));
-            }
-            Expression::RayQueryVertexPositions { .. }
-            | Expression::RayQueryProceedResult
-            | Expression::RayQueryGetIntersection { .. } => {
-                return Err(Refused::new("ray queries are not there", span));
-            }
-            Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
-                return Err(Refused::new("cooperative matrices are not there", span));
-            }
+            _ => return Err(Refused::new("this is no operation", span)),
         })
     }
 
@@ -282,5 +294,20 @@ impl<'a> Lowering<'a> {
             (ScalarKind::Sint | ScalarKind::Uint, ScalarKind::Bool) => self.op(Code::INe, n, &[&x, &zero]),
             _ => x,
         }
+    }
+}
+
+/// What an expression that is refused asks for.
+fn absent(expression: &Expression) -> &'static str {
+    match expression {
+        Expression::Override(_) => "constants that are set from outside are not there",
+        Expression::ArrayLength(_) => "arrays whose length only the host knows are not there",
+        Expression::RayQueryVertexPositions { .. }
+        | Expression::RayQueryProceedResult
+        | Expression::RayQueryGetIntersection { .. } => "ray queries are not there",
+        Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
+            "cooperative matrices are not there"
+        }
+        _ => "atomic operations, workgroups and subgroups are not there",
     }
 }

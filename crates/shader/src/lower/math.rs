@@ -66,28 +66,14 @@ impl Lowering<'_> {
             M::Log => self.ln(a),
             M::Log2 => self.op(Code::FLog2, n, &[a]),
             M::Pow => self.op(Code::FPow, n, &[a, b]),
-            M::Dot if kind == K::Float => self.whole(Code::Dot, 1, a, b),
-            M::Dot => self.integer_dot(a, b),
-            M::Cross => self.whole(Code::Cross, 3, a, b),
-            M::Distance => {
-                let difference = self.op(Code::FSub, n, &[a, b]);
-                self.whole(Code::Length, 1, &difference, &[])
-            }
-            M::Length => self.whole(Code::Length, 1, a, &[]),
-            M::Normalize => self.whole(Code::Normalize, n, a, &[]),
-            M::FaceForward => {
-                let d = self.whole(Code::Dot, 1, b, c);
-                let (zero, minus) = (self.float(0.0), self.op(Code::FNeg, n, &[a]));
-                let front = self.op(Code::FLt, 1, &[&d, &zero]);
-                self.op(Code::Sel, n, &[a, &minus, &front])
-            }
-            M::Reflect => {
-                let d = self.whole(Code::Dot, 1, b, a);
-                let twice = self.op(Code::FAdd, 1, &[&d, &d]);
-                let part = self.op(Code::FMul, n, &[&twice, b]);
-                self.op(Code::FSub, n, &[a, &part])
-            }
-            M::Refract => self.refract(a, b, c),
+            M::Dot
+            | M::Cross
+            | M::Distance
+            | M::Length
+            | M::Normalize
+            | M::FaceForward
+            | M::Reflect
+            | M::Refract => self.geometric(fun, kind, a, b, c),
             M::Fma => self.op(Code::FMad, n, &[a, b, c]),
             M::Mix => self.op(Code::FMix, n, &[a, b, c]),
             M::Step => self.op(Code::FStep, n.max(b.len()), &[a, b]),
@@ -127,6 +113,35 @@ impl Lowering<'_> {
                 return Err(Refused::new("packing, half precision and frexp are not there", span));
             }
         })
+    }
+
+    /// Functions of whole vectors.
+    fn geometric(&mut self, fun: M, kind: K, a: &[Reg], b: &[Reg], c: &[Reg]) -> Vec<Reg> {
+        let n = a.len();
+        match fun {
+            M::Dot if kind == K::Float => self.whole(Code::Dot, 1, a, b),
+            M::Dot => self.integer_dot(a, b),
+            M::Cross => self.whole(Code::Cross, 3, a, b),
+            M::Distance => {
+                let difference = self.op(Code::FSub, n, &[a, b]);
+                self.whole(Code::Length, 1, &difference, &[])
+            }
+            M::Length => self.whole(Code::Length, 1, a, &[]),
+            M::Normalize => self.whole(Code::Normalize, n, a, &[]),
+            M::FaceForward => {
+                let d = self.whole(Code::Dot, 1, b, c);
+                let (zero, minus) = (self.float(0.0), self.op(Code::FNeg, n, &[a]));
+                let front = self.op(Code::FLt, 1, &[&d, &zero]);
+                self.op(Code::Sel, n, &[a, &minus, &front])
+            }
+            M::Reflect => {
+                let d = self.whole(Code::Dot, 1, b, a);
+                let twice = self.op(Code::FAdd, 1, &[&d, &d]);
+                let part = self.op(Code::FMul, n, &[&twice, b]);
+                self.op(Code::FSub, n, &[a, &part])
+            }
+            _ => self.refract(a, b, c),
+        }
     }
 
     fn scaled(&mut self, x: &[Reg], factor: f32) -> Vec<Reg> {

@@ -60,25 +60,16 @@ impl<'a> Lowering<'a> {
             }
             // Between lanes that run in step there is nothing to wait for.
             Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => {}
-            Statement::ImageStore { .. } => return Err(Refused::new("images cannot be written here", span)),
-            Statement::Atomic { .. } | Statement::ImageAtomic { .. } => {
-                return Err(Refused::new(
-                    "atomic operations belong to compute shaders, which are not read here",
-                    span,
-                ));
-            }
-            Statement::WorkGroupUniformLoad { .. }
+            Statement::ImageStore { .. }
+            | Statement::Atomic { .. }
+            | Statement::ImageAtomic { .. }
+            | Statement::WorkGroupUniformLoad { .. }
             | Statement::SubgroupBallot { .. }
             | Statement::SubgroupGather { .. }
-            | Statement::SubgroupCollectiveOperation { .. } => {
-                return Err(Refused::new("workgroups and subgroups are not there", span));
-            }
-            Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => {
-                return Err(Refused::new("ray queries are not there", span));
-            }
-            Statement::CooperativeStore { .. } => {
-                return Err(Refused::new("cooperative matrices are not there", span));
-            }
+            | Statement::SubgroupCollectiveOperation { .. }
+            | Statement::RayQuery { .. }
+            | Statement::RayPipelineFunction(_)
+            | Statement::CooperativeStore { .. } => return Err(Refused::new(absent(statement), span)),
         }
         Ok(())
     }
@@ -283,5 +274,18 @@ impl<'a> Lowering<'a> {
             let (name, registers) = (name.to_owned(), regs.to_vec());
             self.note(Event { kind, span, name, ty, registers, mask: self.mask });
         }
+    }
+}
+
+/// What a statement that is refused asks for.
+fn absent(statement: &Statement) -> &'static str {
+    match statement {
+        Statement::ImageStore { .. } => "images cannot be written here",
+        Statement::Atomic { .. } | Statement::ImageAtomic { .. } => {
+            "atomic operations belong to compute shaders, which are not read here"
+        }
+        Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => "ray queries are not there",
+        Statement::CooperativeStore { .. } => "cooperative matrices are not there",
+        _ => "workgroups and subgroups are not there",
     }
 }

@@ -137,33 +137,40 @@ impl Rewriter {
                 continue;
             }
             let to_function = calls.last() == Some(&true);
-            // `material.diffuse` where the member is a sampler.
-            if let Some(holder) = self.holders.get(&*token.text)
-                && let [dot, member, ..] = &tokens[at..]
-                && dot.is(".")
-                && let Some((_, ty)) = self
-                    .struct_samplers
-                    .get(holder)
-                    .and_then(|list| list.iter().find(|m| m.0 == *member.text))
-            {
-                let name = format!("{}_{}", token.text, member.text);
-                let text = sampler_text(&name, ty, to_function);
+            if let Some((text, taken)) = self.sampler_use(token, &tokens[at..], local, to_function) {
                 self.out.push(token.renamed(&text));
-                at += 2;
+                at += taken;
                 continue;
             }
             let is_call = tokens.get(at).is_some_and(|t| t.is("("));
-            let sampler = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text));
-            // A sampler may be called `texture`, as the function is.
-            if let Some(ty) = sampler.filter(|_| !is_call) {
-                let text = sampler_text(&token.text, ty, to_function);
-                self.out.push(token.renamed(&text));
-                continue;
-            }
             let replaced = self.replacement(token, is_call);
             self.out.push(replaced);
         }
         Ok(())
+    }
+
+    /// What stands for a sampler, and how many of the tokens behind belong to it.
+    fn sampler_use(
+        &self,
+        token: &Token,
+        behind: &[Token],
+        local: &HashMap<String, String>,
+        to_function: bool,
+    ) -> Option<(String, usize)> {
+        // `material.diffuse` where the member is a sampler.
+        if let Some(holder) = self.holders.get(&*token.text)
+            && let [dot, member, ..] = behind
+            && dot.is(".")
+        {
+            let members = self.struct_samplers.get(holder)?;
+            let (_, ty) = members.iter().find(|m| m.0 == *member.text)?;
+            let name = format!("{}_{}", token.text, member.text);
+            return Some((sampler_text(&name, ty, to_function), 2));
+        }
+        // A sampler may be called `texture`, as the function is.
+        let is_call = behind.first().is_some_and(|t| t.is("("));
+        let ty = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text)).filter(|_| !is_call)?;
+        Some((sampler_text(&token.text, ty, to_function), 0))
     }
 
     fn replacement(&mut self, token: &Token, is_call: bool) -> Token {
