@@ -12,6 +12,7 @@ mod material;
 mod plot;
 mod probe;
 mod schema;
+mod shader;
 
 use std::path::Path;
 
@@ -74,6 +75,9 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz color spectrum D65\n  glanz color convert --from hls --to ac1c2 210,0.4,0.8"
     )]
     Color(color::ColorCommand),
+    /// Programs of users, in GLSL and WGSL
+    #[command(subcommand, after_help = "Example:\n  glanz shader check phong.vert phong.frag")]
+    Shader(shader::ShaderCommand),
     /// Write an example scene that is part of the program
     #[command(after_help = example::EXAMPLES)]
     Example(example::ExampleArgs),
@@ -105,6 +109,7 @@ impl Command {
             Self::Plot(_) => vec!["plot"],
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
+            Self::Shader(command) => vec!["shader", command.name()],
             Self::Example(_) => vec!["example"],
             Self::Schema(_) => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
@@ -149,6 +154,7 @@ impl Command {
             Self::Plot(args) => args.run(),
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
+            Self::Shader(command) => command.run(),
             Self::Example(args) => args.run(),
             Self::Schema(args) => args.run(),
             Self::Completions(args) => args.run(root()),

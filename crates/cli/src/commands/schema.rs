@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, example, material, probe};
+use super::{bsdf, check, color, compare, example, material, probe, shader};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 37] = [
+const SCHEMAS: [Named; 38] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -45,6 +45,7 @@ const SCHEMAS: [Named; 37] = [
     ("bsdf-albedo", schema::<bsdf::albedo::Document>),
     ("sheet", schema::<SheetDocument>),
     ("check", schema::<check::Document>),
+    ("shader-check", schema::<shader::check::Document>),
     ("example", schema::<example::Document>),
     ("material-list", schema::<material::list::Document>),
     ("material-show", schema::<material::show::Document>),

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 35] = [
+const COULD_NOT: [&[&str]; 37] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -33,6 +33,8 @@ const COULD_NOT: [&[&str]; 35] = [
     &["info", "wrong.toml"],
     &["probe", "none.toml", "1,1"],
     &["probe", "scene.toml", "9999,1"],
+    &["shader", "check", "none.frag"],
+    &["shader", "check", "wrong.frag"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -53,7 +55,7 @@ const COULD_NOT: [&[&str]; 35] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 14] = [
+const PRINTING: [&[&str]; 15] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -65,6 +67,7 @@ const PRINTING: [&[&str]; 14] = [
     &["color", "wave", "580nm"],
     &["color", "convert", "--from", "srgb", "--to", "lab", "1,0,0"],
     &["info", "scene.toml"],
+    &["shader", "check", "a.frag"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],
@@ -74,6 +77,8 @@ const PRINTING: [&[&str]; 14] = [
 fn folder() -> Folder {
     let folder = Folder::with_scene();
     folder.write("wrong.toml", "[image]\nwdth = 3\n");
+    folder.write("a.frag", crate::shader::FRAGMENT);
+    folder.write("wrong.frag", "#version 330\nvoid main() { x }\n");
     for (name, more) in [
         ("a.png", &["--size", "24x16"][..]),
         ("b.png", &["--size", "24x16", "--ev", "-1"]),

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 41] = [
+pub(crate) const COMMANDS: [&[&str]; 43] = [
     &[],
     &["render"],
     &["sweep"],
@@ -42,6 +42,8 @@ pub(crate) const COMMANDS: [&[&str]; 41] = [
     &["color", "plot", "matrix"],
     &["color", "plot", "tm30"],
     &["color", "plot", "efficiency"],
+    &["shader"],
+    &["shader", "check"],
     &["example"],
     &["schema"],
     &["completions"],

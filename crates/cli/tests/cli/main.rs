@@ -19,4 +19,5 @@ mod pictures;
 mod plots;
 mod probe;
 mod schemas;
+mod shader;
 mod spectra;

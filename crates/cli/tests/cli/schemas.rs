@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 35] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
     (
         "render",
         &[
@@ -85,6 +85,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 35] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("color-xy", &[&["color", "xy", "0.3127,0.329"], &["color", "xy", "0.35,0.2", "--white", "D65"]]),
     ("color-wave", &[&["color", "wave", "580nm", "2.1eV"]]),
     ("color-metamers", &[&["color", "metamers", "gold", "copper"]]),
@@ -163,6 +164,8 @@ fn folder() -> Folder {
     let folder = Folder::with_scene();
     folder.write("lights.toml", LIGHTS);
     folder.write("empty.toml", "");
+    folder.write("a.vert", crate::shader::VERTEX);
+    folder.write("a.frag", crate::shader::FRAGMENT);
     folder
         .write("tetra.obj", "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
     for (name, ev) in [("a.png", "0"), ("b.png", "-1"), ("a.exr", "0"), ("b.exr", "-1")] {

@@ -1,0 +1,272 @@
+//! `glanz shader check`: whether a shader compiles, what it takes and gives, and what is probably not meant.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use clap::{Args, ValueEnum};
+use glanz_shader::{Place, Port, Program, Role, Shader, ShaderError, Stage, Uniform, Warning, check_stages};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::print::failure::{Failure, Report, without_number};
+use crate::print::{self, FormatArgs};
+
+/// Shown after the help.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  glanz shader check phong.frag
+  glanz shader check phong.vert phong.frag
+  glanz shader check toy.glsl --stage fragment --format json
+
+GLSL 110 to 460 and ES 100 and 300, by #version; WGSL where the name ends in .wgsl; a main of Shadertoy (mainImage);
+a .brdf of BRDF Explorer. A vertex and a fragment shader are also compared with each other. What a name stands
+for is told beside it; what stands for nothing is for the user to set. Programs are compiled for the processor, none is
+drawn yet.";
+
+/// A file of a shader is no longer than this.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// Options of `glanz shader check`.
+#[derive(Args, Debug)]
+pub(crate) struct CheckArgs {
+    /// Files of shaders
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// The stage of all, whatever their names end in
+    #[arg(long, value_enum, value_name = "STAGE")]
+    stage: Option<StageName>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// A stage by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum StageName {
+    Vertex,
+    Fragment,
+}
+
+impl CheckArgs {
+    /// Compiles and tells.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let mut programs = Vec::with_capacity(self.files.len());
+        for file in &self.files {
+            programs.push((file.display().to_string(), compile(file, self.stage_of(file))?));
+        }
+        let of = |stage: Stage| programs.iter().find(|(_, program)| program.stage() == stage);
+        let between = match (of(Stage::Vertex), of(Stage::Fragment)) {
+            (Some((_, vertex)), Some((_, fragment))) => check_stages(vertex, fragment),
+            _ => Vec::new(),
+        };
+        match self.format.is_json() {
+            true => print::json(&Document {
+                shaders: programs.iter().map(ShaderFacts::of).collect(),
+                between: between.iter().map(WarningFacts::of).collect(),
+            }),
+            false => print::text(&text(&programs, &between)),
+        }
+    }
+
+    /// The stage that is said, or that the name's ending tells.
+    fn stage_of(&self, file: &Path) -> Stage {
+        let ending = file.extension().map(|ending| ending.to_ascii_lowercase());
+        let is_vertex = ending.is_some_and(|ending| ["vert", "vs", "vsh"].iter().any(|own| ending == *own));
+        match self.stage {
+            Some(StageName::Vertex) => Stage::Vertex,
+            None if is_vertex => Stage::Vertex,
+            _ => Stage::Fragment,
+        }
+    }
+}
+
+/// Compiles a file; `#include` reads files of its folder.
+fn compile(file: &Path, stage: Stage) -> Result<Program, Failure> {
+    let name = file.display().to_string();
+    let text = read(file)?;
+    let texts = Mutex::new(BTreeMap::from([(name.clone(), text.clone())]));
+    let include = |path: &str, _: &str| {
+        let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
+        let found = read(&file.parent()?.join(path)).ok().filter(|_| is_within)?;
+        texts.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), found.clone());
+        Some(found)
+    };
+    let compiled = Shader::new(stage, text).named(&name).include(&include).compile();
+    compiled.map_err(|error| failure(&error, &texts.lock().unwrap_or_else(PoisonError::into_inner)))
+}
+
+fn read(file: &Path) -> Result<String, Failure> {
+    let could_not = |why: &str| {
+        let message = format!("cannot read '{}': {why}", file.display());
+        Failure::from(Report::new(message).file(file))
+    };
+    let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
+    let length = std::fs::metadata(file).map_err(io)?.len();
+    if length > MOST_BYTES {
+        return Err(could_not(&format!("a shader of {length} bytes is more than {MOST_BYTES}")));
+    }
+    let bytes = std::fs::read(file).map_err(io)?;
+    String::from_utf8(bytes).map_err(|_| could_not("expected text in UTF-8"))
+}
+
+/// An error with the line that it is in.
+fn failure(error: &ShaderError, texts: &BTreeMap<String, String>) -> Failure {
+    let (message, hints) = match error {
+        ShaderError::Invalid { message, hints, .. } => (message.clone(), hints.as_slice()),
+        ShaderError::Unsupported { message, .. } => (message.clone(), [].as_slice()),
+        ShaderError::Broken => (error.to_string(), [].as_slice()),
+    };
+    let Some(place) = error.place() else { return Report::new(message).into() };
+    let mut report = Report::new(message).file(Path::new(&place.file));
+    report = report.place(place.line.into(), place.column.into());
+    if let Some(text) = texts.get(&place.file).filter(|text| text.get(place.start..place.end).is_some()) {
+        report = report.source(&place.file, text.clone(), place.start..place.end);
+    }
+    if !hints.is_empty() {
+        report = report.help(hints.join("; "));
+    }
+    report.into()
+}
+
+/// For people.
+fn text(programs: &[(String, Program)], between: &[Warning]) -> String {
+    let mut text = String::new();
+    let mut line = |words: std::fmt::Arguments<'_>| {
+        writeln!(text, "{words}").expect("a string takes everything");
+    };
+    for (file, program) in programs {
+        let (each, once, registers) = program.size();
+        let stage = program.stage().name();
+        line(format_args!(
+            "{file}: {stage} shader, {each} instructions, {once} once per draw, {registers} registers"
+        ));
+        let interface = program.interface();
+        for port in interface.inputs.iter().filter(|port| !port.builtin) {
+            line(format_args!(
+                "  in       {}",
+                described(&port.name, &port.ty.to_string(), port.role.as_ref())
+            ));
+        }
+        for own in &interface.uniforms {
+            line(format_args!("  uniform  {}", described(&own.name, &own.ty.to_string(), own.role.as_ref())));
+        }
+        for texture in &interface.textures {
+            line(format_args!("  texture  {} {}", texture.name, texture.dimension));
+        }
+        for port in interface.outputs.iter().filter(|port| !port.builtin) {
+            line(format_args!("  out      {}", described(&port.name, &port.ty.to_string(), None)));
+        }
+        program.warnings().iter().for_each(|warning| line(format_args!("{}", told(warning))));
+    }
+    between.iter().for_each(|warning| line(format_args!("{}", told(warning))));
+    text
+}
+
+/// A name with its type and what it stands for.
+fn described(name: &str, ty: &str, role: Option<&Role>) -> String {
+    let words = role.map(|role| format!(" = {}", words(role))).unwrap_or_default();
+    format!("{name} {ty}{words}")
+}
+
+/// The name of a role, in small words.
+fn words(role: &Role) -> String {
+    let mut words = String::new();
+    for c in format!("{role:?}").chars() {
+        if c.is_uppercase() && !words.is_empty() {
+            words.push(' ');
+        }
+        words.extend(c.to_lowercase());
+    }
+    words
+}
+
+fn told(Warning { place, message }: &Warning) -> String {
+    place
+        .as_ref()
+        .map_or_else(|| format!("warning: {message}"), |place| format!("warning: {place}: {message}"))
+}
+
+/// Shaders that compile.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Document {
+    shaders: Vec<ShaderFacts>,
+    /// What does not fit between a vertex and a fragment shader
+    between: Vec<WarningFacts>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct ShaderFacts {
+    file: String,
+    /// vertex or fragment
+    stage: String,
+    /// For each vertex or fragment, loops once
+    instructions: usize,
+    registers: usize,
+    inputs: Vec<VariableFacts>,
+    uniforms: Vec<VariableFacts>,
+    textures: Vec<String>,
+    outputs: Vec<VariableFacts>,
+    /// What is right but probably not meant
+    warnings: Vec<WarningFacts>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct VariableFacts {
+    name: String,
+    /// As GLSL names it
+    r#type: String,
+    /// What it stands for by its name; null where that is for the user to set
+    role: Option<String>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct WarningFacts {
+    message: String,
+    file: Option<String>,
+    line: Option<u32>,
+    column: Option<u32>,
+}
+
+impl ShaderFacts {
+    fn of((file, program): &(String, Program)) -> Self {
+        let interface = program.interface();
+        let ports =
+            |ports: &[Port]| ports.iter().filter(|port| !port.builtin).map(VariableFacts::of_port).collect();
+        Self {
+            file: file.clone(),
+            stage: program.stage().name().to_owned(),
+            instructions: program.size().0,
+            registers: program.size().2,
+            inputs: ports(&interface.inputs),
+            uniforms: interface.uniforms.iter().map(VariableFacts::of_uniform).collect(),
+            textures: interface.textures.iter().map(|texture| texture.name.clone()).collect(),
+            outputs: ports(&interface.outputs),
+            warnings: program.warnings().iter().map(WarningFacts::of).collect(),
+        }
+    }
+}
+
+impl VariableFacts {
+    fn of_port(port: &Port) -> Self {
+        Self { name: port.name.clone(), r#type: port.ty.to_string(), role: port.role.as_ref().map(words) }
+    }
+
+    fn of_uniform(own: &Uniform) -> Self {
+        Self { name: own.name.clone(), r#type: own.ty.to_string(), role: own.role.as_ref().map(words) }
+    }
+}
+
+impl WarningFacts {
+    fn of(Warning { place, message }: &Warning) -> Self {
+        let of = |value: fn(&Place) -> u32| place.as_ref().map(value);
+        Self {
+            message: message.clone(),
+            file: place.as_ref().map(|place| place.file.clone()),
+            line: of(|place| place.line),
+            column: of(|place| place.column),
+        }
+    }
+}
