@@ -73,6 +73,7 @@ fn wild_shaders_pass_or_say_why_not() {
                     SimdLevel::available().into_iter().all(|(_, level)| bits(&program, level) == first),
                     "{path:?}"
                 );
+                program.warnings().iter().for_each(|w| println!("warning: {}", w.message));
                 passed += 1;
             }
             Err(error) => {
