@@ -99,6 +99,7 @@ fn load_uniform<const G: usize>(file: &mut Registers<G>, op: &Op, uniforms: &[u3
 }
 
 #[expect(clippy::needless_range_loop, reason = "two registers of the file are indexed")]
+#[inline(never)]
 fn load_uniform_indexed<const G: usize>(file: &mut Registers<G>, op: &Op, uniforms: &[u32]) {
     let first = |i: f32| op.imm as usize + (i.to_bits() as usize).min(op.b as usize) * op.c as usize;
     if op.s & 8 != 0 {
@@ -115,6 +116,8 @@ fn load_uniform_indexed<const G: usize>(file: &mut Registers<G>, op: &Op, unifor
     }
 }
 
+// Rare and long: out of the loop, whose registers it would take.
+#[inline(never)]
 fn sample<const G: usize>(file: &mut Registers<G>, op: &Op, host: &Host<'_>) {
     let Some(look) = host.looks.get(op.imm as usize) else { return };
     for g in 0..G {
@@ -175,6 +178,12 @@ fn gradient(coordinates: [[f32; 16]; 3], bias: [f32; 16]) -> Lod {
         coordinates.map(|x| core::array::from_fn(|lane| x[(lane | bit) & 15] - x[lane & !bit & 15]))
     };
     Lod::Gradient { dx: along(1), dy: along(4), bias }
+}
+
+#[cold]
+#[inline(never)]
+fn note<const G: usize>(file: &Registers<G>, op: &Op, recorder: &mut dyn Recorder) {
+    recorder.note(op.imm as usize, &|r| file[index(r)][0].0);
 }
 
 /// Runs `ops` to their end.
@@ -369,7 +378,7 @@ pub(crate) fn execute<S: Simd, const G: usize>(
                 }
                 fuel -= 1;
             }
-            Code::Note => recorder.note(op.imm as usize, &|r| file[index(r)][0].0),
+            Code::Note => note(file, op, recorder),
         }
     }
     Ok(())

@@ -205,3 +205,24 @@ fn uniform_loops_have_the_values_of_divergent_ones() {
     assert_eq!(values(&even)[0], 0.1f32 + 0.7 * 3.0 + 1.0 * 4.0);
     assert!(even.size().0 < apart.size().0, "the uniform one needs no masks");
 }
+
+#[test]
+fn sixty_four_lanes_give_the_bits_of_four_times_sixteen() {
+    let program = common::fragment(GLSL);
+    let mut numbers = common::Numbers(11);
+    for _ in 0..100 {
+        let pairs: Vec<(f32, f32)> = (0..64).map(|_| (numbers.unit(), numbers.unit())).collect();
+        let uniforms = program.uniforms();
+        let mut machine = Machine::<4>::new(&program, &uniforms, &NoTextures, SimdLevel::best());
+        for (lane, (x, y)) in pairs.iter().enumerate() {
+            machine.input(0, 0)[lane / 16].0[lane % 16] = *x;
+            machine.input(1, 0)[lane / 16].0[lane % 16] = *y;
+        }
+        machine.run().expect("it ends");
+        for (g, pairs) in pairs.chunks(16).enumerate() {
+            let (values, discarded) = run(&program, pairs, SimdLevel::best());
+            assert_eq!(machine.output(0, 0)[g].0, values);
+            assert_eq!(machine.discarded()[g], discarded);
+        }
+    }
+}

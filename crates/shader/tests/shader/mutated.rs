@@ -79,9 +79,12 @@ fn thousands_of_damaged_texts_panic_nowhere_in_our_code() {
     let (mut passed, mut wrong, mut broken) = (0, 0, Vec::new());
     // More, for a longer search: `GLANZ_MUTATIONS=100000 cargo test …`
     let rounds = std::env::var("GLANZ_MUTATIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(2400);
+    // And others to begin with: those of a folder, as in `wild`.
+    let mut seeds: Vec<String> = GLSL.iter().map(|text| (*text).to_owned()).collect();
+    seeds.extend(crate::wild::texts());
     for round in 0..rounds {
-        let which = round % 6;
-        let (text, language) = match GLSL.get(which) {
+        let which = round % (seeds.len() + 1);
+        let (text, language) = match seeds.get(which) {
             Some(text) => (mutated(text, &mut numbers), Language::Glsl),
             None => (mutated(WGSL, &mut numbers), Language::Wgsl),
         };

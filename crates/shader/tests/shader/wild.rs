@@ -26,6 +26,19 @@ fn stage(path: &Path) -> Option<Stage> {
     }
 }
 
+/// The texts of the folder.
+pub(crate) fn texts() -> Vec<String> {
+    let mut all = Vec::new();
+    if let Ok(folder) = std::env::var("GLANZ_SHADERS") {
+        files(Path::new(&folder), &mut all);
+    }
+    all.sort();
+    all.iter()
+        .filter(|path| stage(path).is_some())
+        .filter_map(|path| std::fs::read_to_string(path).ok())
+        .collect()
+}
+
 /// Bits of all outputs; NaN is all the same.
 fn bits(program: &Program, level: SimdLevel) -> Vec<[u32; 16]> {
     let mut numbers = Numbers(9);
@@ -60,6 +73,7 @@ fn wild_shaders_pass_or_say_why_not() {
                     SimdLevel::available().into_iter().all(|(_, level)| bits(&program, level) == first),
                     "{path:?}"
                 );
+                program.warnings().iter().for_each(|w| println!("warning: {}", w.message));
                 passed += 1;
             }
             Err(error) => {
