@@ -123,3 +123,13 @@ fn a_dye_of_ones_own_is_made_of_its_spectra() {
     folder.write("no.toml", scene.replace("quantum_yield = 0.8, ", ""));
     assert!(folder.glanz(&["render", "no.toml", "-o", "no.png"]).failure().contains("quantum_yield"));
 }
+
+#[test]
+fn a_gamut_without_some_hues_has_no_index() {
+    let folder = Folder::new();
+    let run = folder.glanz(&["color", "spectrum", "blackbody(1000)"]);
+    assert!(run.text().contains("100.0, none (no sample has some of the hues"), "{}", run.text());
+    assert!(!run.text().contains("NaN"), "{}", run.text());
+    let plot = folder.glanz(&["color", "plot", "tm30", "blackbody(1000)", "-o", "-"]);
+    assert!(!plot.text().contains("NaN"));
+}

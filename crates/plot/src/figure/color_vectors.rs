@@ -151,7 +151,8 @@ fn corners(page: &mut Page, rendition: &Rendition) {
         page.text(label, (at.0, at.1 + 18.0), anchor, NUMBER, INK);
     };
     corner(format!("{:.0}", rendition.rf), "Rf", (left, top), Anchor::Start);
-    corner(format!("{:.0}", rendition.rg), "Rg", (right, top), Anchor::End);
+    let gamut = if rendition.rg.is_finite() { format!("{:.0}", rendition.rg) } else { "–".to_owned() };
+    corner(gamut, "Rg", (right, top), Anchor::End);
     corner(format!("{:.0} K", rendition.temperature.cct_k), "CCT", (left, bottom - 18.0), Anchor::Start);
     corner(format!("{:+.4}", rendition.temperature.duv), "Duv", (right, bottom - 18.0), Anchor::End);
 }

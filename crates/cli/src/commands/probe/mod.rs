@@ -147,7 +147,7 @@ fn object_name(scene: &Scene, number: usize) -> String {
 }
 
 /// A light of the scene by its number among those that are not ambient: its number in paths such as lights.0.color, and
-/// what it is. The light of [ambient], which stands before the others, has none.
+/// what it is. The light of `[ambient]`, which stands before the others, has none.
 fn light(scene: &Scene, number: usize) -> (usize, String) {
     let is_seen = |light: &&Light| light.kind != LightKind::Ambient;
     let found = scene.lights.iter().enumerate().filter(|(_, light)| is_seen(light)).nth(number);

@@ -51,7 +51,8 @@ const SCALE: f64 = 6.73;
 pub struct Rendition {
     /// The fidelity index, 0 to 100: of TM-30-20, and the general one of CIE 224:2017.
     pub rf: f64,
-    /// The gamut index: above 100 colours are more saturated than under the reference.
+    /// The gamut index: above 100 colours are more saturated than under the reference. NaN where no sample has some of the
+    /// hues under the reference, as under black bodies of 1000 K.
     pub rg: f64,
     /// The fidelity of each sample, 0 to 100.
     pub samples: [f64; SAMPLES],

@@ -98,12 +98,15 @@ fn rendition_facts(facts: &mut Facts, light: &FineSpectrum) {
         json!({ "rf": found.rf, "rg": found.rg, "rf_ces": found.samples.to_vec(), "bins": bins }),
     );
     let red = found.bins[0];
+    let gamut = finite(found.rg).map_or_else(
+        || "none (no sample has some of the hues under the reference)".to_owned(),
+        |rg| format!("{rg:.1}"),
+    );
     facts.line(
         "Rf, Rg",
         format!(
-            "{:.1}, {:.1} (TM-30-20; Rf is CIE 224's; reds: Rcs,h1 {:+.1} %, Rf,h1 {:.0})",
+            "{:.1}, {gamut} (TM-30-20; Rf is CIE 224's; reds: Rcs,h1 {:+.1} %, Rf,h1 {:.0})",
             found.rf,
-            found.rg,
             100.0 * red.chroma_shift,
             red.fidelity
         ),
