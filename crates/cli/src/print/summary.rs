@@ -67,16 +67,21 @@ impl Summary<'_> {
         let ambient = scene.lights.iter().filter(is_ambient).map(light_text);
         section(&mut text, "ambient light", ambient);
         section(&mut text, lights, scene.lights.iter().filter(|light| !is_ambient(light)).map(light_text));
-        match (&scene.camera, self.input.cameras.is_empty()) {
-            (Some(camera), true) => section(&mut text, "cameras", [camera_text("", camera)]),
-            (None, true) => line(&mut text, "cameras", "none; the scene is framed automatically"),
-            _ => {
-                let cameras = self.input.cameras.iter();
-                section(&mut text, "cameras", cameras.map(|(name, camera)| camera_text(name, camera)));
-            }
-        }
+        self.cameras(&mut text);
         section(&mut text, "ignored or changed", self.input.notes.iter().cloned());
         text
+    }
+
+    fn cameras(&self, text: &mut String) {
+        let scene = &self.input.scene;
+        match (&scene.camera, self.input.cameras.is_empty()) {
+            (Some(camera), true) => section(text, "cameras", [camera_text("", camera)]),
+            (None, true) => line(text, "cameras", "none; the scene is framed automatically"),
+            _ => {
+                let cameras = self.input.cameras.iter();
+                section(text, "cameras", cameras.map(|(name, camera)| camera_text(name, camera)));
+            }
+        }
     }
 
     /// For programs.
