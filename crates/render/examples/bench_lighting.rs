@@ -88,6 +88,7 @@ fn scene(environment: bool, areas: usize) -> Scene {
             transform: DMat4::IDENTITY,
             shading: None,
             interpolation: None,
+            program: None,
         }],
         camera: Some(Camera {
             eye: DVec3::new(0.0, 0.0, 3.5),

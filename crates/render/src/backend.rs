@@ -39,6 +39,11 @@ pub trait Backend: Send {
         *frame = self.draw(prepared, view, options);
     }
 
+    /// Why a program of the last frame did not come to its end, if one did not; the frame is then of no use. Asked once.
+    fn take_error(&mut self) -> Option<glanz_shader::RunError> {
+        None
+    }
+
     /// Draws and develops into 8-bit RGBA: `4·width·height` bytes, rows from the top. The result is that of
     /// [`Backend::draw`] followed by [`develop()`]; a back end may do both at once.
     ///

@@ -38,9 +38,9 @@ pub use glanz_picture::{
 };
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
-    Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
+    Change, Observation, ObservationError, PrepareError, ProgramError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
     prepare,
 };
 pub use session::Session;
 pub use shot::{Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step};
-pub use view::{Aovs, DebugView, DrawOptions, Samples, SamplesError, View, ViewError};
+pub use view::{Aovs, DebugView, DrawOptions, Moment, Samples, SamplesError, View, ViewError};

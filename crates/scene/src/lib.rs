@@ -28,6 +28,7 @@ mod mesh;
 mod mistake;
 mod names;
 mod open;
+mod program;
 pub mod read;
 mod scene;
 pub mod settings;
@@ -50,5 +51,6 @@ pub use material::{
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
 pub use mistake::{Mistake, NoEffect};
 pub use open::{OpenError, Opened, is_scene_file, open, open_str};
+pub use program::{Program, ProgramText, UniformValue};
 pub use scene::{Key, LookupError, Object, Scene};
 pub use settings::{Background, DebugView, Encoding, Image, Interpolation, RenderSettings, Shading, ToneMap};

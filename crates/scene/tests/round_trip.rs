@@ -538,6 +538,7 @@ fn object() -> impl Strategy<Value = Object> {
             transform,
             shading,
             interpolation: None,
+            program: None,
         },
     )
 }

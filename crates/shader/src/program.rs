@@ -85,6 +85,10 @@ impl<'a> Shader<'a> {
         self
     }
 
+    pub(crate) fn is_traced(&self) -> bool {
+        self.trace
+    }
+
     /// Compiles the text.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn compile(&self) -> Result<Program, ShaderError> {

@@ -3,6 +3,7 @@
 use crate::cpu::lighting::matte_highlight::MatteHighlight;
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
 use crate::cpu::probe::Record;
+use crate::cpu::program::{ObjectProgram, Programs};
 use crate::cpu::shading::polygons::PolygonView;
 use crate::prepare::{Attributes, Prepared, PreparedMaterial, PreparedObject};
 use crate::view::camera::ViewCamera;
@@ -27,6 +28,10 @@ pub(crate) struct ObjectView {
     /// See [`ViewObject::steep`].
     pub steep: f32,
     pub polygons: Option<PolygonView>,
+    /// Whether a program draws it in place of its material.
+    pub program: bool,
+    /// Whether the program says where its vertices are.
+    pub placed_by_program: bool,
     /// Whether its colours need neither textures nor vertex colours nor a special view.
     pub simple: bool,
 }
@@ -64,19 +69,31 @@ pub(crate) struct FrameView<'a> {
     pub any_gouraud: bool,
     /// Whether any vertex needs light through three spectra.
     pub any_mix: bool,
+    /// The programs of objects that are drawn by such.
+    pub programs: Option<Programs<'a>>,
 }
 
 impl<'a> FrameView<'a> {
-    pub(super) fn new(prepared: &'a Prepared, view: &View, options: &'a DrawOptions) -> Self {
+    pub(super) fn new(
+        prepared: &'a Prepared,
+        view: &View,
+        options: &'a DrawOptions,
+        programs: Option<Programs<'a>>,
+    ) -> Self {
         let camera = ViewCamera::new(prepared, view);
         let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options));
         let materials = ShadeMaterial::all(shown_materials(prepared, options.show));
         let loops = materials.iter().map(|material| MatteHighlight::new(material, &lights)).collect();
-        let objects: Vec<_> = prepared
+        let mut objects: Vec<_> = prepared
             .objects
             .iter()
             .map(|object| ObjectView::new(object, &materials, &lights, &camera, options.show))
             .collect();
+        for (number, object) in objects.iter_mut().enumerate() {
+            if let Some(program) = programs.and_then(|programs| programs.all.of(number)) {
+                object.draw_by(program, materials[object.material].cull_back);
+            }
+        }
         let any_gouraud = objects.iter().any(|object| object.shading == Shading::Gouraud);
         let is_mixed =
             |object: &ObjectView| object.shading == Shading::Gouraud && object.layout.mix.is_some();
@@ -94,6 +111,7 @@ impl<'a> FrameView<'a> {
             samples,
             any_gouraud,
             any_mix,
+            programs,
         }
     }
 
@@ -108,6 +126,7 @@ impl<'a> FrameView<'a> {
         let mut objects = self.objects;
         for object in &mut objects {
             object.simple = false;
+            object.program = false;
             if object.pass == Pass::Blended {
                 object.pass = Pass::Opaque;
             }
@@ -137,6 +156,8 @@ impl ObjectView {
             anchor,
             steep,
             polygons: None,
+            program: false,
+            placed_by_program: false,
             simple: false,
         };
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
@@ -144,6 +165,24 @@ impl ObjectView {
         }
         view.simple = view.is_simple(show);
         view
+    }
+
+    /// Lets a program draw it.
+    fn draw_by(&mut self, program: &ObjectProgram, cull_back: bool) {
+        self.program = true;
+        self.placed_by_program = program.places_vertices();
+        self.shading = Shading::Phong;
+        self.interpolation = Interpolation::Perspective;
+        self.polygons = None;
+        self.simple = false;
+        if self.placed_by_program {
+            // Where its back is depends on the program.
+            self.cull_back = cull_back;
+        }
+        if program.discards() && self.pass == Pass::Opaque {
+            self.pass = Pass::Masked;
+            self.cull_back = cull_back;
+        }
     }
 
     /// Whether no textures, no vertex colours and no special view change its light.

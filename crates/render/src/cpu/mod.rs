@@ -36,6 +36,7 @@ mod frame;
 mod geometry;
 mod lighting;
 pub(crate) mod probe;
+mod program;
 mod renderer;
 mod shading;
 mod threads;

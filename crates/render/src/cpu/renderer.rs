@@ -10,8 +10,9 @@ use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::geometry::process;
 use crate::cpu::geometry::screen::Screen;
 use crate::cpu::probe::Record;
+use crate::cpu::program::{FramePrograms, Machines};
 use crate::cpu::shading::background::ViewBackground;
-use crate::cpu::shading::gouraud::{Lit, VertexLight};
+use crate::cpu::shading::gouraud::{Lit, Made};
 use crate::cpu::shading::triangle_setup::Projected;
 use crate::cpu::threads;
 use crate::cpu::tile::draw;
@@ -21,6 +22,7 @@ use crate::{Aovs, Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
+use glanz_shader::RunError;
 
 /// Draws frames, and keeps its working memory from one to the next.
 #[derive(Debug, Default)]
@@ -29,6 +31,9 @@ pub struct Renderer {
     screen: Vec<Screen>,
     lit: Vec<Lit>,
     lit_mix: Vec<Lit>,
+    /// What programs make of vertices, in rows of the frame's stride.
+    varyings: Vec<f32>,
+    failed: Option<RunError>,
     chunks: Vec<ChunkOutput>,
     tiles: Vec<Mutex<TileScratch>>,
 }
@@ -56,10 +61,17 @@ impl Backend for Renderer {
     }
 
     fn draw_into(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions, out: &mut Frame) {
-        let frame = FrameView::new(prepared, view, options);
+        let programs = FramePrograms::new(prepared, view, options, self.level);
+        let machines = Machines::new(&programs);
+        let frame = FrameView::new(prepared, view, options, programs.with(&machines));
         shape_frame(out, prepared, view, options);
         let bands = plane_bands(out, ViewBackground::of(&frame).fixed());
         self.draw_all(&frame, bands);
+        self.failed = programs.into_error();
+    }
+
+    fn take_error(&mut self) -> Option<RunError> {
+        self.failed.take()
     }
 
     fn draw_rgba8(
@@ -73,7 +85,9 @@ impl Backend for Renderer {
         shown(prepared, options).expect(develop.expects())?;
         let (width, height) = (view.width as usize, view.height as usize);
         assert_eq!(out.len(), 4 * width * height, "four bytes for each pixel");
-        let frame = FrameView::new(prepared, view, options);
+        let programs = FramePrograms::new(prepared, view, options, self.level);
+        let machines = Machines::new(&programs);
+        let frame = FrameView::new(prepared, view, options, programs.with(&machines));
         let kernel = DevelopKernel::new(develop);
         let opaque = options.background != Background::Transparent;
         let empty = empty_block(develop, &kernel, &ViewBackground::of(&frame));
@@ -82,6 +96,7 @@ impl Backend for Renderer {
             .map(|out| Band::Codes(Codes { out, kernel: &kernel, opaque, empty }))
             .collect();
         self.draw_all(&frame, bands);
+        self.failed = programs.into_error();
         Ok(())
     }
 }
@@ -96,7 +111,9 @@ impl Renderer {
         of: &DrawOptions,
     ) -> Frame {
         let mut out = Frame::default();
-        let frame = FrameView::new(prepared, view, options).with_rims_of(of);
+        let programs = FramePrograms::new(prepared, view, options, self.level);
+        let machines = Machines::new(&programs);
+        let frame = FrameView::new(prepared, view, options, programs.with(&machines)).with_rims_of(of);
         shape_frame(&mut out, prepared, view, options);
         let bands = plane_bands(&mut out, ViewBackground::of(&frame).fixed());
         self.draw_all(&frame, bands);
@@ -112,7 +129,7 @@ impl Renderer {
         record: Record,
     ) -> Frame {
         let mut out = Frame::default();
-        let frame = FrameView::new(prepared, view, options).recording(record);
+        let frame = FrameView::new(prepared, view, options, None).recording(record);
         shape_frame(&mut out, prepared, view, options);
         let bands = plane_bands(&mut out, None);
         self.draw_all(&frame, bands);
@@ -134,6 +151,8 @@ impl Renderer {
         self.screen.resize(vertices, [0.0; 4]);
         self.lit.resize(if frame.any_gouraud { vertices } else { 0 }, Lit::default());
         self.lit_mix.resize(if frame.any_mix { vertices } else { 0 }, Lit::default());
+        let stride = frame.programs.map_or(0, |programs| programs.all.stride);
+        self.varyings.resize(stride * vertices, 0.0);
         let clusters = geometry.clusters.len();
         let wanted = threads::count() * CHUNKS_PER_THREAD;
         let size = clusters.div_ceil(wanted).max(8);
@@ -143,7 +162,7 @@ impl Renderer {
             geometry.clusters.get(cluster).map_or(vertices, |cluster| cluster.first_vertex as usize)
         };
         let (mut screen, mut lit) = (&mut self.screen[..], &mut self.lit[..]);
-        let mut lit_mix = &mut self.lit_mix[..];
+        let (mut lit_mix, mut varyings) = (&mut self.lit_mix[..], &mut self.varyings[..]);
         let mut tasks = Vec::with_capacity(count);
         for (number, output) in self.chunks.iter_mut().enumerate() {
             let range = number * size..((number + 1) * size).min(clusters);
@@ -154,7 +173,10 @@ impl Renderer {
             lit = rest;
             let (own_mix, rest) = lit_mix.split_at_mut(length.min(lit_mix.len()));
             lit_mix = rest;
-            tasks.push((range, own, VertexLight { lit: own_lit, mix: own_mix }, output));
+            let (own_varyings, rest) = varyings.split_at_mut(stride * length);
+            varyings = rest;
+            let made = Made { lit: own_lit, mix: own_mix, varyings: own_varyings };
+            tasks.push((range, own, made, output));
         }
         let level = self.level;
         threads::for_each(tasks, |(range, screen, lit, output)| {
@@ -170,7 +192,7 @@ impl Renderer {
     fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
         self.tiles.resize_with(threads::count() + 1, Mutex::default);
         let projected =
-            Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, chunks: &self.chunks };
+            Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, varyings: &self.varyings, chunks: &self.chunks };
         let columns = columns(frame.camera.width);
         let level = self.level;
         let mut tasks: Vec<_> = bands.into_iter().enumerate().collect();
@@ -196,7 +218,7 @@ fn process(
     frame: &FrameView,
     range: core::ops::Range<usize>,
     screen: &mut [Screen],
-    lit: VertexLight,
+    lit: Made,
     output: &mut ChunkOutput,
 ) {
     at_level!(level, simd => process::process(simd, frame, range, screen, lit, output));

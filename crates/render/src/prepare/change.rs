@@ -20,6 +20,8 @@ pub enum Change {
     Geometry,
     /// The pictures that textures are.
     Textures,
+    /// Shaders of the user's own, what their uniforms are set to, and which objects they draw.
+    Programs,
     /// Whether surfaces stand in each other's light.
     Shadows,
     /// Anything, the numbers of lights and materials among it.
@@ -51,6 +53,9 @@ impl Change {
         note(old.camera != new.camera || size(old) != size(new), Self::Camera);
         note(old.render.shadows != new.render.shadows, Self::Shadows);
         note(old.textures != new.textures, Self::Textures);
+        let drawn = |scene: &Scene| scene.objects.iter().map(|object| object.program).collect::<Vec<_>>();
+        let other_programs = old.programs != new.programs || old.program != new.program;
+        note(other_programs || drawn(old) != drawn(new), Self::Programs);
         if old.photometric != new.photometric || old.render.white != new.render.white {
             note(true, Self::Colors);
         } else {

@@ -19,14 +19,16 @@
 
 mod build;
 mod change;
-mod color;
+pub(crate) mod color;
 pub mod data;
 mod options;
+pub(crate) mod program_values;
 mod source;
 mod update;
 
 pub(crate) use build::check::check_background;
 pub use build::prepare;
+pub use build::programs::ProgramError;
 pub use change::Change;
 pub use color::observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
 pub use data::*;

@@ -4,6 +4,7 @@ use glanz_bsdf::ParamError;
 use glanz_scene::{Interpolation, Shading};
 use thiserror::Error;
 
+use crate::prepare::build::programs::ProgramError;
 use crate::prepare::color::observation::{Observation, ObservationError};
 
 /// What to change of a scene on the way.
@@ -36,6 +37,9 @@ pub enum PrepareError {
     /// The observer does not fit the colour mode or the scene.
     #[error(transparent)]
     Observation(#[from] ObservationError),
+    /// A program of the scene cannot be used.
+    #[error(transparent)]
+    Program(#[from] Box<ProgramError>),
     /// A number of the scene is unusable.
     #[error("{what}")]
     Scene {

@@ -7,7 +7,7 @@ use glanz_scene::{Light, LightKind, Material, Scene, White};
 
 use super::build::bvh::{bvh, is_opaque};
 use super::build::geometry::objects::{add_objects, move_object, needs_tangents};
-use super::build::{check, lights, textures};
+use super::build::{check, lights, programs, textures};
 use super::color::fill::{fill_material, fill_table};
 use super::data::{Prepared, PreparedObject};
 use super::options::{PrepareError, PrepareOptions};
@@ -43,6 +43,7 @@ impl Prepared {
             Change::Colors => self.with_textures(scene, casters_moved, |own, casters_moved| {
                 own.update_colors(scene, casters_moved)
             }),
+            Change::Programs => self.update_programs(scene),
             Change::Geometry => self.update_geometry(scene, casters_moved),
             Change::Textures => self.update_textures(scene, casters_moved),
             Change::All => {
@@ -121,6 +122,15 @@ impl Prepared {
             return Err(error);
         }
         *casters_moved |= was_opaque != is_opaque(&self.materials[number]);
+        Ok(())
+    }
+
+    /// Compiles what is new; where that fails, all programs stay what they were.
+    fn update_programs(&mut self, scene: &Scene) -> Result<(), PrepareError> {
+        self.programs = programs::programs(scene, &self.source.options.observation, &self.programs)?;
+        for (own, object) in self.objects.iter_mut().zip(&scene.objects) {
+            own.program = object.program.or(scene.program);
+        }
         Ok(())
     }
 

@@ -155,7 +155,8 @@ impl Shot {
     /// As [`Shot::frame`].
     pub fn frame_in_steps(&mut self, aovs: Aovs, step: Step) -> Result<Frame, ShotError> {
         let options = DrawOptions { aovs, ..self.sight.draw };
-        Ok(draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?)
+        let frame = draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?;
+        self.whole(frame)
     }
 
     /// The same into a frame that was drawn before, whose memory is used again; all that it held is replaced.
@@ -165,7 +166,16 @@ impl Shot {
     pub fn frame_into(&mut self, aovs: Aovs, frame: &mut Frame) -> Result<(), ShotError> {
         let options = DrawOptions { aovs, ..self.sight.draw };
         let (backend, prepared) = (&mut *self.backend, &self.prepared);
-        Ok(draw_observed_into(backend, prepared, &self.sight.view, &options, frame, &mut |_| ())?)
+        draw_observed_into(backend, prepared, &self.sight.view, &options, frame, &mut |_| ())?;
+        self.whole(())
+    }
+
+    /// What was drawn, if the programs of the scene came to their end.
+    fn whole<T>(&mut self, drawn: T) -> Result<T, ShotError> {
+        match self.backend.take_error() {
+            None => Ok(drawn),
+            Some(error) => Err(error.into()),
+        }
     }
 
     /// The picture as 8-bit sRGB, 4 bytes per pixel by rows from the top.
@@ -200,7 +210,7 @@ impl Shot {
         }
         let Sight { view, draw, develop, .. } = &self.sight;
         self.backend.draw_rgba8(&self.prepared, view, draw, develop, rgba)?;
-        Ok(())
+        self.whole(())
     }
 
     fn check_length(&self, found: usize) -> Result<(), ShotError> {

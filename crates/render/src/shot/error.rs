@@ -26,6 +26,9 @@ pub enum ShotError {
     /// A frame is not what its development is for.
     #[error(transparent)]
     Channels(#[from] ChannelError),
+    /// A program of the scene does not come to its end.
+    #[error(transparent)]
+    Run(#[from] glanz_shader::RunError),
     /// A buffer does not have 4 bytes for each pixel.
     #[error(
         "a picture of {width}×{height} pixels takes a buffer of {expected} bytes, 4 for each pixel, but it has {found}"

@@ -42,6 +42,10 @@ impl Sight {
             }
             (background, _) => background,
         };
+        for (c, channels) in self.draw.primaries.iter_mut().enumerate() {
+            let one = core::array::from_fn(|i| if i == c { 1.0 } else { 0.0 });
+            *channels = to_screen.as_ref().map_or(one, |to_screen| to_screen.channels_of(one));
+        }
         self.develop.to_screen = to_screen.as_ref().and_then(ToScreen::matrix);
         self.to_screen = to_screen;
     }

@@ -11,7 +11,8 @@ use glam::{DMat4, DVec3, DVec4};
 use glanz_scene::{Camera, Projection};
 use thiserror::Error;
 
-pub use options::{Aovs, DebugView, DrawOptions};
+pub(crate) mod program;
+pub use options::{Aovs, DebugView, DrawOptions, Moment};
 pub use samples::{Samples, SamplesError};
 
 /// The widest and highest picture, in pixels.

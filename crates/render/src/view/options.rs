@@ -48,7 +48,28 @@ pub struct DrawOptions {
     /// Normals between vertices are used with the length that interpolation leaves them, and not made unit vectors: a
     /// mistake for teaching ([`Mistake::UnnormalisedNormal`](glanz_scene::Mistake::UnnormalisedNormal)).
     pub raw_normals: bool,
+    /// What programs are told beside the scene.
+    pub moment: Moment,
+    /// The channels of linear red, green and blue of 1, of which programs' colours are made;
+    /// [`ShotOptions`](crate::ShotOptions) sees to it in every mode.
+    pub primaries: [[f32; 3]; 3],
 }
+
+/// When a picture is drawn, and where the pointer is: what programs may ask for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moment {
+    /// Seconds since the start.
+    pub time: f32,
+    /// Seconds since the picture before.
+    pub delta: f32,
+    /// Number of the picture.
+    pub frame: u32,
+    /// The pointer: x and y in pixels from the lower left, then where it was pressed; zeros without any.
+    pub mouse: [f32; 4],
+}
+
+/// Channels that are linear sRGB.
+const SRGB: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 impl DrawOptions {
     /// One sample, shaded, on this background.
@@ -60,6 +81,8 @@ impl DrawOptions {
             background,
             aovs: Aovs::default(),
             raw_normals: false,
+            moment: Moment::default(),
+            primaries: SRGB,
         }
     }
 }

@@ -110,6 +110,7 @@ pub(crate) fn add(scene: &mut Scene, mesh: Mesh, material: Material, transform: 
         transform,
         shading: None,
         interpolation: None,
+        program: None,
     });
     scene.meshes.push(mesh);
     scene.materials.push(material);

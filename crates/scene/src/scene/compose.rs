@@ -91,7 +91,7 @@ impl Object {
     /// A mesh and a material of the scene, by their numbers, without a name, where the mesh's own coordinates say.
     pub fn new(mesh: usize, material: usize) -> Self {
         let (name, transform) = (String::new(), DMat4::IDENTITY);
-        Self { name, mesh, material, transform, shading: None, interpolation: None }
+        Self { name, mesh, material, transform, shading: None, interpolation: None, program: None }
     }
 
     /// The same under a name.

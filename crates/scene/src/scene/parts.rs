@@ -4,7 +4,9 @@ use glam::DMat4;
 use glanz_color::Observer;
 use serde::{Deserialize, Serialize};
 
-use crate::{Bounds, Camera, Image, Interpolation, Light, Material, Mesh, RenderSettings, Shading, Texture};
+use crate::{
+    Bounds, Camera, Image, Interpolation, Light, Material, Mesh, Program, RenderSettings, Shading, Texture,
+};
 
 /// A mesh put into the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,6 +23,8 @@ pub struct Object {
     pub shading: Option<Shading>,
     /// If not the scene's.
     pub interpolation: Option<Interpolation>,
+    /// Index in `Scene::programs`, if not the scene's.
+    pub program: Option<usize>,
 }
 
 /// A scene: what there is, without caches.
@@ -36,6 +40,10 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// All objects.
     pub objects: Vec<Object>,
+    /// Shaders of the user's own.
+    pub programs: Vec<Program>,
+    /// Index in `programs`, of what draws all objects that have no program of their own.
+    pub program: Option<usize>,
     /// Where the eye is; `None` for a camera that shows everything.
     pub camera: Option<Camera>,
     /// The picture to be made.
@@ -59,6 +67,23 @@ impl Scene {
             }
         }
         bounds
+    }
+
+    /// The program that draws an object; none where its material does.
+    pub fn program_of(&self, object: usize) -> Option<&Program> {
+        let own = self.objects.get(object)?.program.or(self.program)?;
+        self.programs.get(own)
+    }
+
+    /// Lets a program draw all objects that have none of their own; in place of the one that did so before.
+    pub fn set_program(&mut self, program: Program) {
+        match self.program.and_then(|own| self.programs.get_mut(own)) {
+            Some(own) => *own = program,
+            None => {
+                self.programs.push(program);
+                self.program = Some(self.programs.len() - 1);
+            }
+        }
     }
 
     /// The scene's camera, or one that shows everything in a picture of this aspect ratio.

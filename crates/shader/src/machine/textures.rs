@@ -43,7 +43,7 @@ pub struct TextureQuery {
 }
 
 /// Textures that a shader looks into.
-pub trait Textures {
+pub trait Textures: Sync {
     /// The texels: red, green, blue, alpha of 16 fragments. They arrive filled with opaque black.
     fn sample(&self, query: &TextureQuery, texels: &mut [[f32; 16]; 4]);
 

@@ -7,7 +7,7 @@
 mod table;
 
 use crate::{Scalar, ValueType};
-use table::{ATTRIBUTES, UNIFORMS};
+use table::{ATTRIBUTES, UNIFORMS, VARYINGS};
 
 /// What a uniform or vertex input stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -81,6 +81,51 @@ pub enum Role {
     Resolution,
     /// Place of the pointer in pixels.
     Mouse,
+    /// How many lights there are.
+    LightCount,
+    /// The direction of a spot's axis, away from it.
+    SpotDirection,
+    /// The angle between a spot's axis and its rim, in degrees; 180 of what is no spot.
+    SpotCutoff,
+    /// The cosine of that angle.
+    SpotCosCutoff,
+    /// The exponent of the cosine with which a spot fades from its axis.
+    SpotExponent,
+    /// Fragment: the direction to the viewer, of any length.
+    ViewDirection,
+}
+
+/// What positions and directions are relative to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Space {
+    /// The object.
+    Object,
+    /// The world.
+    World,
+    /// The camera: right, up and backwards.
+    Eye,
+}
+
+impl Space {
+    /// The space that a name says: `LightPosition_worldspace`, `cameraSpaceLightPos`.
+    ///
+    /// ```
+    /// use glanz_shader::Space;
+    ///
+    /// assert_eq!(Space::of_name("modelSpaceLightPos"), Some(Space::Object));
+    /// assert_eq!(Space::of_name("vNormal"), None);
+    /// ```
+    pub fn of_name(name: &str) -> Option<Self> {
+        let name = name.replace('_', "").to_ascii_lowercase();
+        let says = |words: &[&str]| words.iter().any(|word| name.contains(word));
+        if says(&["modelspace", "objectspace"]) {
+            return Some(Self::Object);
+        }
+        if says(&["world"]) {
+            return Some(Self::World);
+        }
+        says(&["cameraspace", "viewspace", "eyespace", "eyecoord", "eyenorm", "eyeposition"]).then_some(Self::Eye)
+    }
 }
 
 /// What a type must be for a role.
@@ -114,7 +159,7 @@ fn plain(name: &str) -> String {
     for prefix in ["u_", "a_", "v_", "g_", "m_", "in_", "i_", "vertex_"] {
         name = name.strip_prefix(prefix).unwrap_or(name);
     }
-    for suffix in ["_modelspace", "_worldspace", "_cameraspace"] {
+    for suffix in ["_modelspace", "_worldspace", "_cameraspace", "_eyespace", "_viewspace"] {
         name = name.strip_suffix(suffix).unwrap_or(name);
     }
     name.chars().filter(|c| *c != '_').flat_map(char::to_lowercase).collect()
@@ -147,14 +192,28 @@ pub fn attribute_role(name: &str, ty: ValueType) -> Option<Role> {
 /// own: `light.ambient`, `material.ambient`; those of other blocks by their own.
 pub fn uniform_role(name: &str, ty: ValueType) -> Option<Role> {
     let Some((before, member)) = name.rsplit_once('.') else { return look_up(UNIFORMS, name, ty) };
-    let holder = plain(before.rsplit('.').next().unwrap_or(before));
-    let holder = holder.split('[').next().unwrap_or("");
+    let holders = || before.split('.').map(|holder| plain(holder.split('[').next().unwrap_or(holder)));
     for (word, table) in [("light", table::LIGHT), ("material", table::MATERIAL)] {
-        if holder.contains(word) || word == "material" && holder == "mat" {
+        if holders().any(|holder| holder.contains(word) || word == "material" && holder == "mat") {
             return look_up(table, member, ty);
         }
     }
     look_up(UNIFORMS, member, ty)
+}
+
+/// What the input of this name and type of a fragment shader stands for, where no vertex shader says it.
+///
+/// ```
+/// use glanz_shader::{Role, Scalar, ValueType, varying_role};
+///
+/// let vec3 = ValueType { scalar: Scalar::Float, columns: 1, rows: 3 };
+/// assert_eq!(varying_role("FragPos", vec3), Some(Role::Position));
+/// assert_eq!(varying_role("fs_in.Normal", vec3), Some(Role::Normal));
+/// assert_eq!(varying_role("height", vec3), None);
+/// ```
+pub fn varying_role(name: &str, ty: ValueType) -> Option<Role> {
+    let last = name.rsplit('.').next().unwrap_or(name);
+    look_up(VARYINGS, last, ty)
 }
 
 #[cfg(test)]

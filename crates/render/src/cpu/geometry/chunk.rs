@@ -22,4 +22,6 @@ pub(crate) struct Local {
     pub at: [[i32; 2]; 256],
     /// One bit for each, sixteen to a row.
     pub outside: [u16; 16],
+    /// Places in clip space, where a program says where vertices are.
+    pub clip: Vec<[f32; 4]>,
 }

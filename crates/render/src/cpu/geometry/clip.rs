@@ -11,7 +11,7 @@ use crate::view::samples::SUBPIXEL;
 pub(crate) const EXTRA: u32 = 1 << 31;
 
 /// A little outside the guard band of the vertex pass, so that only corners that it marked are cut.
-const OUTER_GUARD: f64 = GUARD as f64 * 1.01;
+pub(crate) const OUTER_GUARD: f64 = GUARD as f64 * 1.01;
 
 /// A triangle that clipping made of a part of another.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +147,7 @@ fn project(frame: &FrameView, corner: &ClipVertex) -> Screen {
 }
 
 /// The first and last pixel whose samples the triangle may cover, if any.
-fn pixels(frame: &FrameView, screen: &[Screen; 3]) -> Option<([i32; 2], [i32; 2])> {
+pub(crate) fn pixels(frame: &FrameView, screen: &[Screen; 3]) -> Option<([i32; 2], [i32; 2])> {
     let size = [frame.camera.width as i32, frame.camera.height as i32];
     let (mut first, mut last) = ([0; 2], [0; 2]);
     for axis in 0..2 {

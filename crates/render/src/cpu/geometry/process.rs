@@ -3,9 +3,11 @@
 use crate::cpu::frame::{FrameView, ObjectView};
 
 use crate::cpu::geometry::chunk::{ChunkOutput, Local};
+use crate::cpu::geometry::clip;
 use crate::cpu::geometry::screen::{GUARD, Screen};
 use crate::cpu::geometry::sort::sort;
-use crate::cpu::shading::gouraud::{self, VertexLight};
+use crate::cpu::program;
+use crate::cpu::shading::gouraud::{self, Made};
 use crate::prepare::Cluster;
 use crate::view::camera::ViewCamera;
 use crate::view::samples::SUBPIXEL;
@@ -21,13 +23,13 @@ pub(crate) fn process<S: Simd>(
     frame: &FrameView,
     range: core::ops::Range<usize>,
     screen: &mut [Screen],
-    mut lit: VertexLight,
+    mut lit: Made,
     output: &mut ChunkOutput,
 ) {
     let geometry = &frame.prepared.geometry;
     let Some(first) = geometry.clusters.get(range.start) else { return };
     let base = first.first_vertex as usize;
-    let mut local = Local { at: [[0; 2]; 256], outside: [0; 16] };
+    let mut local = Local { at: [[0; 2]; 256], outside: [0; 16], clip: Vec::new() };
     for number in range {
         let cluster = &geometry.clusters[number];
         let object = &frame.objects[cluster.object as usize];
@@ -37,7 +39,10 @@ pub(crate) fn process<S: Simd>(
         let start = cluster.first_vertex as usize - base;
         let count = (cluster.vertices as usize).next_multiple_of(16);
         let own = &mut screen[start..start + count];
-        let clipped = project(simd, frame, cluster, object, own, &mut local);
+        let clipped = match object.program {
+            true => project_by_program(simd, frame, cluster, object, (own, &mut *lit.varyings, start), &mut local),
+            false => project(simd, frame, cluster, object, own, &mut local),
+        };
         if object.shading == glanz_scene::Shading::Gouraud {
             gouraud::shade(simd, frame, cluster, lit.part(start..start + count));
         }
@@ -45,8 +50,63 @@ pub(crate) fn process<S: Simd>(
     }
 }
 
+/// Runs the program's vertex shader; returns whether any vertex needs clipping.
+#[inline(never)]
+fn project_by_program<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    cluster: &Cluster,
+    object: &ObjectView,
+    (screen, varyings, start): (&mut [Screen], &mut [f32], usize),
+    local: &mut Local,
+) -> bool {
+    let Some(programs) = frame.programs else { return false };
+    let stride = programs.all.stride;
+    let own = &mut varyings[start * stride..(start + screen.len()) * stride];
+    program::run_vertices(frame, cluster, own);
+    match object.placed_by_program {
+        true => place_clip(frame, &programs.all.depth_of_ndc, own, stride, screen, local),
+        false => simd.vectorize(
+            #[inline(always)]
+            || project(simd, frame, cluster, object, screen, local),
+        ),
+    }
+}
+
+/// Puts vertices where their places in clip space say; returns whether any needs clipping.
+fn place_clip(
+    frame: &FrameView,
+    [factor, summand]: &[f32; 2],
+    varyings: &[f32],
+    stride: usize,
+    screen: &mut [Screen],
+    local: &mut Local,
+) -> bool {
+    local.outside = [0; 16];
+    local.clip.clear();
+    let [half_width, half_height] = frame.camera.center;
+    let mut clipped = false;
+    for (vertex, (out, varyings)) in screen.iter_mut().zip(varyings.chunks(stride)).enumerate() {
+        let [x, y, z, w] = [varyings[0], varyings[1], varyings[2], varyings[3]];
+        local.clip.push([x, y, z, w]);
+        let inverse = 1.0 / w;
+        let at = [half_width + x * inverse * half_width, half_height - y * inverse * half_height];
+        let inside = w > 0.0 && z.abs() <= w && at.iter().all(|at| at.abs() < GUARD);
+        clipped |= !inside;
+        local.outside[vertex / 16] |= u16::from(!inside) << (vertex % 16);
+        let [x, y] = if inside { at } else { [0.0; 2] };
+        *out = [x, y, if inside { z * inverse * factor + summand } else { f32::NAN }, 0.0];
+        local.at[vertex] = [clip::fixed(x), clip::fixed(y)];
+    }
+    clipped
+}
+
 /// Whether nothing of the cluster can be seen: it lies outside the view, or turns its back.
 fn is_culled(cluster: &Cluster, object: &ObjectView, frame: &FrameView) -> bool {
+    // Only a program knows where its vertices are.
+    if object.placed_by_program {
+        return false;
+    }
     let camera = &frame.camera;
     let dot = |a: &[f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let x = dot(&camera.right, cluster.center) + object.anchor[0];

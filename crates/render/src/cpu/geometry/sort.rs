@@ -9,6 +9,7 @@ use crate::cpu::geometry::chunk::{ChunkOutput, Local};
 use crate::cpu::geometry::clip;
 use crate::cpu::geometry::micro_triangles::{MicroTriangles, TINY};
 use crate::cpu::geometry::screen::{SMALL, Screen, sample_range};
+use crate::cpu::program::{self, ProgramClip};
 use crate::prepare::Geometry;
 use crate::view::objects::Pass;
 use crate::view::samples::SUBPIXEL;
@@ -83,7 +84,15 @@ pub(crate) fn sort<S: Simd>(
         while outside != 0 {
             let lane = outside.trailing_zeros();
             outside &= outside - 1;
-            clip::clip(frame, first_name + lane, screen, bins, clipped_triangles);
+            let name = first_name + lane;
+            match object.placed_by_program {
+                true => {
+                    let depth_of_ndc = frame.programs.map_or([0.0; 2], |own| own.all.depth_of_ndc);
+                    let place = ProgramClip { screen, clip: &local.clip, depth_of_ndc };
+                    program::clip(frame, name, place, bins, clipped_triangles);
+                }
+                false => clip::clip(frame, name, screen, bins, clipped_triangles),
+            }
         }
     }
 }

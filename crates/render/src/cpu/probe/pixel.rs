@@ -27,7 +27,7 @@ pub(crate) fn probe(
     let drawn = renderer.middle(prepared, view, &options, draw);
     let index = pixel.1 as usize * drawn.width + pixel.0 as usize;
     let middle = drawn.rgb.each_ref().map(|plane| plane[index]);
-    let frame = FrameView::new(prepared, view, &options).with_rims_of(draw);
+    let frame = FrameView::new(prepared, view, &options, None).with_rims_of(draw);
     // The nearest surface, also one that lets through what is behind it.
     let nearest = renderer.record(prepared, view, &options, Record::Opacity);
     let object = (nearest.object[index] as usize).checked_sub(1);

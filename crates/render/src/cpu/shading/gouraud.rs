@@ -14,25 +14,27 @@ use glanz_math::{Lanes, Real, Vec3};
 /// The light of a vertex on a front and on a back face, each as what textures multiply and what not.
 pub(crate) type Lit = [[[f32; 3]; 2]; 2];
 
-/// The light of vertices, and of those whose texels mix spectra the light through the second and third
+/// What the first pass makes of vertices beside their places: their light, and of those whose texels mix spectra the light through the second and third
 /// spectrum in place of textured and plain; empty where no object has such.
-pub(crate) struct VertexLight<'a> {
+pub(crate) struct Made<'a> {
     pub lit: &'a mut [Lit],
     pub mix: &'a mut [Lit],
+    /// What programs make of them; empty where there are none.
+    pub varyings: &'a mut [f32],
 }
 
-impl VertexLight<'_> {
+impl Made<'_> {
     /// The part of some vertices.
-    pub(crate) fn part(&mut self, range: core::ops::Range<usize>) -> VertexLight<'_> {
+    pub(crate) fn part(&mut self, range: core::ops::Range<usize>) -> Made<'_> {
         let mix = if self.mix.is_empty() { &mut [] } else { &mut self.mix[range.clone()] };
-        VertexLight { lit: &mut self.lit[range], mix }
+        Made { lit: &mut self.lit[range], mix, varyings: &mut [] }
     }
 }
 
 /// Evaluates the illumination model at a cluster's vertices.
 #[inline(always)]
-pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vertices: VertexLight) {
-    let VertexLight { lit, mix } = vertices;
+pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vertices: Made) {
+    let Made { lit, mix, .. } = vertices;
     let geometry = &frame.prepared.geometry;
     let object = &frame.prepared.objects[cluster.object as usize];
     let view = &frame.objects[cluster.object as usize];

@@ -10,6 +10,7 @@ use crate::cpu::lighting::point::{Reflected, ShadingPoint, mixed};
 use crate::cpu::lighting::reflect::reflect_lanes;
 use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::probe;
+use crate::cpu::program;
 use crate::cpu::shading::shade_block::{Place, ShadeBlock, Shaded};
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetups};
 use crate::cpu::shading::{debug_view, texturing};
@@ -40,6 +41,11 @@ pub(crate) fn shade<S: Simd>(
         }
         let (own, others) = rest.split_at(count);
         let object = &frame.objects[number as usize];
+        if object.program {
+            shade_by_program(simd, frame, setups, own, [px, py], out);
+            rest = others;
+            continue;
+        }
         let shade_block = ShadeBlock { simd, frame, setups, object, runs: own, px, py };
         if count == runs.len() {
             shade_block.shade_outlined(out);
@@ -51,6 +57,28 @@ pub(crate) fn shade<S: Simd>(
         out.merge(&one, LanesMask::from_bits(simd, bits));
         rest = others;
     }
+}
+
+/// Runs the program of the runs' object for one triangle after the other.
+#[inline(never)]
+fn shade_by_program<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    runs: &[Run],
+    place: [Lanes<S>; 2],
+    out: &mut Shaded<S>,
+) {
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            for run in runs {
+                let mut one = Shaded::nothing(simd);
+                program::shade(simd, frame, setups, run, place, &mut one);
+                out.merge(&one, LanesMask::from_bits(simd, run.bits));
+            }
+        },
+    );
 }
 
 impl<S: Simd> ShadeBlock<'_, S> {

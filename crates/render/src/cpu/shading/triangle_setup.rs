@@ -30,6 +30,8 @@ pub(crate) struct Projected<'a> {
     /// Of objects whose texels mix spectra: light through the second and the third, in place of textured
     /// and plain.
     pub lit_mix: &'a [Lit],
+    /// What programs make of vertices, in rows of the frame's stride.
+    pub varyings: &'a [f32],
     pub chunks: &'a [ChunkOutput],
 }
 
@@ -100,9 +102,52 @@ impl TriangleSetups {
             back,
         };
         self.floats.extend_from_slice(&position);
-        self.add_attributes(frame, projected, &setup, &corners);
+        match frame.objects[setup.object as usize].program {
+            true => self.add_varyings(frame, projected, &setup, &corners, triangle),
+            false => self.add_attributes(frame, projected, &setup, &corners),
+        }
         self.list.push(setup);
         self.list.len() as u32 - 1
+    }
+
+    /// Appends what a program gives its fragments: first 1/w, then three numbers a group.
+    fn add_varyings(
+        &mut self,
+        frame: &FrameView,
+        projected: &Projected,
+        setup: &TriangleSetup,
+        corners: &Corners,
+        triangle: &Triangle,
+    ) {
+        let object = setup.object as usize;
+        let Some((programs, program)) = frame.programs.and_then(|all| Some((all, all.all.of(object)?))) else {
+            return;
+        };
+        let stride = programs.all.stride;
+        let float = |v: usize, number: usize| projected.varyings.get(v * stride + number).copied().unwrap_or(0.0);
+        let inverse_w = match program.places_vertices() {
+            true => {
+                let at = corners.vertices.map(|v| float(v, 3));
+                let whole = |weights: [f32; 3]| (0..3).map(|i| weights[i] * at[i]).sum::<f32>();
+                corners.weights.map_or(at, |weights| weights.map(whole)).map(|w| 1.0 / w)
+            }
+            false if frame.camera.perspective => triangle.screen.map(|[_, _, depth, _]| depth),
+            false => [1.0; 3],
+        };
+        self.floats.extend_from_slice(&differences(&inverse_w.map(|own| [own, 0.0, 0.0])));
+        let numbers: Vec<_> = program.numbers().collect();
+        for three in numbers.chunks(3) {
+            let start = self.floats.len();
+            let at = |v: usize| core::array::from_fn(|c| three.get(c).map_or(0.0, |(own, _)| float(v, *own)));
+            self.group(corners, at);
+            let last: [f32; 3] = at(corners.vertices[2]);
+            for (c, (_, how)) in three.iter().enumerate() {
+                if *how == glanz_shader::Interpolation::Flat {
+                    // The last vertex decides, as in OpenGL.
+                    self.floats[start + c] = last[c];
+                }
+            }
+        }
     }
 
     fn add_attributes(

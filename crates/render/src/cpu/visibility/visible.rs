@@ -10,6 +10,7 @@ use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::TILE_PIXELS;
 use crate::cpu::geometry::clip::EXTRA;
 use crate::cpu::geometry::micro_triangles::MicroSample;
+use crate::cpu::program;
 use crate::cpu::shading::shade;
 use crate::cpu::shading::shade_block::Shaded;
 use crate::cpu::shading::triangle_setup::{Projected, TriangleSetups};
@@ -335,6 +336,10 @@ fn opaque_enough<S: Simd>(
     place: usize,
 ) -> u32 {
     let object = &frame.objects[setups.list[setup as usize].object as usize];
+    if object.program {
+        let at = block::coordinates(simd, grid, place, [0.5, 0.5]);
+        return program::passes(simd, frame, setups, setup, at);
+    }
     let AlphaMode::Mask { cutoff } = frame.materials[object.material].alpha_mode else { return u32::MAX };
     simd.vectorize(
         #[inline(always)]

@@ -6,6 +6,7 @@ pub(crate) mod geometry;
 pub(crate) mod integrals;
 pub(crate) mod lights;
 pub(crate) mod materials;
+pub(crate) mod programs;
 
 use std::sync::Arc;
 
@@ -32,6 +33,7 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
     let mut prepared = Prepared {
         textures: textures(scene),
         lights: lights::prepare(&scene.lights)?,
+        programs: programs::programs(scene, &options.observation, &[])?,
         source,
         ..Prepared::default()
     };

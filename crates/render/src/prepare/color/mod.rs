@@ -1,6 +1,7 @@
 //! The tint table: the only place where wavelengths are.
 
 pub(crate) mod fill;
+pub(crate) mod in_rgb;
 pub(crate) mod interfaces;
 pub(crate) mod observation;
 pub(crate) mod quadrature;

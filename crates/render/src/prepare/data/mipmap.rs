@@ -73,6 +73,16 @@ impl Mipmap {
         mix(fine, coarse, level - lower)
     }
 
+    /// A texel without any filter; black beyond the level.
+    pub(crate) fn fetch(&self, level: usize, [x, y]: [i32; 2]) -> [f32; 4] {
+        let level = &self.levels[level];
+        let inside = |at: i32, size: usize| usize::try_from(at).is_ok_and(|at| at < size);
+        match inside(x, level.width) && inside(y, level.height) {
+            true => self.texel(level, x.into(), y.into()),
+            false => [0.0; 4],
+        }
+    }
+
     fn bilinear(&self, level: &MipLevel, uv: [f32; 2]) -> [f32; 4] {
         let x = uv[0] * level.width as f32 - 0.5;
         let y = uv[1] * level.height as f32 - 0.5;

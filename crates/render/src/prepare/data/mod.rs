@@ -36,6 +36,7 @@ pub(crate) mod ltc;
 pub(crate) mod materials;
 pub(crate) mod mipmap;
 pub(crate) mod objects;
+pub(crate) mod program;
 pub mod pack;
 pub(crate) mod tint_coordinate;
 
@@ -55,6 +56,7 @@ pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use mipmap::{MipLevel, Mipmap};
 pub use objects::{Attributes, Facets, Polygons, PreparedObject};
+pub use program::PreparedProgram;
 pub use pack::{NO_RECORD, Packed, Pool, Section, Span};
 pub use tint_coordinate::TintCoordinate;
 
@@ -76,6 +78,8 @@ pub struct Prepared {
     pub lights: Vec<PreparedLight>,
     /// Decoded, mipmapped textures.
     pub textures: Vec<Arc<Mipmap>>,
+    /// Shaders of the user's own, in the order of the scene's.
+    pub programs: Vec<Arc<PreparedProgram>>,
     /// The number of facets of all objects.
     pub facet_count: u32,
     /// What each of the three spectra of the first environment gives in the channels, seen directly.

@@ -24,6 +24,10 @@ pub struct PreparedObject {
     pub shading: Shading,
     /// How values between vertices are found.
     pub interpolation: Interpolation,
+    /// Index in [`Prepared::programs`](super::Prepared::programs) of what draws it in place of its material.
+    pub program: Option<usize>,
+    /// From the mesh to the world, column by column.
+    pub placement: [[f64; 4]; 4],
     /// The point of the world that vertex positions are relative to.
     pub anchor: [f64; 3],
     /// Corners of the box around the vertices, relative to the anchor.

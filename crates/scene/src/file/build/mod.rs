@@ -8,6 +8,7 @@ mod files;
 mod geometry;
 mod lights;
 mod media;
+mod program;
 mod remarks;
 mod scene;
 mod spectra;

@@ -27,6 +27,7 @@ impl Builder {
             self.names.materials.insert(name.clone(), self.scene.materials.len());
             self.scene.materials.push(built);
         }
+        self.scene.program = table.program.as_ref().map(|program| self.program(program)).transpose()?;
         for object in &table.objects {
             self.object(object)?;
         }

@@ -8,6 +8,7 @@ pub(crate) mod geometry;
 pub(crate) mod lights;
 pub(crate) mod media;
 pub(crate) mod profile;
+pub(crate) mod program;
 pub(crate) mod sampled;
 pub(crate) mod scene;
 pub(crate) mod settings;

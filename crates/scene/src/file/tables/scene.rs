@@ -12,6 +12,7 @@ use super::colors::{ColorValue, SpectrumValue};
 use super::geometry::meshes::MeshTable;
 use super::geometry::objects::ObjectTable;
 use super::lights::LightTable;
+use super::program::ProgramTable;
 use super::settings::{ImageTable, RenderTable};
 use super::table;
 use super::values::{Amount, At};
@@ -47,6 +48,9 @@ pub(crate) struct SceneTable {
     /// The materials, by name.
     #[serde(deserialize_with = "table::placed_map")]
     pub materials: BTreeMap<String, At<MaterialTable>>,
+    /// Shaders that draw all objects that have none of their own, in place of their materials.
+    #[serde(default, deserialize_with = "table::optional")]
+    pub program: Option<At<ProgramTable>>,
     /// The objects.
     #[serde(deserialize_with = "table::placed_list")]
     pub objects: Vec<At<ObjectTable>>,

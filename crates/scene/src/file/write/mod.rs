@@ -14,6 +14,7 @@ mod material;
 mod mesh;
 mod names;
 mod object;
+mod program;
 mod settings;
 mod side_files;
 mod text;
@@ -24,7 +25,7 @@ use glanz_picture::output::{OutputError, write_atomically};
 use thiserror::Error;
 
 use super::{FileError, check_text};
-use crate::{MeshError, Scene};
+use crate::{MeshError, Scene, UniformValue};
 use names::Names;
 use side_files::SideFiles;
 use text::Document;
@@ -100,6 +101,10 @@ pub fn write(scene: &Scene, folder: &str) -> Result<Written, WriteError> {
     let mut document = Document::default();
     let mut files = SideFiles::new(folder);
     let names = Names::of(scene);
+    let programs: Vec<_> = scene.programs.iter().map(|own| program::value(own, &names, &mut files)).collect();
+    if let Some(own) = scene.program {
+        document.line(&format!("program = {}", programs[own]));
+    }
     settings::write(scene, &mut document);
     for light in &scene.lights {
         light::write(light, &mut document, &mut files)?;
@@ -114,7 +119,7 @@ pub fn write(scene: &Scene, folder: &str) -> Result<Written, WriteError> {
         material::write(material, key, &names, &mut document)?;
     }
     for object in &scene.objects {
-        object::write(object, &names, &mut document);
+        object::write(object, &names, &programs, &mut document);
     }
     let text = document.finish();
     check_text(&text).map_err(WriteError::Range)?;
@@ -132,15 +137,19 @@ pub fn save(path: &Path, scene: &Scene) -> Result<(), WriteError> {
     let folder = format!("{}-data", stem.chars().map(plain).collect::<String>());
     let written = write(scene, &folder)?;
     let base = path.parent().unwrap_or(Path::new(""));
-    if !written.files.is_empty() {
-        let folder = base.join(folder);
-        std::fs::create_dir_all(&folder)
-            .map_err(|source| WriteError::Folder { path: folder.display().to_string(), source })?;
-    }
     for (name, bytes) in &written.files {
-        put(&base.join(name), bytes)?;
+        let path = base.join(name);
+        if let Some(folder) = path.parent() {
+            make_folder(folder)?;
+        }
+        put(&path, bytes)?;
     }
     put(path, written.text.as_bytes())
+}
+
+fn make_folder(folder: &Path) -> Result<(), WriteError> {
+    std::fs::create_dir_all(folder)
+        .map_err(|source| WriteError::Folder { path: folder.display().to_string(), source })
 }
 
 fn put(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
@@ -168,6 +177,15 @@ fn check(scene: &Scene) -> Result<(), WriteError> {
         for map in maps.into_iter().flatten() {
             within("texture", map.texture, scene.textures.len())?;
         }
+    }
+    let textures = scene.programs.iter().flat_map(|program| program.uniforms.values());
+    for value in textures {
+        if let UniformValue::Texture(texture) = value {
+            within("texture", *texture, scene.textures.len())?;
+        }
+    }
+    for program in scene.objects.iter().map(|object| object.program).chain([scene.program]).flatten() {
+        within("program", program, scene.programs.len())?;
     }
     for object in &scene.objects {
         within("mesh", object.mesh, scene.meshes.len())?;

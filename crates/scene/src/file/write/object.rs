@@ -7,8 +7,8 @@ use super::names::Names;
 use super::text::{Document, Table, list, number, numbers, string, vector};
 use crate::Object;
 
-/// Adds one of `[[objects]]`.
-pub(super) fn write(object: &Object, names: &Names, document: &mut Document) {
+/// Adds one of `[[objects]]`; `programs` are the values of the scene's.
+pub(super) fn write(object: &Object, names: &Names, programs: &[String], document: &mut Document) {
     let mut table = Table::default();
     table.put_unless(object.name.is_empty(), "name", string(&object.name));
     let (mesh, has_colors) = of_object(&names.meshes[object.mesh]);
@@ -21,6 +21,9 @@ pub(super) fn write(object: &Object, names: &Names, document: &mut Document) {
     }
     if let Some(interpolation) = object.interpolation {
         table.put("interpolation", string(interpolation.name()));
+    }
+    if let Some(program) = object.program {
+        table.put("program", programs[program].clone());
     }
     document.section("[[objects]]", &table, false);
 }

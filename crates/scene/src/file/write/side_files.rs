@@ -32,6 +32,25 @@ impl SideFiles {
         name
     }
 
+    /// Adds files under names of their own in a folder of their own, and tells where the first is.
+    pub(super) fn add_folder(&mut self, what: &str, named: &[(&str, &[u8])]) -> String {
+        let mut hash = Hash::new();
+        for (name, bytes) in named {
+            hash.bytes(name.as_bytes());
+            hash.bytes(bytes);
+        }
+        let before = if self.folder.is_empty() { String::new() } else { format!("{}/", self.folder) };
+        let folder = format!("{before}{what}-{:016x}", hash.finish());
+        for (name, bytes) in named {
+            let name = format!("{folder}/{name}");
+            if !self.files.iter().any(|(known, _)| *known == name) {
+                self.files.push((name, bytes.to_vec()));
+            }
+        }
+        let first = named.first().map_or("", |(name, _)| name);
+        format!("{folder}/{first}")
+    }
+
     /// All files.
     pub(super) fn finish(self) -> Vec<(String, Vec<u8>)> {
         self.files

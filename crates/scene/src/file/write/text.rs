@@ -127,6 +127,12 @@ pub(super) fn inline<const N: usize>(pairs: [(&str, String); N]) -> String {
 pub(super) struct Document(String);
 
 impl Document {
+    /// Adds a key before all tables.
+    pub(super) fn line(&mut self, line: &str) {
+        self.0.push_str(line);
+        self.0.push('\n');
+    }
+
     /// Adds a table under a header such as `[image]`; an empty one is left out if it may be.
     pub(super) fn section(&mut self, header: &str, table: &Table, optional: bool) {
         if optional && table.0.is_empty() {

@@ -129,6 +129,7 @@ mod tests {
                 transform: DMat4::from_translation(DVec3::Y),
                 shading: None,
                 interpolation: None,
+                program: None,
             }],
             lights: vec![Light::new(kind, LightColors::direct(Rgb::gray(1.0)))],
             ..Model::default()

@@ -46,6 +46,7 @@ pub(super) fn read(
         transform: DMat4::IDENTITY,
         shading: None,
         interpolation: None,
+        program: None,
     });
     Ok(Model {
         objects: objects.collect(),

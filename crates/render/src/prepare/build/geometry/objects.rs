@@ -37,6 +37,8 @@ fn add_object(prepared: &mut Prepared, scene: &Scene, object: &Object) -> Result
         material: object.material,
         shading,
         interpolation,
+        program: object.program.or(scene.program),
+        placement: object.transform.to_cols_array_2d(),
         anchor: placed.anchor.to_array(),
         bounds: placed.bounds.map(|corner| corner.to_array()),
         closed: is_closed(&mesh, &placed),
@@ -86,6 +88,8 @@ pub(crate) fn move_object(
         bound(geometry, &mut cluster_data);
         geometry.clusters[cluster] = cluster_data;
     }
+    own.placement = object.transform.to_cols_array_2d();
+    own.program = object.program.or(scene.program);
     own.anchor = placed.anchor.to_array();
     own.bounds = placed.bounds.map(|corner| corner.to_array());
     // Whether a mesh is closed does not depend on where it is, unless it is flattened.

@@ -83,6 +83,15 @@ impl Builder {
         })
     }
 
+    /// The number of a texture by its name among the scene's, or else by its file.
+    pub(in crate::file::build) fn picture(&mut self, name: &str, span: &Range<usize>) -> Result<usize, Problem> {
+        if let Some(texture) = self.names.textures.get(name) {
+            return Ok(*texture);
+        }
+        let (wrap, filter) = ([Wrap::default(); 2], TextureFilter::default());
+        self.texture_of_file(&TextureSource { file: name, wrap, filter, srgb: true }, span)
+    }
+
     /// The number of the texture of a file, read once.
     fn texture_of_file(&mut self, source: &TextureSource, span: &Range<usize>) -> Result<usize, Problem> {
         let key = format!("{source:?}");

@@ -53,6 +53,7 @@ impl Builder {
     pub(in crate::file::build) fn object(&mut self, object: &At<ObjectTable>) -> Result<(), Problem> {
         let transform = object.place().transform()?;
         let material = self.material_index(object)?;
+        let program = object.program.as_ref().map(|program| self.program(program)).transpose()?;
         let recipe = self.recipe(object)?;
         let key = format!("{recipe:?}");
         let parts = match self.made.parts.get(&key) {
@@ -85,6 +86,7 @@ impl Builder {
                 transform: transform * part.transform,
                 shading: object.shading,
                 interpolation: object.interpolation,
+                program,
             });
         }
         Ok(())

@@ -48,6 +48,9 @@ pub(crate) struct ObjectTable {
     /// vertex, "mesh" for those of the mesh, or "none". By default those of the mesh, but none on a
     /// built-in mesh that is given a material.
     pub colors: Option<At<ColorsValue>>,
+    /// Shaders that draw it in place of its material.
+    #[serde(default, deserialize_with = "crate::file::tables::table::optional")]
+    pub program: Option<At<crate::file::tables::program::ProgramTable>>,
     /// Whether the lights of a glTF file come along; they do not by default.
     pub lights: Option<At<bool>>,
 }

@@ -136,6 +136,7 @@ impl Visit<'_> {
             transform: self.transform,
             shading: None,
             interpolation: None,
+            program: None,
         }));
         Ok(())
     }

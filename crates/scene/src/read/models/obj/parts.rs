@@ -156,6 +156,7 @@ impl Parts {
                 transform: DMat4::IDENTITY,
                 shading: None,
                 interpolation: None,
+                program: None,
             });
             meshes.push(mesh);
         }

@@ -50,6 +50,7 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
         transform: DMat4::IDENTITY,
         shading: None,
         interpolation: None,
+        program: None,
     };
     if mesh.corners.is_empty() {
         context.notes.add("the file holds no faces: nothing can be drawn");

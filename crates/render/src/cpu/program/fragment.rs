@@ -1,0 +1,194 @@
+//! The fragment stage: a block of pixels of one triangle.
+
+use fearless_simd::Simd;
+use glanz_math::{Lanes, Real, Vec3};
+use glanz_scene::AlphaMode;
+use glanz_shader::{Interpolation, Machine, Port, Row, Stage};
+
+use super::ObjectProgram;
+use crate::cpu::frame::FrameView;
+use crate::cpu::shading::shade_block::Shaded;
+use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetup, TriangleSetups};
+use crate::cpu::visibility::coverage_layers::Run;
+
+/// Where sixteen pixels are on a triangle's plane.
+struct Spot<S: Simd> {
+    px: Lanes<S>,
+    py: Lanes<S>,
+    /// Barycentric coordinates on the screen, beyond the triangle too.
+    screen: [Lanes<S>; 2],
+    /// The same on the surface.
+    surface: [Lanes<S>; 2],
+    /// 1/w.
+    inverse_w: Lanes<S>,
+    /// The depth of the tiles.
+    depth: Lanes<S>,
+}
+
+/// Runs an object's fragment shader for the pixels of a block and one of its triangles.
+pub(crate) fn shade<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    run: &Run,
+    [px, py]: [Lanes<S>; 2],
+    out: &mut Shaded<S>,
+) {
+    let setup = &setups.list[run.setup as usize];
+    let object = setup.object as usize;
+    let Some((programs, program)) = frame.programs.and_then(|all| Some((all, all.all.of(object)?))) else {
+        return;
+    };
+    let at = Spot::new(simd, setups, run, [px, py]);
+    programs.machines.with(object, Stage::Fragment, &mut |machine| {
+        fill(machine, simd, frame, setups, run, program, &at);
+        programs.run(machine);
+        *out = taken(machine, simd, frame, program, setup, &at);
+    });
+}
+
+/// At which pixels of a block a triangle's fragments are not discarded.
+pub(crate) fn passes<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    setup: u32,
+    place: [Lanes<S>; 2],
+) -> u32 {
+    let mut shaded = Shaded::nothing(simd);
+    shade(simd, frame, setups, &Run { setup, bits: 0xffff }, place, &mut shaded);
+    Lanes::splat(simd, 0.0).le(shaded.alpha).bits()
+}
+
+impl<S: Simd> Spot<S> {
+    fn new(simd: S, setups: &TriangleSetups, run: &Run, [px, py]: [Lanes<S>; 2]) -> Self {
+        let splat = |value: f32| Lanes::splat(simd, value);
+        let [x0, y0, ux, uy, vx, vy, q0, dq1, dq2] = setups.row(run, 0).map(splat);
+        let (dx, dy) = (px - x0, py - y0);
+        let (u, v) = (dx * ux + dy * uy, dx * vx + dy * vy);
+        let [w0, .., w1, _, _, w2, _, _] = setups.row(run, 1).map(splat);
+        let inverse_w = w0 + u * w1 + v * w2;
+        let w = inverse_w.one() / inverse_w;
+        Self {
+            px,
+            py,
+            screen: [u, v],
+            surface: [u * (w0 + w1) * w, v * (w0 + w2) * w],
+            inverse_w,
+            depth: q0 + u * dq1 + v * dq2,
+        }
+    }
+
+    /// A number of the vertices at the pixels: its value at the first, and the differences of the others from it.
+    fn interpolated(&self, [first, second, third]: [f32; 3], how: Interpolation) -> Lanes<S> {
+        let splat = |value: f32| self.px.lit(f64::from(value));
+        let [u, v] = if how == Interpolation::Linear { self.screen } else { self.surface };
+        splat(first) + u * splat(second) + v * splat(third)
+    }
+}
+
+fn row_of<S: Simd>(lanes: Lanes<S>) -> Row {
+    let mut row = Row::splat(0.0);
+    lanes.store(&mut row.0);
+    row
+}
+
+/// Gives the machine sixteen fragments.
+fn fill<S: Simd>(
+    machine: &mut Machine<'_, 1>,
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    run: &Run,
+    program: &ObjectProgram,
+    at: &Spot<S>,
+) {
+    let mut numbers = program.numbers().enumerate();
+    for varying in &program.pair.varyings {
+        for component in 0..varying.components {
+            let Some((number, (_, how))) = numbers.next() else { return };
+            // Groups of three: the first has 1/w.
+            let row: &[f32; GROUP] = setups.row(run, 2 + number / 3);
+            let c = number % 3;
+            let value = match how {
+                Interpolation::Flat => Row::splat(row[c]),
+                _ => row_of(at.interpolated([row[c], row[3 + c], row[6 + c]], how)),
+            };
+            machine.input(varying.input, component)[0] = value;
+        }
+    }
+    let setup = &setups.list[run.setup as usize];
+    for (number, port) in program.pair.fragment.interface().inputs.iter().enumerate() {
+        let given = program.pair.varyings.iter().any(|varying| varying.input == number);
+        for component in (0..port.ty.scalars()).filter(|_| !given) {
+            machine.input(number, component)[0] = of_pipeline(simd, frame, setup, port, component, at);
+        }
+    }
+}
+
+/// What the pipeline itself gives a fragment.
+fn of_pipeline<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setup: &TriangleSetup,
+    port: &Port,
+    component: usize,
+    at: &Spot<S>,
+) -> Row {
+    match (port.name.as_str(), component) {
+        ("gl_FragCoord", 0) => row_of(at.px),
+        // From the lower edge up.
+        ("gl_FragCoord", 1) => row_of(Lanes::splat(simd, frame.camera.height as f32) - at.py),
+        ("gl_FragCoord", 2) => {
+            let [factor, summand] = frame.programs.map_or([1.0, 0.0], |programs| programs.all.depth_of_ndc);
+            let ndc = (at.depth - Lanes::splat(simd, summand)) * Lanes::splat(simd, 1.0 / factor);
+            let half = Lanes::splat(simd, 0.5);
+            row_of(ndc * half + half)
+        }
+        ("gl_FragCoord", _) => row_of(at.inverse_w),
+        ("gl_FrontFacing", _) => Row::splat(f32::from_bits(if setup.back { 0 } else { u32::MAX })),
+        ("gl_PrimitiveID", _) => Row::splat(f32::from_bits(setup.facet)),
+        _ => Row::splat(0.0),
+    }
+}
+
+/// Takes the colour of sixteen fragments; that of discarded ones has an alpha below 0.
+fn taken<S: Simd>(
+    machine: &Machine<'_, 1>,
+    simd: S,
+    frame: &FrameView,
+    program: &ObjectProgram,
+    setup: &TriangleSetup,
+    at: &Spot<S>,
+) -> Shaded<S> {
+    let load = |component: usize| Lanes::load(simd, &machine.output(program.color, component)[0].0);
+    let rgb = [load(0), load(1), load(2)];
+    let port = &program.pair.fragment.interface().outputs[program.color];
+    let material = &frame.materials[frame.objects[setup.object as usize].material];
+    let one = Lanes::splat(simd, 1.0);
+    let blends = matches!(material.alpha_mode, AlphaMode::Blend) && port.ty.rows > 3;
+    let alpha = if blends { load(3) } else { one };
+    let discarded = glanz_math::LanesMask::from_bits(simd, u32::from(machine.discarded()[0]));
+    let zero = one.zero();
+    Shaded {
+        rgb: in_channels(rgb, &frame.options.primaries),
+        alpha: (-one).select(discarded, alpha.max(zero)),
+        transmittance: [zero; 3],
+        distance: if frame.camera.perspective { one / at.depth } else { -at.depth },
+        normal: Vec3::new(zero, zero, zero),
+    }
+}
+
+/// Linear sRGB in the channels of the frame.
+fn in_channels<S: Simd>(rgb: [Lanes<S>; 3], primaries: &[[f32; 3]; 3]) -> [Lanes<S>; 3] {
+    let is_srgb = primaries.iter().enumerate().all(|(c, own)| {
+        own.iter().enumerate().all(|(i, value)| *value == if i == c { 1.0 } else { 0.0 })
+    });
+    if is_srgb {
+        return rgb;
+    }
+    core::array::from_fn(|c| {
+        let part = |i: usize| rgb[i] * rgb[i].lit(f64::from(primaries[i][c]));
+        part(0) + part(1) + part(2)
+    })
+}

@@ -1,0 +1,40 @@
+//! The machines that a thread has at hand.
+
+use glanz_math::SimdLevel;
+use glanz_shader::{Machine, Stage};
+
+use super::ObjectProgram;
+
+/// The most machines that a thread keeps; each has 64 KB of registers.
+const MOST: usize = 16;
+
+/// Machines by object and stage, those used last at the end.
+#[derive(Default)]
+pub(crate) struct Pool<'a>(Vec<(usize, Stage, Machine<'a, 1>)>);
+
+impl<'a> Pool<'a> {
+    /// The machine of a stage of an object's program, with all that is the same for the draw computed.
+    pub(super) fn machine(
+        &mut self,
+        object: usize,
+        stage: Stage,
+        program: &'a ObjectProgram<'a>,
+        level: SimdLevel,
+    ) -> &mut Machine<'a, 1> {
+        let list = &mut self.0;
+        let known = list.iter().rposition(|(number, own, _)| (*number, *own) == (object, stage));
+        if let Some(known) = known {
+            return &mut list[known].2;
+        }
+        if list.len() == MOST {
+            list.remove(0);
+        }
+        let (of_stage, values, textures) = match stage {
+            Stage::Vertex => (&program.pair.vertex, &program.values.vertex, &program.vertex_textures),
+            Stage::Fragment => (&program.pair.fragment, &program.values.fragment, &program.fragment_textures),
+        };
+        list.push((object, stage, Machine::<1>::new(of_stage, values, textures, level)));
+        let last = list.len() - 1;
+        &mut list[last].2
+    }
+}

@@ -1,0 +1,148 @@
+//! What a program is told for a frame: matrices, lights, the material, the moment, and what the user sets.
+//!
+//! Names say what a uniform stands for ([`Role`]); what stands for nothing keeps the value of the source, or 0.
+
+mod lights;
+mod material;
+mod matrices;
+
+use glanz_scene::UniformValue;
+use glanz_shader::{Program, Role, Uniform, UniformValues};
+
+use crate::prepare::{Mipmap, Prepared, PreparedObject, PreparedProgram, program_values};
+use crate::view::{Moment, View};
+use lights::ProgramLights;
+pub(crate) use matrices::DepthRange;
+use matrices::Matrices;
+
+/// Everything about a frame that uniforms can stand for.
+pub(crate) struct Told<'a> {
+    prepared: &'a Prepared,
+    view: &'a View,
+    moment: Moment,
+    /// The planes between which clip space lies.
+    pub range: DepthRange,
+    lights: ProgramLights,
+}
+
+/// The values of both stages of an object's program.
+pub(crate) struct StageValues<'a> {
+    pub vertex: UniformValues,
+    pub fragment: UniformValues,
+    pub vertex_textures: Vec<Option<&'a Mipmap>>,
+    pub fragment_textures: Vec<Option<&'a Mipmap>>,
+}
+
+impl<'a> Told<'a> {
+    pub(crate) fn new(prepared: &'a Prepared, view: &'a View, moment: Moment, range: [f32; 2]) -> Self {
+        let range = DepthRange::new(view, range);
+        let lights = ProgramLights::new(prepared, view);
+        Self { prepared, view, moment, range, lights }
+    }
+
+    /// What the program of an object is told.
+    pub(crate) fn values(&self, object: &PreparedObject, program: &PreparedProgram) -> StageValues<'a> {
+        let matrices = Matrices::new(self.view, &self.range, object);
+        let stage = |stage: &Program| self.of_stage(stage, program, object, &matrices);
+        let textures = |stage: &Program| self.textures(stage, program, object);
+        let pair = &program.pair;
+        StageValues {
+            vertex: stage(&pair.vertex),
+            fragment: stage(&pair.fragment),
+            vertex_textures: textures(&pair.vertex),
+            fragment_textures: textures(&pair.fragment),
+        }
+    }
+
+    fn of_stage(
+        &self,
+        stage: &Program,
+        program: &PreparedProgram,
+        object: &PreparedObject,
+        matrices: &Matrices,
+    ) -> UniformValues {
+        let mut values = stage.uniforms();
+        for uniform in &stage.interface().uniforms {
+            // A value of the source's own counts, but for matrices, which nobody knows beforehand.
+            let given = values.get(&uniform.name).unwrap_or_default();
+            if uniform.ty.columns == 1 && given.iter().any(|value| *value != 0.0) {
+                continue;
+            }
+            let Some(role) = uniform.role else { continue };
+            if let Some(numbers) = self.numbers(role, uniform, program, object, matrices) {
+                let fitted = fitted(&numbers, uniform);
+                values.set(&uniform.name, &fitted).expect("it has as many numbers as its type");
+            }
+        }
+        for (name, value) in &program.source.uniforms {
+            if let UniformValue::Numbers(numbers) = value {
+                // The other stage may be the one that has it; that one of them does was checked.
+                let _ = program_values::set(&mut values, stage, name, numbers);
+            }
+        }
+        values
+    }
+
+    /// What a uniform of this role is, as four numbers, or 16 of a matrix.
+    fn numbers(
+        &self,
+        role: Role,
+        uniform: &Uniform,
+        program: &PreparedProgram,
+        object: &PreparedObject,
+        matrices: &Matrices,
+    ) -> Option<Vec<f64>> {
+        let space = glanz_shader::Space::of_name(&uniform.name).unwrap_or(program.pair.space);
+        let View { width, height, .. } = *self.view;
+        let Moment { time, delta, frame, mouse } = self.moment;
+        Some(match role {
+            Role::Time => vec![f64::from(time)],
+            Role::TimeDelta => vec![f64::from(delta)],
+            Role::Frame => vec![f64::from(frame)],
+            Role::Resolution => vec![f64::from(width), f64::from(height), 1.0, 0.0],
+            // Where and how large: the course's, which has the size of the window behind the place.
+            Role::Mouse if mouse[2] == 0.0 => {
+                vec![f64::from(mouse[0]), f64::from(mouse[1]), f64::from(width), f64::from(height)]
+            }
+            Role::Mouse => mouse.map(f64::from).to_vec(),
+            Role::EyePosition => matrices.eye(space).to_vec(),
+            _ => {
+                let own = || matrices.of(role, program.pair.space).map(|m| m.to_vec());
+                let light = || self.lights.of(role, &uniform.name, space, matrices);
+                own().or_else(light).or_else(|| material::of(role, self.prepared, object))?
+            }
+        })
+    }
+
+    /// The pictures of a stage's samplers: what the user sets, or the material's map that the name says.
+    fn textures(
+        &self,
+        stage: &Program,
+        program: &PreparedProgram,
+        object: &PreparedObject,
+    ) -> Vec<Option<&'a Mipmap>> {
+        let all = &self.prepared.textures;
+        let of = |name: &str| match program.source.uniforms.get(name) {
+            Some(UniformValue::Texture(texture)) => all.get(*texture).map(|own| &**own),
+            _ => {
+                let map = material::map(name, &self.prepared.materials[object.material])?;
+                all.get(map).map(|own| &**own)
+            }
+        };
+        stage.interface().textures.iter().map(|texture| of(&texture.name)).collect()
+    }
+}
+
+/// As many numbers as the type has: of matrices the upper left part, of vectors the first ones, a fourth being 1.
+fn fitted(numbers: &[f64], uniform: &Uniform) -> Vec<f32> {
+    let (columns, rows) = (uniform.ty.columns, uniform.ty.rows);
+    let at = |i: usize| match numbers.get(i) {
+        Some(number) => *number as f32,
+        None if i == 3 => 1.0,
+        None => 0.0,
+    };
+    if columns > 1 {
+        return (0..columns).flat_map(|c| (0..rows).map(move |r| at(4 * c + r))).collect();
+    }
+    (0..rows).map(at).collect()
+}

@@ -1,0 +1,128 @@
+//! Programs of the user's own in place of the material's light: a vertex and a fragment shader, and values for them.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// The text of a shader, GLSL or WGSL, with the files that it includes.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ProgramText {
+    /// The name of its file, which errors show; `.wgsl` at its end tells the language.
+    pub name: String,
+    /// The text.
+    pub text: String,
+    /// The texts of what it includes, by the paths that `#include` has.
+    pub includes: BTreeMap<String, String>,
+}
+
+/// What a uniform of a program is set to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum UniformValue {
+    /// One number per component, column by column of a matrix; a truth value is 0 or 1.
+    Numbers(Vec<f64>),
+    /// A texture: its index in [`Scene::textures`](crate::Scene::textures).
+    Texture(usize),
+}
+
+/// Shaders that draw an object, or a whole scene. What is left out is as the material says: without a vertex shader
+/// positions are projected as always, without a fragment shader the colour that the vertex shader gives is shown.
+///
+/// ```
+/// use glanz_scene::{Mesh, Program, ProgramText, Scene, library};
+///
+/// let normals = "in vec3 normal; out vec4 color; void main() { color = vec4(0.5 + 0.5 * normalize(normal), 1.0); }";
+/// let mut scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?);
+/// scene.set_program(Program::of_fragment(ProgramText::new("normals.frag", normals)));
+/// assert_eq!(scene.program_of(0).and_then(|program| program.fragment.as_ref()).map(|text| &*text.name), Some("normals.frag"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Program {
+    /// The vertex shader.
+    pub vertex: Option<ProgramText>,
+    /// The fragment shader.
+    pub fragment: Option<ProgramText>,
+    /// What uniforms are set to, by the names that the source gives them (`lights[2].position`); others are filled by what
+    /// their names stand for.
+    pub uniforms: BTreeMap<String, UniformValue>,
+}
+
+impl ProgramText {
+    /// A text that includes nothing.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        Self { name: name.into(), text: text.into(), includes: BTreeMap::new() }
+    }
+
+    /// A text with what it includes. `read` gives the text of a path as `#include` has it; where it gives none, the
+    /// compiler will say so at the line that asks for it.
+    pub fn with_includes(
+        name: impl Into<String>,
+        text: impl Into<String>,
+        read: &mut dyn FnMut(&str) -> Option<String>,
+    ) -> Self {
+        let mut program = Self::new(name, text);
+        let mut wanted = included(&program.text);
+        while let Some(path) = wanted.pop() {
+            if program.includes.contains_key(&path) {
+                continue;
+            }
+            if let Some(text) = read(&path) {
+                wanted.extend(included(&text));
+                program.includes.insert(path, text);
+            }
+        }
+        program
+    }
+}
+
+impl Program {
+    /// A fragment shader alone.
+    pub fn of_fragment(text: ProgramText) -> Self {
+        Self { fragment: Some(text), ..Self::default() }
+    }
+
+    /// The same with a uniform set to numbers.
+    #[must_use]
+    pub fn with_uniform(mut self, name: impl Into<String>, values: &[f64]) -> Self {
+        self.uniforms.insert(name.into(), UniformValue::Numbers(values.to_vec()));
+        self
+    }
+}
+
+/// The paths of a text's `#include` lines, whether or not these are reached.
+fn included(text: &str) -> Vec<String> {
+    let path = |line: &str| {
+        let rest = line.trim_start().strip_prefix('#')?.trim_start().strip_prefix("include")?.trim_start();
+        let end = match rest.chars().next()? {
+            '"' => '"',
+            '<' => '>',
+            _ => return None,
+        };
+        let (path, _) = rest[1..].split_once(end)?;
+        Some(path.to_owned())
+    };
+    text.lines().filter_map(path).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_includes_include_is_read_once() {
+        let mut asked = Vec::new();
+        let mut read = |path: &str| {
+            asked.push(path.to_owned());
+            match path {
+                "a.glsl" => Some("#include \"b.glsl\"\n#include \"a.glsl\"\n".to_owned()),
+                "b.glsl" => Some("float f() { return 1.0; }".to_owned()),
+                _ => None,
+            }
+        };
+        let text = "#version 330\n # include <a.glsl>\n#include \"gone.glsl\"\nvoid main() {}";
+        let program = ProgramText::with_includes("x.frag", text, &mut read);
+        assert_eq!(program.includes.keys().collect::<Vec<_>>(), ["a.glsl", "b.glsl"]);
+        asked.sort();
+        assert_eq!(asked, ["a.glsl", "b.glsl", "gone.glsl"]);
+    }
+}
