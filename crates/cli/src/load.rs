@@ -46,6 +46,7 @@ impl InputArgs {
             }
             OpenError::Model(error) => self.failure_of_model(&error),
         })?;
+        self.program.apply(&mut input.scene)?;
         input.cameras.extend(camera.map(str::to_owned).zip(input.scene.camera));
         Ok(input)
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 
-use super::values;
+use super::{ProgramArgs, values};
 
 /// What stands for stdin in the place of a file.
 pub(crate) const STDIN: &str = "-";
@@ -25,6 +25,9 @@ pub(crate) struct InputArgs {
     /// Let the scene name files outside its own folder
     #[arg(long, help_heading = "Scene")]
     pub allow_outside: bool,
+
+    #[command(flatten)]
+    pub program: ProgramArgs,
 }
 
 impl InputArgs {

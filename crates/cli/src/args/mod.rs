@@ -7,6 +7,7 @@ mod input;
 mod look;
 mod picture;
 mod plot;
+mod program;
 mod target;
 mod values;
 
@@ -15,6 +16,7 @@ pub(crate) use color::ColorArgs;
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
+pub(crate) use program::ProgramArgs;
 pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
 pub(crate) use target::{Target, TargetArgs, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};

@@ -12,7 +12,7 @@ mod material;
 mod plot;
 mod probe;
 mod schema;
-mod shader;
+pub(crate) mod shader;
 
 use std::path::Path;
 

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Command, CommandFactory};
 use glanz_picture::output::OutputError;
-use glanz_render::ShotError;
+use glanz_render::{PrepareError, ShotError};
 use glanz_scene::read::{Place, ReadError};
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode, SourceSpan,
@@ -17,6 +17,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::document::versioned;
+use crate::commands::shader;
 use super::stdout::Format;
 
 /// Shown after the help of the whole command.
@@ -208,6 +209,9 @@ impl From<glanz_plot::Error> for Failure {
 
 impl From<ShotError> for Failure {
     fn from(error: ShotError) -> Self {
+        if let ShotError::Prepare(PrepareError::Program(error)) = &error {
+            return shader::failure(&error.error, &error.texts);
+        }
         Report { is_of_scene: true, ..Report::new(error) }.into()
     }
 }

@@ -37,6 +37,7 @@ mod geometry;
 mod lighting;
 pub(crate) mod probe;
 mod program;
+pub(crate) use program::inspect;
 mod renderer;
 mod shading;
 mod threads;

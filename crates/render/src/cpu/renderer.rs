@@ -10,7 +10,8 @@ use crate::cpu::geometry::chunk::ChunkOutput;
 use crate::cpu::geometry::process;
 use crate::cpu::geometry::screen::Screen;
 use crate::cpu::probe::Record;
-use crate::cpu::program::{FramePrograms, Machines};
+use crate::cpu::program::inspect::{Findings, Wanted};
+use crate::cpu::program::{self, FramePrograms, Machines};
 use crate::cpu::shading::background::ViewBackground;
 use crate::cpu::shading::gouraud::{Lit, Made};
 use crate::cpu::shading::triangle_setup::Projected;
@@ -22,7 +23,7 @@ use crate::{Aovs, Backend, DrawOptions, Prepared, View};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
-use glanz_shader::RunError;
+use glanz_shader::{Pair, RunError, Trace};
 
 /// Draws frames, and keeps its working memory from one to the next.
 #[derive(Debug, Default)]
@@ -134,6 +135,44 @@ impl Renderer {
         let bands = plane_bands(&mut out, None);
         self.draw_all(&frame, bands);
         out
+    }
+
+    /// A frame that is looked into.
+    pub(crate) fn inspect(
+        &mut self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        wanted: Wanted,
+        pairs: &[Pair],
+    ) -> (Frame, Findings) {
+        let mut out = Frame::default();
+        let programs = FramePrograms::new(prepared, view, options, self.level).inspected(wanted, pairs);
+        let machines = Machines::new(&programs);
+        let frame = FrameView::new(prepared, view, options, programs.with(&machines));
+        shape_frame(&mut out, prepared, view, options);
+        let bands = plane_bands(&mut out, ViewBackground::of(&frame).fixed());
+        self.draw_all(&frame, bands);
+        drop(frame);
+        drop(machines);
+        let findings = programs.into_findings();
+        (out, findings.unwrap_or(Findings { pixel: None, met: Default::default() }))
+    }
+
+    /// What happened for a vertex of an object: none where no program draws it, none within where it has no such vertex.
+    pub(crate) fn vertex_trace(
+        &self,
+        prepared: &Prepared,
+        view: &View,
+        options: &DrawOptions,
+        pairs: &[Pair],
+        (object, vertex): (usize, u32),
+    ) -> Option<Option<(usize, Trace)>> {
+        let own = prepared.objects.get(object)?;
+        let pair = pairs.get(own.program?)?;
+        let programs = FramePrograms::new(prepared, view, options, self.level);
+        let clusters = &prepared.geometry.clusters[own.clusters.clone()];
+        Some(program::trace_vertex(&programs, &prepared.geometry, clusters, pair, (object, vertex)))
     }
 
     /// Both passes. The threads are entered once for both: to be woken up takes longer than a small task.

@@ -29,6 +29,9 @@ pub enum ShotError {
     /// A program of the scene does not come to its end.
     #[error(transparent)]
     Run(#[from] glanz_shader::RunError),
+    /// Something of a program was asked for where none draws.
+    #[error("no program draws here: name one by --fs or --vs, or by 'program' in the scene")]
+    NoProgram,
     /// A buffer does not have 4 bytes for each pixel.
     #[error(
         "a picture of {width}×{height} pixels takes a buffer of {expected} bytes, 4 for each pixel, but it has {found}"

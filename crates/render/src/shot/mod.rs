@@ -9,6 +9,7 @@ mod probe;
 mod remarks;
 mod sight;
 mod spectrum;
+mod xray;
 
 pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
@@ -16,3 +17,4 @@ pub(crate) use mistaken::mistaken;
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};
 pub(crate) use sight::Sight;
+pub use xray::{NOT_REACHED, ValueFrame, Xray};

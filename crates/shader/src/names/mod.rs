@@ -81,6 +81,8 @@ pub enum Role {
     Resolution,
     /// Place of the pointer in pixels.
     Mouse,
+    /// Another parameter of the material's models, by its own name: `alpha`, `sigma`.
+    MaterialParameter,
     /// How many lights there are.
     LightCount,
     /// The direction of a spot's axis, away from it.
@@ -195,7 +197,8 @@ pub fn uniform_role(name: &str, ty: ValueType) -> Option<Role> {
     let holders = || before.split('.').map(|holder| plain(holder.split('[').next().unwrap_or(holder)));
     for (word, table) in [("light", table::LIGHT), ("material", table::MATERIAL)] {
         if holders().any(|holder| holder.contains(word) || word == "material" && holder == "mat") {
-            return look_up(table, member, ty);
+            let other = (word == "material" && fits(Shape::Number, ty)).then_some(Role::MaterialParameter);
+            return look_up(table, member, ty).or(other);
         }
     }
     look_up(UNIFORMS, member, ty)

@@ -2,15 +2,16 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use clap::{Args, ValueEnum};
-use glanz_shader::{Place, Port, Program, Role, Shader, ShaderError, Stage, Uniform, Warning, check_stages};
+use glanz_shader::{Place, Port, Program, Role, Shader, Stage, Uniform, Warning, check_stages};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::print::failure::{Failure, Report, without_number};
+use super::source::{failure, included, read};
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.
@@ -22,11 +23,7 @@ Examples:
 
 GLSL 110 to 460 and ES 100 and 300, by #version; WGSL where the name ends in .wgsl; a main of Shadertoy (mainImage);
 a .brdf of BRDF Explorer. A vertex and a fragment shader are also compared with each other. What a name stands
-for is told beside it; what stands for nothing is for the user to set. Programs are compiled for the processor, none is
-drawn yet.";
-
-/// A file of a shader is no longer than this.
-const MOST_BYTES: u64 = 1 << 20;
+for is told beside it; what stands for nothing is for the user to set.";
 
 /// Options of `glanz shader check`.
 #[derive(Args, Debug)]
@@ -89,46 +86,12 @@ fn compile(file: &Path, stage: Stage) -> Result<Program, Failure> {
     let text = read(file)?;
     let texts = Mutex::new(BTreeMap::from([(name.clone(), text.clone())]));
     let include = |path: &str, _: &str| {
-        let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
-        let found = read(&file.parent()?.join(path)).ok().filter(|_| is_within)?;
+        let found = included(file, path)?;
         texts.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), found.clone());
         Some(found)
     };
     let compiled = Shader::new(stage, text).named(&name).include(&include).compile();
     compiled.map_err(|error| failure(&error, &texts.lock().unwrap_or_else(PoisonError::into_inner)))
-}
-
-fn read(file: &Path) -> Result<String, Failure> {
-    let could_not = |why: &str| {
-        let message = format!("cannot read '{}': {why}", file.display());
-        Failure::from(Report::new(message).file(file))
-    };
-    let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(file).map_err(io)?.len();
-    if length > MOST_BYTES {
-        return Err(could_not(&format!("a shader of {length} bytes is more than {MOST_BYTES}")));
-    }
-    let bytes = std::fs::read(file).map_err(io)?;
-    String::from_utf8(bytes).map_err(|_| could_not("expected text in UTF-8"))
-}
-
-/// An error with the line that it is in.
-fn failure(error: &ShaderError, texts: &BTreeMap<String, String>) -> Failure {
-    let (message, hints) = match error {
-        ShaderError::Invalid { message, hints, .. } => (message.clone(), hints.as_slice()),
-        ShaderError::Unsupported { message, .. } => (message.clone(), [].as_slice()),
-        ShaderError::Broken => (error.to_string(), [].as_slice()),
-    };
-    let Some(place) = error.place() else { return Report::new(message).into() };
-    let mut report = Report::new(message).file(Path::new(&place.file));
-    report = report.place(place.line.into(), place.column.into());
-    if let Some(text) = texts.get(&place.file).filter(|text| text.get(place.start..place.end).is_some()) {
-        report = report.source(&place.file, text.clone(), place.start..place.end);
-    }
-    if !hints.is_empty() {
-        report = report.help(hints.join("; "));
-    }
-    report.into()
 }
 
 /// For people.

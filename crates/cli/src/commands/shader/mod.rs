@@ -1,8 +1,11 @@
 //! `glanz shader`: programs of users, in GLSL and WGSL.
 
 pub(super) mod check;
+mod source;
 
 use clap::Subcommand;
+
+pub(crate) use source::{failure, included, read};
 
 use crate::print::failure::Failure;
 

@@ -1,11 +1,12 @@
 //! The fragment stage: a block of pixels of one triangle.
 
 use fearless_simd::Simd;
-use glanz_math::{Lanes, Real, Vec3};
+use glanz_math::{Lanes, LanesMask, Real, Vec3};
 use glanz_scene::AlphaMode;
 use glanz_shader::{Interpolation, Machine, Port, Row, Stage};
 
 use super::ObjectProgram;
+use super::inspect::{self, Block};
 use crate::cpu::frame::FrameView;
 use crate::cpu::shading::shade_block::Shaded;
 use crate::cpu::shading::triangle_setup::{GROUP, TriangleSetup, TriangleSetups};
@@ -44,6 +45,11 @@ pub(crate) fn shade<S: Simd>(
         fill(machine, simd, frame, setups, run, program, &at);
         programs.run(machine);
         *out = taken(machine, simd, frame, program, setup, &at);
+        if programs.all.inspection.is_some() {
+            let block = Block { place: [px, py], bits: run.bits, object };
+            let mut fill = |traced: &mut Machine<'_, 1>| fill(traced, simd, frame, setups, run, program, &at);
+            inspect::look(&programs, program, &block, &mut fill, out);
+        }
     });
 }
 
@@ -52,11 +58,11 @@ pub(crate) fn passes<S: Simd>(
     simd: S,
     frame: &FrameView,
     setups: &TriangleSetups,
-    setup: u32,
+    run: &Run,
     place: [Lanes<S>; 2],
 ) -> u32 {
     let mut shaded = Shaded::nothing(simd);
-    shade(simd, frame, setups, &Run { setup, bits: 0xffff }, place, &mut shaded);
+    shade(simd, frame, setups, run, place, &mut shaded);
     Lanes::splat(simd, 0.0).le(shaded.alpha).bits()
 }
 
@@ -66,6 +72,12 @@ impl<S: Simd> Spot<S> {
         let [x0, y0, ux, uy, vx, vy, q0, dq1, dq2] = setups.row(run, 0).map(splat);
         let (dx, dy) = (px - x0, py - y0);
         let (u, v) = (dx * ux + dy * uy, dx * vx + dy * vy);
+        // Pixels that the triangle covers in part, but not in their middle, are brought to its border, as everywhere else;
+        // the others see its plane go on.
+        let covered = LanesMask::from_bits(simd, run.bits);
+        let on_it = u.clamp(0.0, 1.0);
+        let u = on_it.select(covered, u);
+        let v = v.clamp(0.0, 1.0).min(on_it.one() - on_it).select(covered, v);
         let [w0, .., w1, _, _, w2, _, _] = setups.row(run, 1).map(splat);
         let inverse_w = w0 + u * w1 + v * w2;
         let w = inverse_w.one() / inverse_w;
@@ -168,7 +180,7 @@ fn taken<S: Simd>(
     let one = Lanes::splat(simd, 1.0);
     let blends = matches!(material.alpha_mode, AlphaMode::Blend) && port.ty.rows > 3;
     let alpha = if blends { load(3) } else { one };
-    let discarded = glanz_math::LanesMask::from_bits(simd, u32::from(machine.discarded()[0]));
+    let discarded = LanesMask::from_bits(simd, u32::from(machine.discarded()[0]));
     let zero = one.zero();
     Shaded {
         rgb: in_channels(rgb, &frame.options.primaries),

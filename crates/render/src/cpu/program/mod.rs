@@ -6,13 +6,14 @@
 
 mod clip;
 mod fragment;
+pub(crate) mod inspect;
 mod pool;
 mod textures;
 mod vertex;
 
 pub(crate) use clip::clip;
 pub(crate) use fragment::{passes, shade};
-pub(crate) use vertex::run as run_vertices;
+pub(crate) use vertex::{run as run_vertices, trace as trace_vertex};
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -24,6 +25,7 @@ use crate::prepare::{Prepared, PreparedProgram};
 use crate::view::camera::ViewCamera;
 use crate::view::program::{StageValues, Told};
 use crate::view::{DebugView, DrawOptions, View};
+use inspect::{Findings, Inspection, Wanted};
 use pool::Pool;
 use textures::ProgramTextures;
 
@@ -36,12 +38,16 @@ pub(crate) struct FramePrograms<'a> {
     /// From z/w of clip space to the depth of the tiles: factor and summand.
     pub depth_of_ndc: [f32; 2],
     pub level: SimdLevel,
+    /// What to look for in the frame, if it is looked into.
+    inspection: Option<Inspection<'a>>,
     failed: OnceLock<RunError>,
 }
 
 /// The program of an object, with all that it is told.
 pub(crate) struct ObjectProgram<'a> {
     pub pair: &'a Pair,
+    /// Its number in the scene.
+    number: usize,
     /// The number of the output that is the colour.
     pub color: usize,
     pub values: StageValues<'a>,
@@ -62,6 +68,7 @@ impl<'a> FramePrograms<'a> {
             stride: 0,
             depth_of_ndc: [0.0; 2],
             level,
+            inspection: None,
             failed: OnceLock::new(),
         };
         if !shown {
@@ -74,13 +81,25 @@ impl<'a> FramePrograms<'a> {
             .objects
             .iter()
             .map(|object| {
-                let program = object.program.and_then(|own| prepared.programs.get(own))?;
-                ObjectProgram::new(program, told.values(object, program), object)
+                let number = object.program?;
+                let program = prepared.programs.get(number)?;
+                ObjectProgram::new(program, number, told.values(object, program), object)
             })
             .collect();
         let floats = |program: &ObjectProgram| program.floats();
         all.stride = all.list.iter().flatten().map(floats).max().unwrap_or(0);
         all
+    }
+
+    /// The same, looked into.
+    pub(crate) fn inspected(mut self, wanted: Wanted, pairs: &'a [Pair]) -> Self {
+        self.inspection = Some(Inspection::new(wanted, pairs));
+        self
+    }
+
+    /// What was found.
+    pub(crate) fn into_findings(self) -> Option<Findings> {
+        self.inspection.map(Inspection::into_findings)
     }
 
     /// With what runs them; nothing where there are none.
@@ -118,6 +137,7 @@ pub(crate) const CLIP: usize = 4;
 impl<'a> ObjectProgram<'a> {
     fn new(
         program: &'a PreparedProgram,
+        number: usize,
         values: StageValues<'a>,
         object: &crate::prepare::PreparedObject,
     ) -> Option<Self> {
@@ -128,6 +148,7 @@ impl<'a> ObjectProgram<'a> {
         let textures = |list: &[Option<&'a crate::prepare::Mipmap>]| ProgramTextures(list.to_vec());
         Some(Self {
             pair: &program.pair,
+            number,
             color: program.color?,
             vertex_textures: textures(&values.vertex_textures),
             fragment_textures: textures(&values.fragment_textures),

@@ -101,3 +101,26 @@ fn take(machine: &Machine<'_, 1>, program: &ObjectProgram, stride: usize, out: &
         }
     }
 }
+
+/// What happened for a vertex of an object's mesh: the lane, and the trace; none where there is no such vertex.
+pub(crate) fn trace(
+    programs: &super::FramePrograms,
+    geometry: &Geometry,
+    clusters: &[Cluster],
+    pair: &glanz_shader::Pair,
+    (object, vertex): (usize, u32),
+) -> Option<(usize, glanz_shader::Trace)> {
+    let program = programs.of(object)?;
+    let of_mesh = |cluster: &Cluster| {
+        let first = cluster.first_vertex as usize;
+        geometry.sources[first..first + cluster.vertices as usize]
+            .iter()
+            .position(|source| *source == vertex)
+            .map(|at| first + at)
+    };
+    let at = clusters.iter().find_map(of_mesh)?;
+    let values = &program.values.vertex;
+    let mut machine = Machine::<1>::new(&pair.vertex, values, &program.vertex_textures, programs.level);
+    fill(&mut machine, program, geometry, at - at % 16);
+    Some((at % 16, machine.trace()))
+}

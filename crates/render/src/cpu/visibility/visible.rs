@@ -153,7 +153,7 @@ impl Visible {
             return false;
         }
         if let Some((frame, setups, setup, grid)) = masked {
-            bits &= opaque_enough(simd, frame, setups, setup, grid, at % TILE_PIXELS);
+            bits &= opaque_enough(simd, frame, setups, Run { setup, bits }, grid, at % TILE_PIXELS);
             won = LanesMask::from_bits(simd, bits);
         }
         z.select(won, before).store(old);
@@ -331,14 +331,14 @@ fn opaque_enough<S: Simd>(
     simd: S,
     frame: &FrameView,
     setups: &TriangleSetups,
-    setup: u32,
+    Run { setup, bits }: Run,
     grid: &Grid,
     place: usize,
 ) -> u32 {
     let object = &frame.objects[setups.list[setup as usize].object as usize];
     if object.program {
         let at = block::coordinates(simd, grid, place, [0.5, 0.5]);
-        return program::passes(simd, frame, setups, setup, at);
+        return program::passes(simd, frame, setups, &Run { setup, bits }, at);
     }
     let AlphaMode::Mask { cutoff } = frame.materials[object.material].alpha_mode else { return u32::MAX };
     simd.vectorize(

@@ -55,6 +55,11 @@ pub(crate) fn compiled(program: &Program, textures: usize) -> Result<Arc<Prepare
     Ok(Arc::new(PreparedProgram { source: program.clone(), pair, color }))
 }
 
+/// Both stages, compiled for traces.
+pub(crate) fn traced_pair(program: &Program) -> Result<Pair, ShaderError> {
+    pair(program, true)
+}
+
 /// Compiles both stages.
 pub(crate) fn pair(program: &Program, traced: bool) -> Result<Pair, ShaderError> {
     type Include<'a> = Box<dyn Fn(&str, &str) -> Option<String> + Sync + 'a>;

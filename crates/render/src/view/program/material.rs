@@ -8,7 +8,7 @@ use crate::prepare::color::in_rgb;
 use crate::prepare::{Prepared, PreparedMaterial, PreparedObject};
 
 /// What a role of a material is.
-pub(super) fn of(role: Role, prepared: &Prepared, object: &PreparedObject) -> Option<Vec<f64>> {
+pub(super) fn of(role: Role, name: &str, prepared: &Prepared, object: &PreparedObject) -> Option<Vec<f64>> {
     let material = prepared.source.colors.materials.get(object.material)?;
     let opaque = |[r, g, b]: [f64; 3]| vec![r, g, b, f64::from(material.opacity)];
     Some(match role {
@@ -17,6 +17,7 @@ pub(super) fn of(role: Role, prepared: &Prepared, object: &PreparedObject) -> Op
         Role::MaterialSpecular => opaque(sum(material, LightTerm::Specular)),
         Role::MaterialEmission => opaque(sum(material, LightTerm::Emission)),
         Role::MaterialShininess => vec![shininess(material)],
+        Role::MaterialParameter => vec![parameter(material, name)?],
         Role::MaterialRoughness => vec![(2.0 / (shininess(material) + 2.0)).sqrt().sqrt()],
         Role::MaterialMetallic => {
             let matte = sum(material, LightTerm::Diffuse).iter().any(|value| *value > 0.0);
@@ -39,6 +40,13 @@ fn sum(material: &Material, term: LightTerm) -> [f64; 3] {
         };
         core::array::from_fn(|c| sum[c] + own[c])
     })
+}
+
+/// A parameter of the first model that has one of this name, highlights first.
+fn parameter(material: &Material, name: &str) -> Option<f64> {
+    let name = name.rsplit('.').next().unwrap_or(name);
+    let of = |term| of_term(material, term).find_map(|lobe| lobe.shape.get(name));
+    of(LightTerm::Specular).or_else(|| of(LightTerm::Diffuse))
 }
 
 /// The exponent of the first highlight; that of a lobe of the width alpha is 2/alpha² − 2.

@@ -109,7 +109,7 @@ impl<'a> Told<'a> {
             _ => {
                 let own = || matrices.of(role, program.pair.space).map(|m| m.to_vec());
                 let light = || self.lights.of(role, &uniform.name, space, matrices);
-                own().or_else(light).or_else(|| material::of(role, self.prepared, object))?
+                own().or_else(light).or_else(|| material::of(role, &uniform.name, self.prepared, object))?
             }
         })
     }

@@ -1,0 +1,118 @@
+//! Shaders that draw in place of the materials.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueHint};
+use glanz_scene::read::{ReadOptions, read_texture};
+use glanz_scene::{Program, ProgramText, Scene, UniformValue};
+
+use crate::commands::shader;
+use crate::print::failure::{Failure, Report, without_number};
+
+/// Shaders of one's own.
+#[derive(Args, Clone, Debug, Default)]
+#[command(next_help_heading = "Program")]
+pub(crate) struct ProgramArgs {
+    /// Draw all objects by this vertex shader: GLSL, or WGSL if its name ends in .wgsl
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub vs: Option<PathBuf>,
+
+    /// Draw all objects by this fragment shader
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub fs: Option<PathBuf>,
+
+    /// Set a uniform of the program, such as exposure=1.5, tint=1,0.5,0 or picture=wood.png; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", value_parser = uniform)]
+    pub uniform: Vec<(String, String)>,
+}
+
+impl ProgramArgs {
+    /// Lets the scene be drawn by what the options name, in place of or beside its own program.
+    pub(crate) fn apply(&self, scene: &mut Scene) -> Result<(), Failure> {
+        if self.vs.is_none() && self.fs.is_none() && self.uniform.is_empty() {
+            return Ok(());
+        }
+        let own = scene.program.and_then(|own| scene.programs.get(own)).cloned();
+        let mut program = match (&self.vs, &self.fs) {
+            (None, None) => own.ok_or_else(|| {
+                Failure::Usage("--uniform needs a program: add --fs or --vs, or `program` in the scene".to_owned())
+            })?,
+            _ => Program::default(),
+        };
+        for (file, stage) in [(&self.vs, &mut program.vertex), (&self.fs, &mut program.fragment)] {
+            if let Some(file) = file {
+                *stage = Some(text(file)?);
+            }
+        }
+        for (name, value) in &self.uniform {
+            let value = self.value(name, value, scene)?;
+            program.uniforms.insert(name.clone(), value);
+        }
+        // What the command line says holds for objects with a program of their own, too.
+        if self.vs.is_some() || self.fs.is_some() {
+            scene.objects.iter_mut().for_each(|object| object.program = None);
+        }
+        scene.set_program(program);
+        Ok(())
+    }
+
+    /// Numbers between commas, true or false, or a picture.
+    fn value(&self, name: &str, value: &str, scene: &mut Scene) -> Result<UniformValue, Failure> {
+        match value.trim() {
+            "true" => return Ok(UniformValue::Numbers(vec![1.0])),
+            "false" => return Ok(UniformValue::Numbers(vec![0.0])),
+            _ => {}
+        }
+        if let Ok(numbers) = super::numbers(value) {
+            return Ok(UniformValue::Numbers(numbers));
+        }
+        let path = Path::new(value);
+        if !path.is_file() {
+            let message = format!("--uniform {name}: expected numbers between commas, or a picture, not '{value}'");
+            return Err(Failure::Usage(message));
+        }
+        let could_not =
+            |why: String| Failure::from(Report::new(format!("cannot read '{value}': {why}")).file(path));
+        let bytes = std::fs::read(path).map_err(|error| could_not(without_number(&error.to_string())))?;
+        let texture = read_texture(&bytes, value, &ReadOptions::default())
+            .map_err(|error| could_not(error.to_string()))?;
+        scene.textures.push(texture);
+        Ok(UniformValue::Texture(scene.textures.len() - 1))
+    }
+
+    /// The files that the options name, with all that these may include.
+    pub(crate) fn files(&self) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        for file in [&self.vs, &self.fs].into_iter().flatten() {
+            files.push(file.clone());
+            let includes = text(file).map(|text| text.includes).unwrap_or_default();
+            let folder = file.parent().unwrap_or(Path::new(""));
+            files.extend(includes.keys().map(|name| folder.join(name)));
+        }
+        files
+    }
+}
+
+/// A file with what it includes.
+pub(crate) fn text(file: &Path) -> Result<ProgramText, Failure> {
+    let text = shader::read(file)?;
+    let mut read = |path: &str| shader::included(file, path);
+    Ok(ProgramText::with_includes(file.display().to_string(), text, &mut read))
+}
+
+/// All texts of a program by name, as errors name them.
+pub(crate) fn texts(text: &ProgramText) -> BTreeMap<String, String> {
+    let mut all = text.includes.clone();
+    all.insert(text.name.clone(), text.text.clone());
+    all
+}
+
+/// `NAME=VALUE`.
+fn uniform(text: &str) -> Result<(String, String), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE, such as exposure=1.5")?;
+    match name.trim().is_empty() || value.trim().is_empty() {
+        true => Err("expected NAME=VALUE, such as exposure=1.5".to_owned()),
+        false => Ok((name.trim().to_owned(), value.trim().to_owned())),
+    }
+}

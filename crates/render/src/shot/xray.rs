@@ -1,0 +1,137 @@
+//! Programs taken apart: every value of every line at a pixel or vertex, and any value as a picture.
+
+use std::collections::BTreeMap;
+
+use glanz_picture::Frame;
+use glanz_shader::{Pair, ShaderError, Source, Stage, Trace};
+
+use super::{Shot, ShotError};
+use crate::cpu::Renderer;
+use crate::cpu::inspect::{Findings, Wanted};
+use crate::prepare::{PrepareError, ProgramError, traced_pair};
+use crate::view::{DrawOptions, Samples};
+
+/// What a value's picture has where the program did not come to its line.
+pub const NOT_REACHED: f32 = crate::cpu::inspect::NOT_REACHED;
+
+/// All that happened at a pixel or a vertex.
+#[derive(Clone, Debug)]
+pub struct Xray {
+    /// The number of the object.
+    pub object: usize,
+    /// Which stage ran.
+    pub stage: Stage,
+    /// Where the text of that stage is from.
+    pub source: Source,
+    /// Which of the trace's lanes is the pixel or vertex.
+    pub lane: usize,
+    /// What happened.
+    pub trace: Trace,
+}
+
+/// A value of a program at all pixels.
+#[derive(Clone, Debug)]
+pub struct ValueFrame {
+    /// Its numbers in place of red, green and blue, one number three times; [`NOT_REACHED`] where the program did not come to
+    /// it, alpha 0 where there is no program.
+    pub frame: Frame,
+    /// All values that were met: line and name, and how many numbers each has.
+    pub met: BTreeMap<(u32, String), usize>,
+}
+
+impl Shot {
+    /// All that the fragment shader did in the middle of a pixel; none where nothing is that a program draws.
+    ///
+    /// ```
+    /// use glanz_render::Shot;
+    /// use glanz_scene::{Mesh, Program, ProgramText, Scene, library};
+    ///
+    /// let text = "in vec3 normal; out vec4 color; void main() { float up = normal.y; color = vec4(up); }";
+    /// let mut scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(33, 33);
+    /// scene.set_program(Program::of_fragment(ProgramText::new("up.frag", text)));
+    /// let xray = Shot::new(&scene)?.xray(16, 16)?.expect("the sphere is in the middle");
+    /// let up = xray.trace.of_lane(xray.lane).find(|record| record.name == "up").expect("it has a value");
+    /// assert!(up.values(xray.lane)[0].abs() < 0.01);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ShotError::Pixel`] for a pixel that the picture does not have, [`ShotError::NoProgram`] for a scene without programs.
+    pub fn xray(&mut self, x: u32, y: u32) -> Result<Option<Xray>, ShotError> {
+        let (width, height) = (self.sight.view.width, self.sight.view.height);
+        if x >= width || y >= height {
+            return Err(ShotError::Pixel { x, y, width, height });
+        }
+        let (_, findings) = self.inspected(Wanted::Pixel([x, y]))?;
+        Ok(findings.pixel.map(|found| Xray {
+            object: found.object,
+            stage: Stage::Fragment,
+            source: self.source_of(found.object, Stage::Fragment),
+            lane: found.lane,
+            trace: found.trace,
+        }))
+    }
+
+    /// All that the vertex shader did for a vertex of an object's mesh; none where that has no such vertex.
+    ///
+    /// # Errors
+    /// [`ShotError::NoProgram`] where no program draws the object.
+    pub fn xray_vertex(&mut self, object: usize, vertex: u32) -> Result<Option<Xray>, ShotError> {
+        let pairs = self.traced_pairs()?;
+        let found = Renderer::new().vertex_trace(
+            &self.prepared,
+            &self.sight.view,
+            &self.sight.draw,
+            &pairs,
+            (object, vertex),
+        );
+        let Some(found) = found else { return Err(ShotError::NoProgram) };
+        Ok(found.map(|(lane, trace)| Xray {
+            object,
+            stage: Stage::Vertex,
+            source: self.source_of(object, Stage::Vertex),
+            lane,
+            trace,
+        }))
+    }
+
+    /// A value of the fragment shaders at all pixels, by its name and its line; where no line is given, the last one.
+    ///
+    /// # Errors
+    /// [`ShotError::NoProgram`] for a scene without programs.
+    pub fn value_frame(&mut self, name: &str, line: Option<u32>) -> Result<ValueFrame, ShotError> {
+        let (frame, findings) = self.inspected(Wanted::Value { name: name.to_owned(), line })?;
+        Ok(ValueFrame { frame, met: findings.met })
+    }
+
+    fn inspected(&mut self, wanted: Wanted) -> Result<(Frame, Findings), ShotError> {
+        let pairs = self.traced_pairs()?;
+        let background = glanz_scene::Background::Transparent;
+        let options =
+            DrawOptions { samples: Samples::One, supersample: false, background, ..self.sight.draw };
+        let mut renderer = Renderer::new();
+        Ok(renderer.inspect(&self.prepared, &self.sight.view, &options, wanted, &pairs))
+    }
+
+    fn traced_pairs(&self) -> Result<Vec<Pair>, ShotError> {
+        if self.prepared.objects.iter().all(|object| object.program.is_none()) {
+            return Err(ShotError::NoProgram);
+        }
+        let programs = self.prepared.programs.iter();
+        let traced = programs.map(|program| traced_pair(&program.source)).collect::<Result<Vec<_>, _>>();
+        traced.map_err(|error: ShaderError| {
+            let error = ProgramError { error, texts: BTreeMap::new() };
+            PrepareError::from(Box::new(error)).into()
+        })
+    }
+
+    fn source_of(&self, object: usize, stage: Stage) -> Source {
+        let program = self.prepared.objects.get(object).and_then(|own| own.program);
+        let pair = program.and_then(|own| self.prepared.programs.get(own)).map(|own| &own.pair);
+        match (pair, stage) {
+            (Some(pair), Stage::Vertex) => pair.vertex_source,
+            (Some(pair), Stage::Fragment) => pair.fragment_source,
+            (None, _) => Source::StandIn,
+        }
+    }
+}
