@@ -43,7 +43,7 @@ struct Cli {
 
 fn main() -> ExitCode {
     interrupt::prepare();
-    let words = of_help(std::env::args_os().collect());
+    let words = of_course(of_help(std::env::args_os().collect()));
     let format = format_of(&words);
     let parsed = root().try_get_matches_from(&words).and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
@@ -74,6 +74,19 @@ fn of_help(mut words: Vec<OsString>) -> Vec<OsString> {
         && (option == "--help" || option == "-h")
     {
         *option = "help".into();
+    }
+    words
+}
+
+/// Options as the courses' own programs have them, with one dash: `-vs FILE`, `-fs FILE`, `-ps`.
+fn of_course(mut words: Vec<OsString>) -> Vec<OsString> {
+    let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
+    for word in &mut words[..end] {
+        for option in ["-vs", "-fs", "-ps"] {
+            if word == option {
+                *word = format!("-{option}").into();
+            }
+        }
     }
     words
 }

@@ -42,5 +42,5 @@ pub use prepare::{
     prepare,
 };
 pub use session::Session;
-pub use shot::{Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step, ValueFrame, Xray, NOT_REACHED};
+pub use shot::{UniformFill, Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step, ValueFrame, Xray, NOT_REACHED};
 pub use view::{Aovs, DebugView, DrawOptions, Moment, Samples, SamplesError, View, ViewError};

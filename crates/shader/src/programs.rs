@@ -164,6 +164,20 @@ impl DefaultProgram {
             .replace("@SUM@", include_str!("../programs/sum.glsl"))
     }
 
+    /// The text of a GLSL stage with its lights and its material filled in: `values` are the constants that stand in place
+    /// of the two uniforms.
+    pub fn filled(&self, stage: Stage, values: &str) -> String {
+        let declared = "uniform LightSources lights;        // in the camera's space\nuniform Material material;\n";
+        self.text(stage).replace(declared, values)
+    }
+
+    /// A whole WGSL text of Phong's highlights with its lights and its material filled in.
+    pub fn filled_wgsl(values: &str) -> String {
+        include_str!("../programs/scene.wgsl")
+            .replace("@TITLE@", "Phong's highlights")
+            .replace("@VALUES@", values)
+    }
+
     /// The name of the file that a stage goes into.
     pub fn file_name(&self, stage: Stage) -> String {
         let (stem, _) = self.name.rsplit_once('-').unwrap_or((self.name, ""));

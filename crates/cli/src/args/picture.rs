@@ -20,7 +20,7 @@ pub(crate) enum BitDepth {
 }
 
 /// From linear light to a picture.
-#[derive(Args, Clone, Copy, Debug)]
+#[derive(Args, Clone, Copy, Debug, Default)]
 #[command(next_help_heading = "Development")]
 pub(crate) struct DevelopArgs {
     /// Exposure in stops: 1 doubles the light

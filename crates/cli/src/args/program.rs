@@ -1,9 +1,9 @@
 //! Shaders that draw in place of the materials.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
+use glanz_render::Moment;
 use glanz_scene::read::{ReadOptions, read_texture};
 use glanz_scene::{Program, ProgramText, Scene, UniformValue};
 
@@ -25,9 +25,28 @@ pub(crate) struct ProgramArgs {
     /// Set a uniform of the program, such as exposure=1.5, tint=1,0.5,0 or picture=wood.png; may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = uniform)]
     pub uniform: Vec<(String, String)>,
+
+    /// The time that programs are told, in seconds; in a film that of its first picture
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, allow_hyphen_values = true)]
+    pub time: f32,
+
+    /// Where the pointer is for programs: pixels from the lower left
+    #[arg(long, value_name = "X,Y", value_parser = mouse)]
+    pub mouse: Option<[f32; 2]>,
+}
+
+fn mouse(text: &str) -> Result<[f32; 2], String> {
+    let both: Result<[f64; 2], _> = super::numbers(text)?.try_into();
+    both.map(|both| both.map(|number| number as f32)).map_err(|_| "expected a place, such as 320,240".to_owned())
 }
 
 impl ProgramArgs {
+    /// What programs are told of the first picture.
+    pub(crate) fn moment(&self) -> Moment {
+        let [x, y] = self.mouse.unwrap_or_default();
+        Moment { time: self.time, mouse: [x, y, 0.0, 0.0], ..Moment::default() }
+    }
+
     /// Lets the scene be drawn by what the options name, in place of or beside its own program.
     pub(crate) fn apply(&self, scene: &mut Scene) -> Result<(), Failure> {
         if self.vs.is_none() && self.fs.is_none() && self.uniform.is_empty() {
@@ -99,13 +118,6 @@ pub(crate) fn text(file: &Path) -> Result<ProgramText, Failure> {
     let text = shader::read(file)?;
     let mut read = |path: &str| shader::included(file, path);
     Ok(ProgramText::with_includes(file.display().to_string(), text, &mut read))
-}
-
-/// All texts of a program by name, as errors name them.
-pub(crate) fn texts(text: &ProgramText) -> BTreeMap<String, String> {
-    let mut all = text.includes.clone();
-    all.insert(text.name.clone(), text.text.clone());
-    all
 }
 
 /// `NAME=VALUE`.

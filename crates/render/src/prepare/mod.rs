@@ -29,7 +29,7 @@ mod update;
 pub(crate) use build::check::check_background;
 pub use build::prepare;
 pub use build::programs::ProgramError;
-pub(crate) use build::programs::traced_pair;
+pub(crate) use build::programs::{compiled as compiled_program, traced_pair};
 pub use change::Change;
 pub use color::observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
 pub use data::*;

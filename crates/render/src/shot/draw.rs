@@ -7,7 +7,7 @@ use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
 use super::{ShotError, ShotOptions, Sight, mistaken};
 use crate::cpu::Renderer;
 use crate::prepare::{Change, Prepared, prepare};
-use crate::view::{Aovs, DrawOptions, View};
+use crate::view::{Aovs, DrawOptions, Moment, View};
 use crate::{Backend, draw_observed, draw_observed_into, takes_several_frames};
 
 /// A picture of a scene: honours all that the scene says.
@@ -118,6 +118,11 @@ impl Shot {
         self.sight.view = View::new(&camera, width, height)?;
         self.sight.camera = camera;
         Ok(())
+    }
+
+    /// Another time, or another place of the pointer, for programs; nothing is prepared anew.
+    pub fn set_moment(&mut self, moment: Moment) {
+        self.sight.draw.moment = moment;
     }
 
     /// Takes over what changed of the scene, and redoes nothing else.

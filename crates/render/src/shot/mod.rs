@@ -17,4 +17,4 @@ pub(crate) use mistaken::mistaken;
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};
 pub(crate) use sight::Sight;
-pub use xray::{NOT_REACHED, ValueFrame, Xray};
+pub use xray::{NOT_REACHED, UniformFill, ValueFrame, Xray};

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 
 use glanz_picture::Frame;
-use glanz_shader::{Pair, ShaderError, Source, Stage, Trace};
+use glanz_scene::Program;
+use glanz_shader::{Pair, ShaderError, Source, Stage, Trace, ValueType};
 
 use super::{Shot, ShotError};
 use crate::cpu::Renderer;
 use crate::cpu::inspect::{Findings, Wanted};
-use crate::prepare::{PrepareError, ProgramError, traced_pair};
+use crate::prepare::{PrepareError, ProgramError, compiled_program, traced_pair};
+use crate::view::camera::ViewCamera;
+use crate::view::program::Told;
 use crate::view::{DrawOptions, Samples};
 
 /// What a value's picture has where the program did not come to its line.
@@ -27,6 +30,19 @@ pub struct Xray {
     pub lane: usize,
     /// What happened.
     pub trace: Trace,
+}
+
+/// What a uniform is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UniformFill {
+    /// As the source names it.
+    pub name: String,
+    /// Its type.
+    pub ty: ValueType,
+    /// Its numbers, column by column.
+    pub values: Vec<f32>,
+    /// Whether its name stands for something or the user sets it; if not it has the source's value, or 0.
+    pub filled: bool,
 }
 
 /// A value of a program at all pixels.
@@ -102,6 +118,33 @@ impl Shot {
     pub fn value_frame(&mut self, name: &str, line: Option<u32>) -> Result<ValueFrame, ShotError> {
         let (frame, findings) = self.inspected(Wanted::Value { name: name.to_owned(), line })?;
         Ok(ValueFrame { frame, met: findings.met })
+    }
+
+    /// What the uniforms of a program would be for an object of the scene before its camera: of both stages, by name, with
+    /// whether anything stands for them.
+    ///
+    /// # Errors
+    /// If the program does not compile, or there is no such object.
+    pub fn uniforms_of(&self, program: &Program, object: usize) -> Result<Vec<UniformFill>, ShotError> {
+        let own = self.prepared.objects.get(object).ok_or(ShotError::NoProgram)?;
+        let compiled = compiled_program(program, self.prepared.textures.len())?;
+        let camera = ViewCamera::new(&self.prepared, &self.sight.view);
+        let told = Told::new(&self.prepared, &self.sight.view, self.sight.draw.moment, camera.range);
+        let values = told.values(own, &compiled);
+        let pair = &compiled.pair;
+        let stages = [(&pair.vertex, &values.vertex), (&pair.fragment, &values.fragment)];
+        let mut all: Vec<UniformFill> = Vec::new();
+        for (stage, values) in stages {
+            for uniform in &stage.interface().uniforms {
+                if all.iter().any(|known| known.name == uniform.name) {
+                    continue;
+                }
+                let numbers = values.get(&uniform.name).unwrap_or_default();
+                let filled = uniform.role.is_some() || program.uniforms.contains_key(&uniform.name);
+                all.push(UniformFill { name: uniform.name.clone(), ty: uniform.ty, values: numbers, filled });
+            }
+        }
+        Ok(all)
     }
 
     fn inspected(&mut self, wanted: Wanted) -> Result<(Frame, Findings), ShotError> {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use glanz_picture::output::{
     Animation, Format, Metadata, PictureData, write_apng, write_atomically, write_gif,
 };
-use glanz_render::Shot;
+use glanz_render::{Moment, Shot};
 use glanz_scene::Scene;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -236,6 +236,10 @@ impl<'a> Frames<'a> {
         let (plan, shot, _) = self.scene.as_mut().expect("was read for the first frame");
         let part = if self.args.turntable { index as f64 / self.count as f64 } else { 0.0 };
         turn(shot, &plan.options.camera, part)?;
+        let step = (1.0 / self.args.fps) as f32;
+        let first = self.args.input.program.moment();
+        let (time, frame) = (first.time + index as f32 * step, self.first + index as u32);
+        shot.set_moment(Moment { time, delta: step, frame, ..first });
         if self.hashes.len() == index {
             self.hashes.extend(shot.metadata().scene_hash);
         }

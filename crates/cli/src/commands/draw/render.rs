@@ -14,6 +14,7 @@ use sha2::{Digest, Sha256};
 use crate::args::{
     BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
 };
+use crate::commands::shader;
 use crate::encode;
 use crate::frames;
 use crate::load::{Input, More};
@@ -36,6 +37,8 @@ Examples:
   glanz render scene.toml --frames 0..120 --turntable -o 'spin_{frame:04}.png'
   glanz render scene.toml --frames 0..60 --turntable -o spin.gif --size 400x300
   glanz render scene.toml --watch --preview
+  glanz render scene.toml --fs normals.frag -o normals.png
+  glanz render scene.toml --vs my.vert --fs my.frag --uniform exposure=1.5 --watch --preview
   glanz render - --preview < scene.toml
   glanz render scene.toml --repeat 50 --timings --format json";
 
@@ -63,6 +66,10 @@ pub(crate) struct RenderArgs {
     /// Draw again when the scene or a file that it names changes, until Ctrl-C
     #[arg(long, help_heading = "Output", conflicts_with_all = ["frames", "repeat", "timings"])]
     pub watch: bool,
+
+    /// Print the shaders that draw the scene, or those that would draw as its shading does, in place of a picture
+    #[arg(long, help_heading = "Program", conflicts_with_all = ["watch", "frames", "preview", "output"])]
+    pub ps: bool,
 
     #[command(flatten)]
     pub size: SizeArgs,
@@ -123,6 +130,7 @@ impl RenderArgs {
         self.machine.apply()?;
         match &self.frames {
             Some(range) => self.film(range.clone()),
+            None if self.ps => shader::print_of(&self.load(More::default())?.scene),
             None if self.watch => self.watch(),
             None => self.still(),
         }
@@ -211,7 +219,8 @@ impl RenderArgs {
     /// The scene as arrays, and how it is drawn.
     pub(crate) fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
+        let mut shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
+        shot.set_moment(self.input.program.moment());
         Ok((plan, shot))
     }
 

@@ -26,7 +26,8 @@ impl RenderArgs {
         }
         interrupt::is_the_end();
         let path = target.as_ref().and_then(Target::path);
-        let mut watched = Watched::new(&self.input.input, path);
+        let files = || self.input.program.files();
+        let mut watched = Watched::new(&self.input.input, path, &files);
         let mut first = true;
         loop {
             watched.look();

@@ -17,19 +17,20 @@ const MOST_FILES: usize = 256;
 type Stamp = Option<(SystemTime, u64)>;
 
 /// The files that a picture is made of, as they were when it was drawn.
-#[derive(Debug)]
-pub(super) struct Watched {
+pub(super) struct Watched<'a> {
     scene: PathBuf,
     /// What is written, which would else be seen to change.
     target: Option<PathBuf>,
+    /// Files that the command line names, which may name more.
+    more: &'a dyn Fn() -> Vec<PathBuf>,
     stamps: BTreeMap<PathBuf, Stamp>,
 }
 
-impl Watched {
-    /// The files of `scene`; `target` is the picture.
-    pub(super) fn new(scene: &Path, target: Option<&Path>) -> Self {
+impl<'a> Watched<'a> {
+    /// The files of `scene`, and `more`; `target` is the picture.
+    pub(super) fn new(scene: &Path, target: Option<&Path>, more: &'a dyn Fn() -> Vec<PathBuf>) -> Self {
         let mut watched =
-            Self { scene: scene.to_owned(), target: target.map(Path::to_owned), stamps: BTreeMap::new() };
+            Self { scene: scene.to_owned(), target: target.map(Path::to_owned), more, stamps: BTreeMap::new() };
         watched.look();
         watched
     }
@@ -41,9 +42,9 @@ impl Watched {
 
     /// Notes how the files are now, and which there are.
     pub(super) fn look(&mut self) {
-        let files = files_of(&self.scene);
+        let files = files_of(&self.scene).into_iter().chain((self.more)());
         let is_other = |path: &PathBuf| self.target.as_ref() != Some(path);
-        self.stamps = files.into_iter().filter(is_other).map(|path| (path.clone(), stamp(&path))).collect();
+        self.stamps = files.filter(is_other).map(|path| (path.clone(), stamp(&path))).collect();
     }
 
     /// Waits until one of the files is another than when they were looked at, and is not being written any more.
@@ -94,7 +95,7 @@ fn strings(text: &str) -> Vec<&str> {
 
 /// Whether a file of this name may name others.
 fn names_files(path: &Path) -> bool {
-    ["gltf", "obj"].iter().any(|ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending)))
+    ["gltf", "obj", "vert", "frag", "vs", "fs", "glsl", "wgsl"].iter().any(|ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending)))
 }
 
 /// The files of the folder that a file is in.
@@ -123,7 +124,7 @@ mod tests {
             std::fs::write(folder.join(name), "1").unwrap();
         }
         std::fs::write(&scene, "diffuse = { file = 'b.csv' }\nother = 'missing.csv'\nown = 'a.png'").unwrap();
-        let mut watched = Watched::new(&scene, Some(&picture));
+        let mut watched = Watched::new(&scene, Some(&picture), &Vec::new);
         assert_eq!(watched.stamps.keys().cloned().collect::<Vec<_>>(), [scene.clone(), folder.join("b.csv")]);
         std::fs::write(folder.join("b.csv"), "12").unwrap();
         watched.wait();

@@ -42,9 +42,19 @@ pub(crate) struct CheckArgs {
 
 /// A stage by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum StageName {
+pub(super) enum StageName {
     Vertex,
     Fragment,
+}
+
+impl StageName {
+    /// The stage.
+    pub(super) fn stage(self) -> Stage {
+        match self {
+            Self::Vertex => Stage::Vertex,
+            Self::Fragment => Stage::Fragment,
+        }
+    }
 }
 
 impl CheckArgs {

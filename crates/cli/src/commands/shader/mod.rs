@@ -1,10 +1,16 @@
 //! `glanz shader`: programs of users, in GLSL and WGSL.
 
 pub(super) mod check;
+pub(super) mod export;
+pub(super) mod picture;
+pub(super) mod programs;
+mod scene;
 mod source;
+pub(super) mod xray;
 
 use clap::Subcommand;
 
+pub(crate) use programs::print_of;
 pub(crate) use source::{failure, included, read};
 
 use crate::print::failure::Failure;
@@ -15,6 +21,21 @@ pub(crate) enum ShaderCommand {
     /// Compile shaders, and tell what they take and what is probably not meant
     #[command(after_help = check::EXAMPLES)]
     Check(check::CheckArgs),
+    /// List the programs to begin with
+    #[command(after_help = programs::LIST_EXAMPLES)]
+    List(programs::ListArgs),
+    /// Print a program to begin with, to be changed and drawn with
+    #[command(after_help = programs::PRINT_EXAMPLES)]
+    Print(programs::PrintArgs),
+    /// Tell every value of every line of a program at a pixel or a vertex
+    #[command(after_help = xray::EXAMPLES)]
+    Xray(Box<xray::XrayArgs>),
+    /// Write the lights and materials of a scene as programs with filled structs
+    #[command(after_help = export::EXAMPLES)]
+    Export(Box<export::ExportArgs>),
+    /// Draw a value of a line of a program as a picture
+    #[command(after_help = picture::EXAMPLES)]
+    Picture(Box<picture::PictureArgs>),
 }
 
 impl ShaderCommand {
@@ -22,6 +43,11 @@ impl ShaderCommand {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Check(_) => "check",
+            Self::List(_) => "list",
+            Self::Print(_) => "print",
+            Self::Xray(_) => "xray",
+            Self::Picture(_) => "picture",
+            Self::Export(_) => "export",
         }
     }
 
@@ -29,6 +55,11 @@ impl ShaderCommand {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Check(args) => args.run(),
+            Self::List(args) => args.run(),
+            Self::Print(args) => args.run(),
+            Self::Xray(args) => args.run(),
+            Self::Picture(args) => args.run(),
+            Self::Export(args) => args.run(),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glanz_scene::{ColorMode, Program, ProgramText, Scene, UniformValue};
-use glanz_shader::{Pair, Place, Scalar, Shader, ShaderError, Stage};
+use glanz_shader::{Pair, Place, Scalar, Shader, ShaderError, Stage, UniformError};
 
 use crate::prepare::color::observation::Observation;
 use crate::prepare::{PrepareError, PreparedProgram};
@@ -120,12 +120,18 @@ fn check(pair: &Pair, name: &str, value: &UniformValue, textures: usize) -> Resu
             for stage in stages {
                 match super::super::program_values::set(&mut stage.uniforms(), stage, name, numbers) {
                     Ok(()) => return Ok(()),
-                    Err(other @ glanz_shader::UniformError::Count { .. }) => error = Some(other),
-                    Err(other) => error = error.or(Some(other)),
+                    Err(other @ UniformError::Count { .. }) => error = Some(other),
+                    Err(UniformError::Unknown { .. }) => {}
                 }
             }
+            let Some(error) = error else {
+                let own = |stage: &&glanz_shader::Program| stage.interface().uniforms.clone();
+                let names: Vec<String> = stages.iter().flat_map(own).map(|uniform| uniform.name).collect();
+                let hint = glanz_math::names::did_you_mean(name, names.iter().map(String::as_str));
+                return Err(invalid(format!("there is no uniform '{name}' in the program{hint}"), None));
+            };
             let place = stages.iter().find_map(|own| own.interface().uniform(name)?.place.clone());
-            Err(invalid(error.map(|error| error.to_string()).unwrap_or_default(), place))
+            Err(invalid(error.to_string(), place))
         }
     }
 }
