@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 37] = [
+const COULD_NOT: [&[&str]; 44] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -35,6 +35,13 @@ const COULD_NOT: [&[&str]; 37] = [
     &["probe", "scene.toml", "9999,1"],
     &["shader", "check", "none.frag"],
     &["shader", "check", "wrong.frag"],
+    &["shader", "print", "phong"],
+    &["shader", "print", "phong-330", "--stage", "vertex", "-o", "none/a.vert"],
+    &["shader", "xray", "scene.toml", "--pixel", "1,1"],
+    &["shader", "xray", "scene.toml", "--fs", "wrong.frag", "--pixel", "1,1"],
+    &["shader", "picture", "scene.toml", "--fs", "none.frag", "--value", "x", "-o", "a.png"],
+    &["shader", "export", "none.toml", "-o", "program"],
+    &["render", "scene.toml", "--fs", "wrong.frag", "-o", "a.png"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -55,7 +62,7 @@ const COULD_NOT: [&[&str]; 37] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 15] = [
+const PRINTING: [&[&str]; 17] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -68,6 +75,8 @@ const PRINTING: [&[&str]; 15] = [
     &["color", "convert", "--from", "srgb", "--to", "lab", "1,0,0"],
     &["info", "scene.toml"],
     &["shader", "check", "a.frag"],
+    &["shader", "list"],
+    &["shader", "print", "phong-330"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],

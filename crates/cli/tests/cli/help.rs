@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 43] = [
+pub(crate) const COMMANDS: [&[&str]; 48] = [
     &[],
     &["render"],
     &["sweep"],
@@ -44,6 +44,11 @@ pub(crate) const COMMANDS: [&[&str]; 43] = [
     &["color", "plot", "efficiency"],
     &["shader"],
     &["shader", "check"],
+    &["shader", "list"],
+    &["shader", "print"],
+    &["shader", "xray"],
+    &["shader", "picture"],
+    &["shader", "export"],
     &["example"],
     &["schema"],
     &["completions"],

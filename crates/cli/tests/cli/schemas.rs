@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 40] = [
     (
         "render",
         &[
@@ -86,6 +86,19 @@ const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
         ],
     ),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
+    ("shader-list", &[&["shader", "list"]]),
+    (
+        "shader-xray",
+        &[
+            &["shader", "xray", "scene.toml", "--fs", "sight.frag", "--pixel", "12,8", "--size", "24x16"],
+            &["shader", "xray", "scene.toml", "--fs", "sight.frag", "--vertex", "0"],
+        ],
+    ),
+    (
+        "shader-picture",
+        &[&["shader", "picture", "scene.toml", "--fs", "sight.frag", "--value", "up", "-o", "up.png"]],
+    ),
+    ("shader-export", &[&["shader", "export", "scene.toml", "-o", "program"]]),
     ("color-xy", &[&["color", "xy", "0.3127,0.329"], &["color", "xy", "0.35,0.2", "--white", "D65"]]),
     ("color-wave", &[&["color", "wave", "580nm", "2.1eV"]]),
     ("color-metamers", &[&["color", "metamers", "gold", "copper"]]),
@@ -166,6 +179,7 @@ fn folder() -> Folder {
     folder.write("empty.toml", "");
     folder.write("a.vert", crate::shader::VERTEX);
     folder.write("a.frag", crate::shader::FRAGMENT);
+    folder.write("sight.frag", crate::shader::SIGHT);
     folder
         .write("tetra.obj", "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
     for (name, ev) in [("a.png", "0"), ("b.png", "-1"), ("a.exr", "0"), ("b.exr", "-1")] {

@@ -38,6 +38,7 @@ mod lighting;
 pub(crate) mod probe;
 mod program;
 pub(crate) use program::inspect;
+pub(crate) use renderer::inspect_colors;
 mod renderer;
 mod shading;
 mod threads;

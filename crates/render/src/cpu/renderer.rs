@@ -19,7 +19,7 @@ use crate::cpu::threads;
 use crate::cpu::tile::draw;
 use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
-use crate::{Aovs, Backend, DrawOptions, Prepared, View};
+use crate::{Aovs, Backend, DrawOptions, Prepared, Samples, View};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
@@ -273,6 +273,13 @@ fn draw_tile(
     band: &mut Band,
 ) -> usize {
     at_level!(level, simd => draw::draw(simd, frame, projected, place, scratch, band))
+}
+
+/// The frame with one sample in the middle of each pixel, before nothing: the numbers that programs give.
+pub(crate) fn inspect_colors(prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+    let (samples, background) = (Samples::One, Background::Transparent);
+    let options = DrawOptions { samples, supersample: false, background, aovs: Aovs::default(), ..*options };
+    Renderer::new().draw(prepared, view, &options)
 }
 
 /// What the channels of a frame will be.

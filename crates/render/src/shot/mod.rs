@@ -6,6 +6,7 @@ mod mistaken;
 mod options;
 mod output;
 mod probe;
+mod program_remarks;
 mod remarks;
 mod sight;
 mod spectrum;

@@ -38,6 +38,8 @@ pub enum RemarkKind {
     Dark,
     /// Much is above white.
     Clipped,
+    /// A uniform or a picture of a program is set by nobody, or a program gives what is no number.
+    Program,
 }
 
 /// What is to be said about a picture, by [`Shot::remarks`]: what it is about, and a sentence for people.
@@ -57,7 +59,7 @@ pub struct Remark {
 }
 
 impl Remark {
-    fn new(kind: RemarkKind, text: impl Into<String>) -> Self {
+    pub(super) fn new(kind: RemarkKind, text: impl Into<String>) -> Self {
         Self { kind, text: text.into() }
     }
 }
@@ -105,6 +107,10 @@ impl Shot {
         if scene.objects.is_empty() {
             let text = "the scene has no objects: the picture shows its background alone";
             remarks.push(Remark::new(RemarkKind::NoObjects, text));
+            return Ok(remarks);
+        }
+        remarks.extend(self.program_remarks()?);
+        if self.is_drawn_by_programs() {
             return Ok(remarks);
         }
         let is_light = self.sight.draw.show.is_light();

@@ -108,7 +108,10 @@ fn of_material(
         let text = ProgramText::new(program.file_name(Stage::Fragment), program.text(Stage::Fragment));
         Ok(shot.uniforms_of(&Program::of_fragment(text), object)?)
     };
-    let glsl = program.filled(Stage::Fragment, &glsl_values(&fills(program)?));
+    let values = fills(program)?;
+    let held = count(&values).max(1);
+    let glsl = program.filled(Stage::Fragment, &glsl_values(&values));
+    let glsl = glsl.replace("const int MNL = 10; ", &format!("const int MNL = {held}; "));
     let wgsl = DefaultProgram::filled_wgsl(&wgsl_values(&fills(known("phong-330")?)?));
     Ok(vec![(format!("{name}.frag"), glsl), (format!("{name}.wgsl"), wgsl)])
 }
@@ -184,8 +187,9 @@ fn count(fills: &[UniformFill]) -> usize {
 fn glsl_values(fills: &[UniformFill]) -> String {
     let vector = |count: usize| format!("vec{count}");
     let mut text = format!("// In the camera's space.\nconst LightSources lights = LightSources({}, LightSource[MNL](\n", count(fills));
-    for i in 0..10 {
-        let end = if i < 9 { "," } else { "" };
+    let held = count(fills).max(1);
+    for i in 0..held {
+        let end = if i + 1 < held { "," } else { "" };
         writeln!(text, "    LightSource({}){end}", light(fills, i, &vector)).expect("a string takes everything");
     }
     text.push_str("));\n");

@@ -141,6 +141,9 @@ fn text(xray: &Xray, scene: &Scene, what: &str) -> String {
     for (record, (line, what)) in records.iter().zip(&told) {
         let place = record.place.as_ref();
         let source = place.and_then(|place| line_of(scene, &place.file, place.line)).unwrap_or_default();
+        // Of a loop it is asked whether it ends.
+        let is_loop = ["for", "while"].iter().any(|word| source.starts_with(word));
+        let what = if is_loop { what.replacen("if ", "ends: ", 1) } else { what.clone() };
         let first_nan = is_nan(record, lane) && !nan_told;
         nan_told |= first_nan;
         let mark = if first_nan { "  <- the first NaN" } else { "" };

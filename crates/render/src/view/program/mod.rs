@@ -133,6 +133,11 @@ impl<'a> Told<'a> {
     }
 }
 
+/// Whether the material has a map that a sampler's name stands for.
+pub(crate) fn has_map(name: &str, material: &crate::prepare::PreparedMaterial) -> bool {
+    material::map(name, material).is_some()
+}
+
 /// As many numbers as the type has: of matrices the upper left part, of vectors the first ones, a fourth being 1.
 fn fitted(numbers: &[f64], uniform: &Uniform) -> Vec<f32> {
     let (columns, rows) = (uniform.ty.columns, uniform.ty.rows);
