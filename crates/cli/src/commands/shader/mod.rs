@@ -1,6 +1,7 @@
 //! `glanz shader`: programs of users, in GLSL and WGSL.
 
 pub(super) mod check;
+pub(super) mod run;
 
 use clap::Subcommand;
 
@@ -12,6 +13,9 @@ pub(crate) enum ShaderCommand {
     /// Compile shaders, and tell what they take and what is probably not meant
     #[command(after_help = check::EXAMPLES)]
     Check(check::CheckArgs),
+    /// Draw a fragment shader alone, as Shadertoy and glslViewer do: a picture or a film
+    #[command(after_help = run::EXAMPLES)]
+    Run(Box<run::RunArgs>),
 }
 
 impl ShaderCommand {
@@ -19,6 +23,7 @@ impl ShaderCommand {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Check(_) => "check",
+            Self::Run(_) => "run",
         }
     }
 
@@ -26,6 +31,7 @@ impl ShaderCommand {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Check(args) => args.run(),
+            Self::Run(args) => args.run(),
         }
     }
 }
