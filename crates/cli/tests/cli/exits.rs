@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 37] = [
+const COULD_NOT: [&[&str]; 39] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -35,6 +35,8 @@ const COULD_NOT: [&[&str]; 37] = [
     &["probe", "scene.toml", "9999,1"],
     &["shader", "check", "none.frag"],
     &["shader", "check", "wrong.frag"],
+    &["shader", "run", "none.frag", "-o", "toy.png"],
+    &["shader", "run", "a.frag", "-o", "none/toy.png"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],

@@ -20,4 +20,5 @@ mod plots;
 mod probe;
 mod schemas;
 mod shader;
+mod shader_run;
 mod spectra;

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 37] = [
     (
         "render",
         &[
@@ -85,6 +85,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("color-xy", &[&["color", "xy", "0.3127,0.329"], &["color", "xy", "0.35,0.2", "--white", "D65"]]),
     ("color-wave", &[&["color", "wave", "580nm", "2.1eV"]]),
