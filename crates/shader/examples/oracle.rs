@@ -45,7 +45,9 @@ fn name(path: &Path) -> String {
 fn texels() -> Vec<u8> {
     let rows = (0..SIDE).rev();
     rows.flat_map(|y| {
-        (0..SIDE).flat_map(move |x| [x * 15 + y, y * 15 + x, (x * y) % 200, 255 - x * 3 - y * 5].map(|code| code as u8))
+        (0..SIDE).flat_map(move |x| {
+            [x * 15 + y, y * 15 + x, (x * y) % 200, 255 - x * 3 - y * 5].map(|code| code as u8)
+        })
     })
     .collect()
 }

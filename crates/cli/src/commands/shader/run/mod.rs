@@ -185,8 +185,9 @@ impl<'a> Toy<'a> {
     fn new(args: &'a RunArgs) -> Result<Self, Failure> {
         let program = compile(&args.file, Stage::Fragment, &args.defines())?;
         let pictures = given::pictures(args, &program)?;
-        for (texture, picture) in program.interface().textures.iter().zip(&pictures.0) {
-            if picture.is_none() && is_of_a_pass(&texture.name) {
+        let textures = program.interface().textures.iter().zip(&pictures.0).enumerate();
+        for (index, (texture, picture)) in textures {
+            if picture.is_none() && program.looks_into(index) && is_of_a_pass(&texture.name) {
                 let message =
                     format!("'{}' is what another pass draws, and there is one pass only", texture.name);
                 let help = format!("a picture may stand for it: --texture {}=FILE", texture.name);

@@ -36,8 +36,10 @@ impl Remarks {
         if let Some(names) = listed(screen.unfilled_inputs()) {
             self.lines.push(format!("without a mesh nothing fills the input {names}: 0"));
         }
-        let textures = program.interface().textures.iter().zip(&pictures.0);
-        let empty = textures.filter(|(_, picture)| picture.is_none()).map(|(own, _)| own.name.as_str());
+        let textures = program.interface().textures.iter().zip(&pictures.0).enumerate();
+        let empty = textures
+            .filter(|(index, (_, picture))| picture.is_none() && program.looks_into(*index))
+            .map(|(_, (own, _))| own.name.as_str());
         if let Some(names) = listed(empty) {
             self.lines.push(format!(
                 "no picture is given for {names}: every look into it is opaque black; see --texture, --channel0"
