@@ -56,6 +56,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             )
         })
     });
+    steps.run("shaders against OpenGL", || shaders(workspace));
     steps.run("examples of the library", || library_examples::run_all(workspace));
     steps.run("examples", || gallery::try_examples(workspace));
     steps.run("what the README shows", || tour::run(workspace));
@@ -90,6 +91,39 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
         return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
     }
     comparison(workspace).into()
+}
+
+/// Debian's packages for OpenGL without a screen.
+const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
+
+/// Shaders on the lane machine against Mesa's llvmpipe, where OpenGL without a screen can be had.
+fn shaders(workspace: &Workspace) -> Outcome {
+    let built = oracle(workspace, |workspace| {
+        run(&mut workspace.cargo("build --quiet --package glanz-shader --example oracle"))
+    });
+    if built != Outcome::Passed {
+        return built;
+    }
+    let python = match data::python_with(
+        workspace,
+        "oracle-python-shaders",
+        "tests/python/requirements-shaders.txt",
+    ) {
+        Ok(python) => python,
+        Err(failure) => return Outcome::Skipped(format!("moderngl cannot be installed: {failure}")),
+    };
+    let probe = "import moderngl; moderngl.create_standalone_context(backend='egl')";
+    let has_egl = || works(workspace.command(&python).args(["-c", probe]));
+    if !has_egl() {
+        println!("no OpenGL without a screen here: installing Debian's {MESA}");
+        let mut install = workspace.command("apt-get");
+        install.args(["install", "-y", "--no-install-recommends"]).args(MESA.split(' '));
+        if run(&mut install).is_err() || !has_egl() {
+            return Outcome::Skipped(format!("there is no EGL, and {MESA} could not be installed"));
+        }
+    }
+    let ours = workspace.target().join(format!("debug/examples/oracle{}", std::env::consts::EXE_SUFFIX));
+    compare(workspace, "shaders", "requirements-shaders.txt", ("GLANZ_ORACLE", &ours)).into()
 }
 
 /// Runs `tests/python/test_….py` with the packages of a file beside it and the path of a program of ours.

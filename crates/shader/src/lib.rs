@@ -25,6 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A [`Screen`] fills a picture by a fragment shader alone, as Shadertoy does.
 //! What a value is at a pixel, line by line, is a [`Trace`]; what a name stands for, a [`Role`]; what is right but
 //! probably not meant, a [`Warning`].
 
@@ -39,6 +40,7 @@ mod pair;
 mod program;
 mod programs;
 mod run;
+mod screen;
 mod stage;
 mod trace;
 
@@ -53,5 +55,6 @@ pub use pair::{Pair, Source, Varying};
 pub use program::{Program, Shader};
 pub use programs::DefaultProgram;
 pub use run::Machine;
+pub use screen::{Moment, Pictures, Screen, ScreenError, ScreenPicture, TexturePicture, is_of_a_pass};
 pub use stage::{Interpolation, Language, Scalar, Stage, ValueType};
 pub use trace::{Record, RecordKind, Trace};

@@ -173,6 +173,11 @@ impl Program {
         (self.lowered.ops.len(), self.lowered.prologue.len(), self.lowered.registers)
     }
 
+    /// Whether it looks into the texture of this number, or asks for its size; others are declared only.
+    pub fn looks_into(&self, texture: usize) -> bool {
+        self.lowered.looks.iter().any(|look| look.texture == texture)
+    }
+
     /// Whether fragments may be discarded.
     pub fn discards(&self) -> bool {
         self.lowered.discarded.is_some()

@@ -7,6 +7,7 @@
 
 mod peers;
 mod report;
+mod shaders;
 mod turns;
 mod whole;
 
@@ -39,10 +40,15 @@ pub(crate) fn run_all(workspace: &Workspace, options: &Options) -> Result<()> {
         let kernels = format!("run --release --quiet --package glanz-render --example bench{quick}");
         lines.extend(measured(&mut workspace.cargo(&kernels))?);
         lines.extend(whole::run_all(workspace, options.quick)?);
+        lines.extend(shaders::run_all(workspace)?);
     }
     let mut turns = String::new();
     if options.peers || options.only_peers {
         lines.extend(peers::run_all(workspace, options.quick));
+        match shaders::in_turn(workspace) {
+            Ok(rows) => lines.extend(rows),
+            Err(failure) => println!("!!! shaders were NOT measured in turn with llvmpipe: {failure}"),
+        }
         match peers::in_turn(workspace, options.quick) {
             Ok(table) => turns = table,
             Err(failure) => println!("!!! nothing was measured in turn with llvmpipe: {failure}"),

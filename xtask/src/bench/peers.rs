@@ -39,6 +39,13 @@ pub(super) fn in_turn(workspace: &Workspace, quick: bool) -> Result<String> {
 
 /// The program that draws with llvmpipe, with all that it needs set up.
 fn llvmpipe_command(workspace: &Workspace) -> Result<Command> {
+    let mut command = moderngl_command(workspace)?;
+    command.arg("xtask/peers/llvmpipe.py");
+    Ok(command)
+}
+
+/// A Python that draws with llvmpipe.
+pub(super) fn moderngl_command(workspace: &Workspace) -> Result<Command> {
     let python = python(workspace)?;
     let mut probe = workspace.command(&python);
     if !works(probe.args(["xtask/peers/llvmpipe.py", "--probe"])) {
@@ -48,9 +55,7 @@ fn llvmpipe_command(workspace: &Workspace) -> Result<Command> {
             .args(["install", "-y", "--no-install-recommends"])
             .args(MESA.split(' ')))?;
     }
-    let mut command = workspace.command(&python);
-    command.arg("xtask/peers/llvmpipe.py");
-    Ok(command)
+    Ok(workspace.command(&python))
 }
 
 /// A Python with moderngl and numpy, in an environment of its own.

@@ -76,7 +76,10 @@ pub(crate) enum Command {
     )]
     Color(color::ColorCommand),
     /// Programs of users, in GLSL and WGSL
-    #[command(subcommand, after_help = "Example:\n  glanz shader check phong.vert phong.frag")]
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  glanz shader check phong.vert phong.frag\n  glanz shader run toy.frag -o toy.png"
+    )]
     Shader(shader::ShaderCommand),
     /// Write an example scene that is part of the program
     #[command(after_help = example::EXAMPLES)]

@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 42] = [
+const SCHEMAS: [Named; 43] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -45,6 +45,7 @@ const SCHEMAS: [Named; 42] = [
     ("bsdf-albedo", schema::<bsdf::albedo::Document>),
     ("sheet", schema::<SheetDocument>),
     ("check", schema::<check::Document>),
+    ("shader-run", schema::<shader::run::Document>),
     ("shader-check", schema::<shader::check::Document>),
     ("shader-list", schema::<shader::programs::ListDocument>),
     ("shader-xray", schema::<shader::xray::Document>),

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 44] = [
+const COULD_NOT: [&[&str]; 46] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -42,6 +42,8 @@ const COULD_NOT: [&[&str]; 44] = [
     &["shader", "picture", "scene.toml", "--fs", "none.frag", "--value", "x", "-o", "a.png"],
     &["shader", "export", "none.toml", "-o", "program"],
     &["render", "scene.toml", "--fs", "wrong.frag", "-o", "a.png"],
+    &["shader", "run", "none.frag", "-o", "toy.png"],
+    &["shader", "run", "a.frag", "-o", "none/toy.png"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],

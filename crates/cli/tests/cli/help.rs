@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 48] = [
+pub(crate) const COMMANDS: [&[&str]; 49] = [
     &[],
     &["render"],
     &["sweep"],
@@ -49,6 +49,7 @@ pub(crate) const COMMANDS: [&[&str]; 48] = [
     &["shader", "xray"],
     &["shader", "picture"],
     &["shader", "export"],
+    &["shader", "run"],
     &["example"],
     &["schema"],
     &["completions"],

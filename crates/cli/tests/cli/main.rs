@@ -21,4 +21,5 @@ mod probe;
 mod schemas;
 mod shader;
 mod shader_docs;
+mod shader_run;
 mod spectra;

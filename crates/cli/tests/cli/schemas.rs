@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 40] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 41] = [
     (
         "render",
         &[
@@ -85,6 +85,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 40] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("shader-list", &[&["shader", "list"]]),
     (

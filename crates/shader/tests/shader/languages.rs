@@ -218,3 +218,12 @@ fn both_stages_may_stand_in_one_wgsl_text() {
         assert_eq!(program.interface().uniforms[0].name, "u.m");
     }
 }
+
+#[test]
+fn a_function_may_end_without_a_return() {
+    let text = "float f(float x) { for (int i = 0; i < 9; i++) { if (float(i) > x) return float(i); } }
+        struct S { float a; }; S g(float x) { if (x > 1.0) { S s; s.a = x; return s; } else return S(0.5); }
+        varying float x; void main() { gl_FragColor = vec4(f(x), g(x).a, 0.0, 0.0); }";
+    assert_eq!(value(text, 2.5), 3.0);
+    assert_eq!(value(text, 20.0), 0.0, "it is undefined in GLSL, and 0 here");
+}

@@ -20,7 +20,7 @@ const CONTAINERS: [(&str, &str, &[&str]); 4] = [
 ];
 
 /// Whether it is ffmpeg that writes a file of this name.
-pub(super) fn writes(path: &Path) -> bool {
+pub(in crate::commands) fn writes(path: &Path) -> bool {
     container(path).is_some()
 }
 
@@ -30,7 +30,7 @@ fn container(path: &Path) -> Option<&'static (&'static str, &'static str, &'stat
 }
 
 /// That the program is there, before anything is drawn.
-pub(super) fn check(path: &Path) -> Result<(), Failure> {
+pub(in crate::commands) fn check(path: &Path) -> Result<(), Failure> {
     let mut command = Command::new(PROGRAM);
     command.arg("-version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     match command.status() {
@@ -48,7 +48,7 @@ fn missing(path: &Path) -> Failure {
 }
 
 /// Writes the frames, RGBA by rows, by way of ffmpeg.
-pub(super) fn write(
+pub(in crate::commands) fn write(
     out: &mut TargetFile,
     animation: &Animation,
     fps: f64,

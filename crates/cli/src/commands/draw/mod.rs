@@ -1,6 +1,6 @@
 //! The commands that draw scenes.
 
-mod ffmpeg;
+pub(in crate::commands) mod ffmpeg;
 pub(super) mod film;
 pub(super) mod modes;
 pub(super) mod relight;

@@ -299,7 +299,7 @@ pub(crate) struct Document {
 }
 
 /// SHA-256 of a file that was written.
-pub(super) fn sha256(path: &Path) -> Result<String, Failure> {
+pub(in crate::commands) fn sha256(path: &Path) -> Result<String, Failure> {
     let bytes = std::fs::read(path).map_err(|error| {
         let error = without_number(&error.to_string());
         Failure::from(Report::new(format_args!("cannot read '{}': {error}", path.display())).file(path))

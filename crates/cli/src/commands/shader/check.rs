@@ -62,7 +62,7 @@ impl CheckArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let mut programs = Vec::with_capacity(self.files.len());
         for file in &self.files {
-            programs.push((file.display().to_string(), compile(file, self.stage_of(file))?));
+            programs.push((file.display().to_string(), compile(file, self.stage_of(file), &[])?));
         }
         let of = |stage: Stage| programs.iter().find(|(_, program)| program.stage() == stage);
         let between = match (of(Stage::Vertex), of(Stage::Fragment)) {
@@ -90,8 +90,8 @@ impl CheckArgs {
     }
 }
 
-/// Compiles a file; `#include` reads files of its folder.
-fn compile(file: &Path, stage: Stage) -> Result<Program, Failure> {
+/// Compiles a file, with `#define`s in front; `#include` reads files of its folder.
+pub(super) fn compile(file: &Path, stage: Stage, defines: &[(String, String)]) -> Result<Program, Failure> {
     let name = file.display().to_string();
     let text = read(file)?;
     let texts = Mutex::new(BTreeMap::from([(name.clone(), text.clone())]));
@@ -100,7 +100,11 @@ fn compile(file: &Path, stage: Stage) -> Result<Program, Failure> {
         texts.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), found.clone());
         Some(found)
     };
-    let compiled = Shader::new(stage, text).named(&name).include(&include).compile();
+    let mut shader = Shader::new(stage, text).named(&name).include(&include);
+    for (name, text) in defines {
+        shader = shader.define(name, text);
+    }
+    let compiled = shader.compile();
     compiled.map_err(|error| failure(&error, &texts.lock().unwrap_or_else(PoisonError::into_inner)))
 }
 
@@ -156,7 +160,7 @@ fn words(role: &Role) -> String {
     words
 }
 
-fn told(Warning { place, message }: &Warning) -> String {
+pub(super) fn told(Warning { place, message }: &Warning) -> String {
     place
         .as_ref()
         .map_or_else(|| format!("warning: {message}"), |place| format!("warning: {place}: {message}"))

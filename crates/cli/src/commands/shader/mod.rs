@@ -7,6 +7,7 @@ pub(super) mod programs;
 mod scene;
 mod source;
 pub(super) mod xray;
+pub(super) mod run;
 
 use clap::Subcommand;
 
@@ -36,6 +37,9 @@ pub(crate) enum ShaderCommand {
     /// Draw a value of a line of a program as a picture
     #[command(after_help = picture::EXAMPLES)]
     Picture(Box<picture::PictureArgs>),
+    /// Draw a fragment shader alone, as Shadertoy and glslViewer do: a picture or a film
+    #[command(after_help = run::EXAMPLES)]
+    Run(Box<run::RunArgs>),
 }
 
 impl ShaderCommand {
@@ -48,6 +52,7 @@ impl ShaderCommand {
             Self::Xray(_) => "xray",
             Self::Picture(_) => "picture",
             Self::Export(_) => "export",
+            Self::Run(_) => "run",
         }
     }
 
@@ -60,6 +65,7 @@ impl ShaderCommand {
             Self::Xray(args) => args.run(),
             Self::Picture(args) => args.run(),
             Self::Export(args) => args.run(),
+            Self::Run(args) => args.run(),
         }
     }
 }

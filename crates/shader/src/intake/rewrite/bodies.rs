@@ -39,6 +39,26 @@ pub(super) fn sampler_type(sampler: &str) -> &'static str {
     if sampler.ends_with("Shadow") { "samplerShadow" } else { "sampler" }
 }
 
+/// Whether a function with a result may come to its end without a return, as the front end sees it.
+fn may_fall_through(head: &[Token], body: &[Token]) -> bool {
+    if body.len() < 2 || head.iter().any(|t| t.is("void")) {
+        return false;
+    }
+    let (mut depth, mut begins, mut last) = (0u32, true, None);
+    for token in body {
+        match &*token.text {
+            "{" | "(" | "[" => depth += 1,
+            "}" | ")" | "]" => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 1 && begins && !token.is("{") && !token.is("}") {
+            last = Some(token);
+        }
+        begins = depth == 1 && matches!(&*token.text, "{" | "}" | ";");
+    }
+    !last.is_some_and(|token| token.is("return"))
+}
+
 impl Rewriter {
     /// A name that is no word of GLSL 450.
     pub(super) fn safe_name(&self, token: &Token) -> Token {
@@ -64,7 +84,16 @@ impl Rewriter {
         let name = self.safe_name(name);
         self.out.push(Token { spaced: true, ..name });
         let samplers = self.parameters(parameters)?;
-        self.body(body, &samplers)
+        let Some((close, inside)) = body.split_last().filter(|_| may_fall_through(head, body)) else {
+            return self.body(body, &samplers);
+        };
+        self.body(inside, &samplers)?;
+        let ty: Vec<&str> =
+            head.iter().map(|t| &*t.text).filter(|word| !is_precision(word) && *word != "const").collect();
+        // What a function gives that ends without a return is undefined; here it is 0.
+        self.generated(&format!("{} glanz_nothing; return glanz_nothing;", ty.join(" ")), close.origin);
+        self.push(close);
+        Ok(())
     }
 
     /// Writes the parameters; those that are samplers, with their types.

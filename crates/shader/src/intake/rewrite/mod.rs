@@ -4,6 +4,7 @@ mod bodies;
 mod declarations;
 mod entry;
 mod legacy;
+mod prelude;
 mod refused;
 mod writer;
 
@@ -85,6 +86,7 @@ pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Resul
         used,
         bindings: 0,
     };
+    rewriter.prelude();
     rewriter.legacy_declarations(&items);
     for item in &items {
         rewriter.item(item)?;

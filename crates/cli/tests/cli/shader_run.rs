@@ -1,0 +1,149 @@
+//! `glanz shader run`: a fragment shader alone.
+
+use crate::folder::Folder;
+
+const TOY: &str = "\
+void mainImage(out vec4 color, in vec2 at) {
+    color = vec4(at / iResolution.xy, fract(iTime), 1.0);
+}
+";
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    folder.write("toy.frag", TOY);
+    folder
+}
+
+/// Size and RGB codes of a PNG.
+fn pixels(bytes: &[u8]) -> (u32, u32, Vec<[u8; 3]>) {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let mut codes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut codes).unwrap();
+    let n = info.color_type.samples();
+    (info.width, info.height, codes.chunks_exact(n).map(|c| [c[0], c[1], c[2]]).collect())
+}
+
+#[test]
+fn a_picture_is_bottom_up_and_as_it_is() {
+    let folder = folder();
+    let run = folder.glanz(&["shader", "run", "toy.frag", "--size", "4x2", "--time", "0.5", "-o", "toy.png"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, "wrote toy.png\n"));
+    let (width, height, codes) = pixels(&folder.read("toy.png"));
+    assert_eq!((width, height), (4, 2));
+    assert_eq!(codes[0], [32, 191, 128], "the upper left pixel: (0.5, 1.5) / (4, 2), not decoded or encoded");
+    assert_eq!(codes[7], [223, 64, 128]);
+}
+
+#[test]
+fn the_picture_is_the_same_for_every_number_of_threads() {
+    let folder = folder();
+    folder.write("noise.frag", "void main() { vec2 p = gl_FragCoord.xy; gl_FragColor = vec4(fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453), fwidth(p.x * p.y) * 0.01, sin(p)); }");
+    for threads in ["1", "2", "3"] {
+        let name = format!("{threads}.png");
+        folder
+            .glanz(&["shader", "run", "noise.frag", "--size", "83x61", "--threads", threads, "-o", &name])
+            .text();
+        assert_eq!(folder.read(&name), folder.read("1.png"), "{threads} threads");
+    }
+}
+
+#[test]
+fn a_film_goes_on_in_time() {
+    let folder = folder();
+    let run = folder.glanz(&[
+        "shader",
+        "run",
+        "toy.frag",
+        "--size",
+        "4x2",
+        "--frames",
+        "0..3",
+        "--fps",
+        "4",
+        "-o",
+        "t{frame}.png",
+    ]);
+    assert_eq!(run.stderr, "wrote 3 files, t0.png to t2.png\n");
+    let blue = |name: &str| pixels(&folder.read(name)).2[0][2];
+    assert_eq!(["t0.png", "t1.png", "t2.png"].map(blue), [0, 64, 128]);
+    folder.glanz(&["shader", "run", "toy.frag", "--size", "4x2", "--frames", "0..3", "-o", "t.gif"]).text();
+    assert!(folder.read("t.gif").starts_with(b"GIF89a"));
+}
+
+#[test]
+fn a_texture_stands_upright_and_its_size_is_told() {
+    let folder = folder();
+    folder.glanz(&["shader", "run", "toy.frag", "--size", "4x2", "--time", "0.5", "-o", "toy.png"]).text();
+    folder.write(
+        "look.frag",
+        "void mainImage(out vec4 c, vec2 p) { c = texture(iChannel0, p / iChannelResolution[0].xy); }",
+    );
+    let words = ["shader", "run", "look.frag", "--size", "4x2", "--channel0", "toy.png", "-o", "look.png"];
+    assert_eq!(folder.glanz(&words).stderr, "wrote look.png\n");
+    assert_eq!(pixels(&folder.read("look.png")), pixels(&folder.read("toy.png")));
+    let run = folder.glanz(&["shader", "run", "look.frag", "--size", "4x2", "-o", "look.png"]);
+    assert!(run.stderr.contains("no picture is given for 'iChannel0'"), "{}", run.stderr);
+    assert!(run.stderr.contains("all pixels are black"), "{}", run.stderr);
+}
+
+#[test]
+fn what_is_odd_is_told() {
+    let folder = folder();
+    folder.write("k.frag", "uniform float k; uniform sampler2D u_buffer0; void main() { gl_FragColor = vec4(sqrt(k - gl_FragCoord.x + 2.0)); }");
+    let run = folder.glanz(&["shader", "run", "k.frag", "--size", "4x2", "-o", "k.png"]);
+    assert_eq!(run.code, 0, "a texture that is not looked into is none: {}", run.stderr);
+    assert!(run.stderr.contains("nothing fills 'k'"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("4 pixels are not a number (NaN) and magenta, the first at 2,0"),
+        "{}",
+        run.stderr
+    );
+    let run = folder.glanz(&["shader", "run", "k.frag", "--size", "4x2", "--uniform", "k=9", "-o", "k.png"]);
+    assert_eq!(run.stderr, "wrote k.png\n");
+    folder.write(
+        "pass.frag",
+        "uniform sampler2D u_buffer0; void main() { gl_FragColor = texture2D(u_buffer0, gl_FragCoord.xy); }",
+    );
+    let run = folder.glanz(&["shader", "run", "pass.frag", "--size", "4x2", "-o", "k.png"]);
+    assert!(run.code == 3 && run.stderr.contains("another pass"), "{}", run.stderr);
+    folder.write("black.frag", "void main() { gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0); }");
+    let run = folder.glanz(&["shader", "run", "black.frag", "--size", "4x2", "-o", "k.png"]);
+    assert!(run.stderr.contains("all pixels are black"), "{}", run.stderr);
+}
+
+#[test]
+fn an_endless_loop_is_an_error_with_its_line_and_leaves_no_file() {
+    let folder = folder();
+    folder.write(
+        "e.frag",
+        "void main() {\n  float x = 0.0;\n  for (;;) { x += 1.0; if (x < 0.0) break; }\n  gl_FragColor = vec4(x);\n}\n",
+    );
+    for output in ["e.png", "e.gif"] {
+        let words = ["shader", "run", "e.frag", "--size", "8x8", "--frames", "0..1", "-o", output];
+        let words = if output == "e.png" { [&words[..5], &words[7..]].concat() } else { words.to_vec() };
+        let run = folder.glanz(&words);
+        assert!(run.code == 3 && run.stderr.contains("e.frag:3:"), "{}", run.stderr);
+        assert!(!folder.path(output).exists());
+    }
+}
+
+#[test]
+fn wrong_options_are_refused() {
+    let folder = folder();
+    for (more, said) in [
+        (&["--uniform", "k=1"][..], "there is no uniform 'k'"),
+        (&["--uniform", "iTime=1,2"], "1 numbers, not 2"),
+        (&["--texture", "wood=a.png"], "looks into no texture 'wood'"),
+        (&["--channel1", "a.png"], "'iChannel1' or 'u_tex1'"),
+        (&["--mouse", "1"], "two numbers"),
+        (&["--fps", "0"], "above 0"),
+        (&["--frames", "0..2"], "no place for the number"),
+    ] {
+        let run = folder.glanz(&[&["shader", "run", "toy.frag", "-o", "a.png"], more].concat());
+        assert!(run.code == 2 && run.stderr.contains(said), "{more:?}: {}", run.stderr);
+    }
+    let run = folder.glanz(&["shader", "run", "toy.frag", "-o", "a.exr"]);
+    assert!(run.code == 2 && run.stderr.contains("not light"), "{}", run.stderr);
+}
