@@ -21,7 +21,8 @@ type Weight<'a> = &'a dyn Fn(&DirectionPair<f64>) -> f64;
 /// ∫ f_cos · weight dωi over the hemisphere that the subject answers to, for each weight.
 ///
 /// A subject that is fast for many pairs at a time is evaluated once for all points of the quadrature, whose order does not
-/// depend on values: the points are listed, evaluated, and added up in the same order.
+/// depend on values: the points are listed, evaluated, and added up in the same order. Values that are not finite, which
+/// are another law's, count as 0.
 pub(super) fn moments(subject: &dyn Subject, wo: Vec3<f64>, weights: &[Weight<'_>]) -> Vec<f64> {
     if !subject.is_single() {
         let moment = |weight: &Weight<'_>| integral(subject, wo, &|pair| subject.value(pair) * weight(pair));
@@ -35,18 +36,15 @@ pub(super) fn moments(subject: &dyn Subject, wo: Vec3<f64>, weights: &[Weight<'_
     let values = subject.values(&points.into_inner());
     let moment = |weight: &Weight<'_>| {
         let next = RefCell::new(values.iter());
-        integral(subject, wo, &|pair| next.borrow_mut().next().map_or(0.0, |value| value * weight(pair)))
+        let finite = || next.borrow_mut().next().filter(|value| value.is_finite());
+        integral(subject, wo, &|pair| finite().map_or(0.0, |value| value * weight(pair)))
     };
     weights.iter().map(moment).collect()
 }
 
 /// ∫ f_cos dωi over the hemisphere that the subject answers to, for a function of about its width in the place of its
 /// own f_cos.
-fn integral(
-    subject: &dyn Subject,
-    wo: Vec3<f64>,
-    f_cos: &dyn Fn(&DirectionPair<f64>) -> f64,
-) -> f64 {
+fn integral(subject: &dyn Subject, wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
     let (info, phi_o) = (subject.info(), libm::atan2(wo.y, wo.x));
     match info.anisotropic || info.side == Side::Transmission {
         true => directional(info, subject.eta(), (wo.z, phi_o), f_cos),

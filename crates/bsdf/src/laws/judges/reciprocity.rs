@@ -34,7 +34,8 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
         let double = if subject.is_single() { 0.0 } else { in_f64(subject, turned, &place) };
         let differences = [double, in_f32(subject, turned, &place).unwrap_or(0.0)];
         for (worst, difference) in worst.iter_mut().zip(differences) {
-            if difference > worst.0 || difference.is_nan() {
+            // Of a program, values that are no numbers are another law's.
+            if difference > worst.0 || difference.is_nan() && !subject.is_single() {
                 *worst = (difference, Some(place));
             }
         }
@@ -78,16 +79,20 @@ fn exchanged<R: glanz_math::Real>(subject: &dyn Subject, wo: Vec3<R>, wi: Vec3<R
 fn in_f64(subject: &dyn Subject, turned: &dyn Subject, place: &Place) -> f64 {
     let pair = place.pair();
     let again = turned.value(&exchanged(subject, place.wo, place.wi));
-    difference(subject, &pair, [subject.value(&pair), again], COSINE_F64)
+    difference(
+        subject,
+        [&pair, &exchanged(subject, place.wo, place.wi)],
+        [subject.value(&pair), again],
+        COSINE_F64,
+    )
 }
 
 fn in_f32(subject: &dyn Subject, turned: &dyn Subject, place: &Place) -> Option<f64> {
     let pair = place.pair_f32();
-    let (there, again) = (
-        subject.value_f32(&pair)?,
-        turned.value_f32(&exchanged(subject, to_f32(place.wo), to_f32(place.wi)))?,
-    );
-    Some(difference(subject, &to_f64(&pair), [there.into(), again.into()], COSINE_F32))
+    let exchanged = exchanged(subject, to_f32(place.wo), to_f32(place.wi));
+    let (there, again) = (subject.value_f32(&pair)?, turned.value_f32(&exchanged)?);
+    let pairs = [&to_f64(&pair), &to_f64(&exchanged)];
+    Some(difference(subject, pairs, [there.into(), again.into()], COSINE_F32))
 }
 
 /// |f(wo, wi) η_i² − f(wi, wo) η_o²| in parts of the greater, both sides multiplied with both cosines, of the values of
@@ -95,15 +100,22 @@ fn in_f32(subject: &dyn Subject, turned: &dyn Subject, place: &Place) -> Option<
 ///
 /// Where light is refracted, the half vector is formed from other numbers both ways, and a program of a user's forms what it
 /// likes; what the rounding of the coordinates does is then no difference.
-fn difference(subject: &dyn Subject, pair: &DirectionPair<f64>, values: [f64; 2], rounding: f64) -> f64 {
+fn difference(
+    subject: &dyn Subject,
+    [pair, exchanged]: [&DirectionPair<f64>; 2],
+    values: [f64; 2],
+    rounding: f64,
+) -> f64 {
     let factor = pair.cos_o.abs() * subject.eta() * subject.eta();
     let (there, again) = (values[0] * factor, values[1] * pair.cos_i.abs());
-    let allowed = match subject.eta() == 1.0 && !(subject.is_single() && there != again) {
-        true => 0.0,
-        false => {
-            let (low, high) = range(subject, pair, rounding);
-            (high - low) * factor
-        }
+    let rounded = |pair: &DirectionPair<f64>, factor: f64| {
+        let (low, high) = range(subject, pair, rounding);
+        (high - low) * factor
+    };
+    let allowed = match (subject.eta() == 1.0, subject.is_single() && there != again) {
+        (false, _) => rounded(pair, factor),
+        (true, false) => 0.0,
+        (true, true) => rounded(pair, factor) + rounded(exchanged, pair.cos_i.abs()),
     };
     let beyond = (there - again).abs() - allowed;
     if beyond <= 0.0 { 0.0 } else { beyond / there.abs().max(again.abs()).max(FAINTEST) }
