@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 38] = [
+const SCHEMAS: [Named; 39] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -46,6 +46,7 @@ const SCHEMAS: [Named; 38] = [
     ("sheet", schema::<SheetDocument>),
     ("check", schema::<check::Document>),
     ("shader-check", schema::<shader::check::Document>),
+    ("shader-certify", schema::<shader::certify::Document>),
     ("example", schema::<example::Document>),
     ("material-list", schema::<material::list::Document>),
     ("material-show", schema::<material::show::Document>),

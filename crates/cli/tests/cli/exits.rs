@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 37] = [
+const COULD_NOT: [&[&str]; 38] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -35,6 +35,7 @@ const COULD_NOT: [&[&str]; 37] = [
     &["probe", "scene.toml", "9999,1"],
     &["shader", "check", "none.frag"],
     &["shader", "check", "wrong.frag"],
+    &["shader", "certify", "none.brdf"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -55,7 +56,7 @@ const COULD_NOT: [&[&str]; 37] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 15] = [
+const PRINTING: [&[&str]; 16] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -68,6 +69,7 @@ const PRINTING: [&[&str]; 15] = [
     &["color", "convert", "--from", "srgb", "--to", "lab", "1,0,0"],
     &["info", "scene.toml"],
     &["shader", "check", "a.frag"],
+    &["shader", "certify", "1 / pi"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],

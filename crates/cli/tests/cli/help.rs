@@ -44,6 +44,7 @@ pub(crate) const COMMANDS: [&[&str]; 43] = [
     &["color", "plot", "efficiency"],
     &["shader"],
     &["shader", "check"],
+    &["shader", "certify"],
     &["example"],
     &["schema"],
     &["completions"],

@@ -85,6 +85,10 @@ const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    (
+        "shader-certify",
+        &[&["shader", "certify", "n = 2; n / (2 * pi)"], &["shader", "certify", "1 / (dot(N, L) - 0.5)"]],
+    ),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("color-xy", &[&["color", "xy", "0.3127,0.329"], &["color", "xy", "0.35,0.2", "--white", "D65"]]),
     ("color-wave", &[&["color", "wave", "580nm", "2.1eV"]]),

@@ -12,9 +12,7 @@ const PARAMETER: &str = "a parameter is 'n = 20' or 'n = 20 in 1..100'";
 
 /// The expression as a BRDF file, in which the expression stands in the line and column that it has for the user.
 pub(super) fn file(text: &str) -> Result<String, ShaderError> {
-    let code = text.trim_end().trim_end_matches(';');
-    let start = code.rfind(';').map_or(0, |at| at + 1);
-    let (parameters, expression) = code.split_at(start);
+    let (parameters, expression) = parts(text);
     if expression.trim().is_empty() {
         return Err(invalid(text, text.len(), "an expression for the value of the BRDF is expected", None));
     }
@@ -31,7 +29,6 @@ pub(super) fn file(text: &str) -> Result<String, ShaderError> {
         parameter(text, at, piece, &mut declared, &mut loose)?;
         at += piece.len() + 1;
     }
-    let blank: String = parameters.chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let half = if expression.split(|c| !is_word(c)).any(|word| word == "H") {
         "vec3 H = normalize(L + V);"
@@ -40,9 +37,36 @@ pub(super) fn file(text: &str) -> Result<String, ShaderError> {
     };
     Ok(format!(
         "::begin parameters\n{declared}::end parameters\n::begin shader\nconst float pi = 3.14159265358979;\n{loose}\
-         vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {{ {half} return vec3(\n#line 1\n{blank}{}\n); }}\n::end shader\n",
+         vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {{ {half} return vec3(\n#line 1\n{}{}\n); }}\n::end shader\n",
+        blank(parameters),
         with_points(expression)
     ))
+}
+
+/// The parameters with their semicolons, and the expression behind them.
+fn parts(text: &str) -> (&str, &str) {
+    let code = text.trim_end().trim_end_matches(';');
+    code.split_at(code.rfind(';').map_or(0, |at| at + 1))
+}
+
+/// As many spaces and lines.
+fn blank(parameters: &str) -> String {
+    parameters.chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect()
+}
+
+/// A place of the expression's file as one of the user's text.
+pub(super) fn place(text: &str, place: &Place) -> Place {
+    let (parameters, expression) = parts(text);
+    let code = blank(parameters) + expression;
+    let line = code.split('\n').nth(place.line.saturating_sub(1) as usize).unwrap_or("");
+    // The points of whole numbers are not the user's.
+    let reaches = |at: &usize| with_points(&line[..*at]).chars().count() + 1 >= place.column as usize;
+    let at = (0..=line.len()).filter(|at| line.is_char_boundary(*at)).find(reaches).unwrap_or(line.len());
+    let before: usize =
+        text.split('\n').take(place.line.saturating_sub(1) as usize).map(|line| line.len() + 1).sum();
+    let (start, column) = (before + at, line[..at].chars().count() as u32 + 1);
+    let end = (start + place.end.saturating_sub(place.start)).min(text.len()).max(start);
+    Place { file: NAME.to_owned(), line: place.line, column, start, end }
 }
 
 /// `n = 20`, or `n = 20 in 1..100`.
@@ -124,6 +148,14 @@ mod tests {
             with_points("2*x1 + L[0]*3 - 1.5e3 + pow(a, 10)"),
             "2.*x1 + L[0]*3. - 1.5e3 + pow(a, 10.)"
         );
+    }
+
+    #[test]
+    fn places_are_those_of_the_users_text() {
+        let text = "n = 20;\n 2 * 3 * m";
+        let in_file = Place { file: NAME.to_owned(), line: 2, column: 12, start: 100, end: 101 };
+        let place = place(text, &in_file);
+        assert_eq!((place.column, &text[place.start..place.end]), (10, "m"));
     }
 
     #[test]

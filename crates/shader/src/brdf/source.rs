@@ -29,6 +29,8 @@ pub struct BrdfSource<'a> {
     file: String,
     text: String,
     diffuse: bool,
+    /// The user's text, where it is an expression.
+    expression: Option<String>,
     include: Option<&'a (dyn Fn(&str, &str) -> Option<String> + Sync)>,
 }
 
@@ -37,7 +39,7 @@ impl<'a> BrdfSource<'a> {
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         let name = name.into();
         let file = name.rsplit(['/', '\\']).next().unwrap_or("").to_owned();
-        Self { name, file, text: text.into(), diffuse: false, include: None }
+        Self { name, file, text: text.into(), diffuse: false, expression: None, include: None }
     }
 
     /// A BRDF in a word of a command line: a function in GLSL, `float f(vec3 L, vec3 V, vec3 N) { … }`, or an expression over
@@ -53,11 +55,14 @@ impl<'a> BrdfSource<'a> {
             Some((at, _)) => format!("{}…", &short[..at]),
             None => short,
         };
-        let (name, text) = match text.contains('{') {
-            true => ("function", text.to_owned()),
-            false => (expression::NAME, expression::file(text)?),
+        let source = match text.contains('{') {
+            true => Self::new("function", text),
+            false => {
+                let file = Self::new(expression::NAME, expression::file(text)?);
+                Self { expression: Some(text.to_owned()), ..file }
+            }
         };
-        Ok(Self { name: name.to_owned(), file: short, text, diffuse: false, include: None })
+        Ok(Self { file: short, ..source })
     }
 
     /// The name of the model, for one whose text is not from the file of that name.
@@ -88,6 +93,19 @@ impl<'a> BrdfSource<'a> {
     ///
     /// [`ShaderError`] where the text is no function of directions, with the place in it.
     pub fn compile(&self) -> Result<Brdf, ShaderError> {
+        self.compiled().map_err(|mut error| {
+            let (ShaderError::Invalid { place, .. } | ShaderError::Unsupported { place, .. }) = &mut error
+            else {
+                return error;
+            };
+            if let (Some(text), Some(place)) = (&self.expression, place) {
+                *place = expression::place(text, place);
+            }
+            error
+        })
+    }
+
+    fn compiled(&self) -> Result<Brdf, ShaderError> {
         let included = Mutex::new(BTreeMap::new());
         let include = |path: &str, from: &str| {
             let text = self.include.and_then(|include| include(path, from))?;

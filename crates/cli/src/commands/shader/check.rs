@@ -1,16 +1,15 @@
 //! `glanz shader check`: whether a shader compiles, what it takes and gives, and what is probably not meant.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::{Component, Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use glanz_shader::{Place, Port, Program, Role, Shader, ShaderError, Stage, Uniform, Warning, check_stages};
+use glanz_shader::{Place, Port, Program, Role, Shader, Stage, Uniform, Warning, check_stages};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::print::failure::{Failure, Report, without_number};
+use crate::input::shader_text::Texts;
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help.
@@ -24,9 +23,6 @@ GLSL 110 to 460 and ES 100 and 300, by #version; WGSL where the name ends in .wg
 a .brdf of BRDF Explorer. A vertex and a fragment shader are also compared with each other. What a name stands
 for is told beside it; what stands for nothing is for the user to set. Programs are compiled for the processor, none is
 drawn yet.";
-
-/// A file of a shader is no longer than this.
-const MOST_BYTES: u64 = 1 << 20;
 
 /// Options of `glanz shader check`.
 #[derive(Args, Debug)]
@@ -85,50 +81,10 @@ impl CheckArgs {
 
 /// Compiles a file; `#include` reads files of its folder.
 fn compile(file: &Path, stage: Stage) -> Result<Program, Failure> {
-    let name = file.display().to_string();
-    let text = read(file)?;
-    let texts = Mutex::new(BTreeMap::from([(name.clone(), text.clone())]));
-    let include = |path: &str, _: &str| {
-        let is_within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
-        let found = read(&file.parent()?.join(path)).ok().filter(|_| is_within)?;
-        texts.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), found.clone());
-        Some(found)
-    };
-    let compiled = Shader::new(stage, text).named(&name).include(&include).compile();
-    compiled.map_err(|error| failure(&error, &texts.lock().unwrap_or_else(PoisonError::into_inner)))
-}
-
-fn read(file: &Path) -> Result<String, Failure> {
-    let could_not = |why: &str| {
-        let message = format!("cannot read '{}': {why}", file.display());
-        Failure::from(Report::new(message).file(file))
-    };
-    let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(file).map_err(io)?.len();
-    if length > MOST_BYTES {
-        return Err(could_not(&format!("a shader of {length} bytes is more than {MOST_BYTES}")));
-    }
-    let bytes = std::fs::read(file).map_err(io)?;
-    String::from_utf8(bytes).map_err(|_| could_not("expected text in UTF-8"))
-}
-
-/// An error with the line that it is in.
-fn failure(error: &ShaderError, texts: &BTreeMap<String, String>) -> Failure {
-    let (message, hints) = match error {
-        ShaderError::Invalid { message, hints, .. } => (message.clone(), hints.as_slice()),
-        ShaderError::Unsupported { message, .. } => (message.clone(), [].as_slice()),
-        ShaderError::Broken => (error.to_string(), [].as_slice()),
-    };
-    let Some(place) = error.place() else { return Report::new(message).into() };
-    let mut report = Report::new(message).file(Path::new(&place.file));
-    report = report.place(place.line.into(), place.column.into());
-    if let Some(text) = texts.get(&place.file).filter(|text| text.get(place.start..place.end).is_some()) {
-        report = report.source(&place.file, text.clone(), place.start..place.end);
-    }
-    if !hints.is_empty() {
-        report = report.help(hints.join("; "));
-    }
-    report.into()
+    let texts = Texts::read(file)?;
+    let include = |path: &str, _: &str| texts.include(path);
+    let compiled = Shader::new(stage, texts.text()).named(texts.name()).include(&include).compile();
+    compiled.map_err(|error| texts.failure(&error))
 }
 
 /// For people.

@@ -1,5 +1,6 @@
 //! `glanz shader`: programs of users, in GLSL and WGSL.
 
+pub(super) mod certify;
 pub(super) mod check;
 
 use clap::Subcommand;
@@ -12,6 +13,9 @@ pub(crate) enum ShaderCommand {
     /// Compile shaders, and tell what they take and what is probably not meant
     #[command(after_help = check::EXAMPLES)]
     Check(check::CheckArgs),
+    /// Judge BRDFs of one's own by the laws of physics, with the line that breaks them
+    #[command(after_help = certify::EXAMPLES)]
+    Certify(Box<certify::CertifyArgs>),
 }
 
 impl ShaderCommand {
@@ -19,6 +23,7 @@ impl ShaderCommand {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Check(_) => "check",
+            Self::Certify(_) => "certify",
         }
     }
 
@@ -26,6 +31,7 @@ impl ShaderCommand {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Check(args) => args.run(),
+            Self::Certify(args) => args.run(),
         }
     }
 }
