@@ -31,7 +31,9 @@ impl<'de> Deserialize<'de> for Shape {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let Named { model, params, source } = Named::deserialize(deserializer)?;
         if source.is_some() {
-            return Err(D::Error::custom(format!("'{model}' is a user's BRDF, which this crate does not compile")));
+            return Err(D::Error::custom(format!(
+                "'{model}' is a user's BRDF, which this crate does not compile"
+            )));
         }
         let params: Vec<(&str, f64)> = params.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         Self::named(&model, &params).map_err(D::Error::custom)

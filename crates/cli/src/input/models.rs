@@ -73,10 +73,12 @@ pub(crate) fn model(word: &str) -> Result<Model, Failure> {
     Ok(Model { shape: brdf.shape(), own: Some((brdf, texts)) })
 }
 
-/// The shape that a word means, with what is odd about it told on stderr.
+/// The shape that a word means. What happens to its colours is told on stderr; what may be wrong in its text, a certificate
+/// says.
 pub(crate) fn shape(word: &str) -> Result<Shape, Failure> {
     let Model { shape, own } = model(word)?;
-    for remark in own.iter().flat_map(|(brdf, _)| brdf.remarks()) {
+    let remarks = own.iter().flat_map(|(brdf, _)| brdf.remarks());
+    for remark in remarks.filter(|remark| remark.place.is_none()) {
         crate::print::note(&told(shape.info().name, remark));
     }
     Ok(shape)

@@ -50,7 +50,10 @@ pub struct Brdf {
 
 impl Brdf {
     fn new(code: Code, traced: Program) -> Result<Self, ShaderError> {
-        let mut remarks = code.program.warnings().to_vec();
+        // A shape is not asked for light from behind.
+        let from_behind = |warning: &&Warning| warning.message.contains("behind the surface");
+        let warnings = code.program.warnings().iter();
+        let mut remarks: Vec<_> = warnings.filter(|warning| !from_behind(warning)).cloned().collect();
         let model = Arc::new(ProgramModel::new(Arc::new(code)));
         if model.probe()? {
             let message = "red, green and blue differ; a shape knows no colour and is their mean: the tint of its lobe \
@@ -75,7 +78,7 @@ impl Brdf {
         &self.model.code().program
     }
 
-    /// What is right but probably not meant, and what the shape does with colours.
+    /// What is right but probably not meant, with its place, and what the shape does with colours, without.
     pub fn remarks(&self) -> &[Warning] {
         &self.remarks
     }

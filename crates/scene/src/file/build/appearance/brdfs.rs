@@ -62,10 +62,11 @@ impl BrdfTable {
             String::from_utf8(bytes).ok()
         };
         let brdf = source.include(&include).compile().map_err(wrong)?;
-        builder.input.notes.extend(brdf.remarks().iter().map(|remark| match &remark.place {
-            Some(place) => format!("{place}: {}", remark.message),
-            None => format!("'{}': {}", brdf.info().name, remark.message),
-        }));
+        let remarks = brdf.remarks().iter().filter(|remark| remark.place.is_none());
+        builder
+            .input
+            .notes
+            .extend(remarks.map(|remark| format!("'{}': {}", brdf.info().name, remark.message)));
         Ok(brdf.shape())
     }
 }
