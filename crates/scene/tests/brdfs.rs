@@ -13,11 +13,12 @@ const PHONG: &str = "::begin parameters\nfloat n 1 100 20\n::end parameters\n::b
 /// A folder of its own with the BRDF, what it includes, and a faulty one.
 fn folder(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("glanz-scene-brdfs-{name}-{}", std::process::id()));
-    std::fs::create_dir_all(folder.join("lib")).unwrap();
-    std::fs::write(folder.join("lib/phong.brdf"), PHONG).unwrap();
-    std::fs::write(folder.join("lib/pi.glsl"), "const float PI = 3.14159265358979;\n").unwrap();
+    std::fs::create_dir_all(folder.join("lib")).expect("the folder takes files");
+    std::fs::write(folder.join("lib/phong.brdf"), PHONG).expect("the folder takes files");
+    std::fs::write(folder.join("lib/pi.glsl"), "const float PI = 3.14159265358979;\n")
+        .expect("the folder takes files");
     std::fs::write(folder.join("wrong.brdf"), PHONG.replace("PI *", "PJ *").replace("#include", "//"))
-        .unwrap();
+        .expect("the folder takes files");
     folder
 }
 
@@ -26,7 +27,7 @@ fn load(name: &str, lobe: &str) -> Result<Loaded, FileError> {
     let text =
         format!("[materials.own]\nlobes = [{lobe}]\n[[objects]]\nmesh = \"sphere\"\nmaterial = \"own\"\n");
     let loaded = file::parse_str(&text, &folder, &LoadOptions::default());
-    std::fs::remove_dir_all(folder).unwrap();
+    std::fs::remove_dir_all(folder).expect("the folder takes files");
     loaded
 }
 
@@ -84,7 +85,7 @@ fn a_scene_with_a_brdf_is_written_hashed_and_serialised() {
 fn what_is_wrong_is_told_at_its_place() {
     let error = |lobe: &str| load("wrong", lobe).unwrap_err().to_string();
     for (lobe, expected) in [
-        ("{ shape = { file = \"wrong.brdf\" } }", "2:29: wrong.brdf:7:63: 'PJ' is not declared"),
+        ("{ shape = { file = \"wrong.brdf\" } }", "2:29: wrong.brdf:7:59: 'PJ' is not declared"),
         ("{ shape = { file = \"none.brdf\" } }", "2:29: there is no file 'none.brdf'"),
         ("{ shape = { file = \"../x.brdf\" } }", "leaves the folder of the scene file"),
         (

@@ -16,7 +16,7 @@ const HALVINGS: i32 = 30;
 const NEAREST: f64 = 1e-12;
 
 /// What an integrand is multiplied with.
-type Weight<'a> = &'a dyn Fn(&DirectionPair<f64>) -> f64;
+pub(super) type Weight<'a> = &'a dyn Fn(&DirectionPair<f64>) -> f64;
 
 /// ∫ f_cos · weight dωi over the hemisphere that the subject answers to, for each weight.
 ///
@@ -44,7 +44,11 @@ pub(super) fn moments(subject: &dyn Subject, wo: Vec3<f64>, weights: &[Weight<'_
 
 /// ∫ f_cos dωi over the hemisphere that the subject answers to, for a function of about its width in the place of its
 /// own f_cos.
-fn integral(subject: &dyn Subject, wo: Vec3<f64>, f_cos: &dyn Fn(&DirectionPair<f64>) -> f64) -> f64 {
+pub(super) fn integral(
+    subject: &dyn Subject,
+    wo: Vec3<f64>,
+    f_cos: &dyn Fn(&DirectionPair<f64>) -> f64,
+) -> f64 {
     let (info, phi_o) = (subject.info(), libm::atan2(wo.y, wo.x));
     match info.anisotropic || info.side == Side::Transmission {
         true => directional(info, subject.eta(), (wo.z, phi_o), f_cos),

@@ -79,7 +79,7 @@ pub(crate) fn shape(word: &str) -> Result<Shape, Failure> {
     let Model { shape, own } = model(word)?;
     let remarks = own.iter().flat_map(|(brdf, _)| brdf.remarks());
     for remark in remarks.filter(|remark| remark.place.is_none()) {
-        crate::print::note(&told(shape.info().name, remark));
+        crate::print::note(told(shape.info().name, remark));
     }
     Ok(shape)
 }

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 36] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 37] = [
     (
         "render",
         &[

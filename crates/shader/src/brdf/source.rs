@@ -8,6 +8,7 @@ use glanz_bsdf::{ModelInfo, ModelSource, Side};
 use super::inputs::Inputs;
 use super::model::Code;
 use super::{Brdf, expression, info, parameters};
+use crate::intake::Include;
 use crate::machine::Code as OpCode;
 use crate::{Program, Scalar, Shader, ShaderError};
 
@@ -31,7 +32,7 @@ pub struct BrdfSource<'a> {
     diffuse: bool,
     /// The user's text, where it is an expression.
     expression: Option<String>,
-    include: Option<&'a (dyn Fn(&str, &str) -> Option<String> + Sync)>,
+    include: Option<Include<'a>>,
 }
 
 impl<'a> BrdfSource<'a> {

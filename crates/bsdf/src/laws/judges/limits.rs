@@ -3,7 +3,7 @@
 use glanz_math::{PI, Vec3};
 
 use crate::laws::grid::direction;
-use crate::laws::hemisphere::moments;
+use crate::laws::hemisphere::{Weight, moments};
 use crate::laws::subject::Subject;
 use crate::laws::verdict::{Finding, Law};
 use crate::{DirectionPair, LightTerm};
@@ -92,7 +92,7 @@ fn narrow(subject: &dyn Subject) -> Finding {
 /// How far all light comes from one direction (the length of the mean direction, 1 if it does), and which.
 fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
     let wo = direction(VIEW, 0.0);
-    let weights: [&dyn Fn(&DirectionPair<f64>) -> f64; 4] =
+    let weights: [Weight<'_>; 4] =
         [&|_| 1.0, &|pair| pair.tangent_i.0, &|pair| pair.tangent_i.1, &|pair| pair.cos_i];
     let moments = moments(subject, wo, &weights);
     let (all, sum) = (moments[0], Vec3::new(moments[1], moments[2], moments[3]));

@@ -33,14 +33,7 @@ impl BrdfTable {
         use crate::read::{FolderFiles, Resolver};
 
         let (BrdfText::File(text) | BrdfText::Function(text)) = &self.text;
-        let wrong = |error: glanz_shader::ShaderError| {
-            let hints = match &error {
-                glanz_shader::ShaderError::Invalid { hints, .. } => hints.join("; "),
-                _ => String::new(),
-            };
-            let problem = Problem::at(&text.span, error.to_string());
-            if hints.is_empty() { problem } else { problem.help(hints) }
-        };
+        let wrong = |error: glanz_shader::ShaderError| problem(&error, &text.span);
         let mut source = match &self.text {
             BrdfText::Function(text) => BrdfSource::word(text).map_err(wrong)?,
             BrdfText::File(file) => {
@@ -68,5 +61,17 @@ impl BrdfTable {
             .notes
             .extend(remarks.map(|remark| format!("'{}': {}", brdf.info().name, remark.message)));
         Ok(brdf.shape())
+    }
+}
+
+/// An error in the text of a BRDF, at the place that names the text.
+#[cfg(feature = "shader")]
+fn problem(error: &glanz_shader::ShaderError, span: &std::ops::Range<usize>) -> Problem {
+    let problem = Problem::at(span, error.to_string());
+    match error {
+        glanz_shader::ShaderError::Invalid { hints, .. } if !hints.is_empty() => {
+            problem.help(hints.join("; "))
+        }
+        _ => problem,
     }
 }
