@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glanz_math::{Lanes, Real, RealFunction, SimdLevel, Vec3, at_level};
 
+use crate::lane_model::ModelSource;
 use crate::{DirectionPair, Model, ModelInfo, ParamError, Shape};
 
 /// Models of one's own.
@@ -103,11 +104,29 @@ impl Shape {
 
 /// A model of a program's own; made by [`Shape::custom`] and [`Shape::from_function`].
 ///
-/// Two are equal where one is a copy of the other: their formulas cannot be compared.
+/// Two are equal where one is a copy of the other, since their formulas cannot be compared, or where both are made of the same
+/// text ([`LaneModel::source`](crate::LaneModel::source)) with the same parameters.
 #[derive(Clone)]
 pub struct CustomModel(Arc<dyn Erased>);
 
 impl CustomModel {
+    pub(crate) fn new(model: Arc<dyn Erased>) -> Self {
+        Self(model)
+    }
+
+    pub(crate) fn source(&self) -> Option<&ModelSource> {
+        self.0.source()
+    }
+
+    pub(crate) fn is_single(&self) -> bool {
+        self.0.is_single()
+    }
+
+    /// The values of 16 pairs whose numbers are given column by column.
+    pub(crate) fn in_lanes(&self, level: SimdLevel, columns: &[[f32; 16]; NUMBERS]) -> [f32; 16] {
+        self.0.in_lanes(Asked::Value, level, columns)
+    }
+
     pub(crate) fn info(&self) -> &'static ModelInfo {
         self.0.info()
     }
@@ -126,7 +145,8 @@ impl fmt::Debug for CustomModel {
 
 impl PartialEq for CustomModel {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
+        let same_text = || self.source().is_some() && self.source() == other.source();
+        Arc::ptr_eq(&self.0, &other.0) || same_text() && self.0.params() == other.0.params()
     }
 }
 
@@ -193,17 +213,17 @@ impl Model for CustomModel {
 }
 
 /// How many numbers a pair of directions is.
-const NUMBERS: usize = 9;
+pub(crate) const NUMBERS: usize = 9;
 
 /// A pair as a row of numbers.
-fn numbers<R: Real>(pair: &DirectionPair<R>) -> [R; NUMBERS] {
+pub(crate) fn numbers<R: Real>(pair: &DirectionPair<R>) -> [R; NUMBERS] {
     let DirectionPair { cos_o, cos_i, cos_io, half2, tangent_o, tangent_i, alpha_scale } = *pair;
     [cos_o, cos_i, cos_io, half2, tangent_o.0, tangent_o.1, tangent_i.0, tangent_i.1, alpha_scale]
 }
 
 /// A pair from a row of numbers.
 #[inline(always)]
-fn pair<R: Real>(
+pub(crate) fn pair<R: Real>(
     [cos_o, cos_i, cos_io, half2, ox, oy, ix, iy, alpha_scale]: [R; NUMBERS],
 ) -> DirectionPair<R> {
     DirectionPair { cos_o, cos_i, cos_io, half2, tangent_o: (ox, oy), tangent_i: (ix, iy), alpha_scale }
@@ -211,7 +231,7 @@ fn pair<R: Real>(
 
 /// What is asked of a model for a pair.
 #[derive(Clone, Copy)]
-enum Asked {
+pub(crate) enum Asked {
     /// [`Model::f_cos`].
     Value,
     /// [`Model::tint_cosine`].
@@ -229,7 +249,7 @@ impl Asked {
 }
 
 /// A [`Model`] behind a trait object: one method for each kind of number.
-trait Erased: fmt::Debug + Send + Sync {
+pub(crate) trait Erased: fmt::Debug + Send + Sync {
     fn info(&self) -> &'static ModelInfo;
     fn params(&self) -> Vec<f64>;
     fn with_values(&self, values: &[f64]) -> Arc<dyn Erased>;
@@ -240,6 +260,16 @@ trait Erased: fmt::Debug + Send + Sync {
     fn is_anisotropic(&self) -> bool;
     fn distribution(&self, half: Vec3<f64>) -> Option<f64>;
     fn shadowing(&self, pair: &DirectionPair<f64>) -> Option<f64>;
+
+    /// See [`LaneModel::source`](crate::LaneModel::source).
+    fn source(&self) -> Option<&ModelSource> {
+        None
+    }
+
+    /// Whether it is known in single precision only.
+    fn is_single(&self) -> bool {
+        false
+    }
 }
 
 /// What is asked of a model, as a function of the numbers of a pair.

@@ -1,12 +1,12 @@
 //! Shapes and series as serde sees them: a shape is the name of its model and its parameters. A model of a program's own
-//! is written so, too, but nothing that reads it knows the name.
+//! is written so, too, but nothing that reads it knows the name; a user's BRDF has its text beside it, which `glanz_scene` compiles.
 
 use std::collections::BTreeMap;
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::Shape;
+use crate::{ModelSource, Shape};
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Shape", deny_unknown_fields)]
@@ -14,6 +14,8 @@ struct Named {
     model: String,
     #[serde(default)]
     params: BTreeMap<String, f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    source: Option<ModelSource>,
 }
 
 impl Serialize for Shape {
@@ -21,13 +23,18 @@ impl Serialize for Shape {
         let info = self.info();
         let names = info.params.iter().map(|param| param.name.to_owned());
         let params = names.zip(self.params()).collect();
-        Named { model: info.name.to_owned(), params }.serialize(serializer)
+        Named { model: info.name.to_owned(), params, source: self.source().cloned() }.serialize(serializer)
     }
 }
 
 impl<'de> Deserialize<'de> for Shape {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Named { model, params } = Named::deserialize(deserializer)?;
+        let Named { model, params, source } = Named::deserialize(deserializer)?;
+        if source.is_some() {
+            return Err(D::Error::custom(format!(
+                "'{model}' is a user's BRDF, which this crate does not compile"
+            )));
+        }
         let params: Vec<(&str, f64)> = params.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         Self::named(&model, &params).map_err(D::Error::custom)
     }

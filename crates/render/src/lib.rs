@@ -38,9 +38,12 @@ pub use glanz_picture::{
 };
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
-    Change, Observation, ObservationError, PrepareError, ProgramError, PrepareOptions, Prepared, SCREEN_WHITE_CD_M2,
-    prepare,
+    Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, ProgramError,
+    SCREEN_WHITE_CD_M2, prepare,
 };
 pub use session::Session;
-pub use shot::{UniformFill, Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step, ValueFrame, Xray, NOT_REACHED};
+pub use shot::{
+    NOT_REACHED, Remark, RemarkKind, SaveError, Shot, ShotError, ShotOptions, Step, UniformFill, ValueFrame,
+    Xray,
+};
 pub use view::{Aovs, DebugView, DrawOptions, Moment, Samples, SamplesError, View, ViewError};

@@ -4,7 +4,8 @@
 use glanz_math::SimdLevel;
 use glanz_render::cpu::Renderer;
 use glanz_render::{
-    Backend, Change, DrawOptions, NOT_REACHED, PrepareError, PrepareOptions, Prepared, Samples, Shot, ShotError, View, prepare,
+    Backend, Change, DrawOptions, NOT_REACHED, PrepareError, PrepareOptions, Prepared, Samples, Shot,
+    ShotError, View, prepare,
 };
 use glanz_scene::{Background, Program, ProgramText, Scene};
 use glanz_shader::{DefaultProgram, Stage};
@@ -131,7 +132,10 @@ fn programs_to_begin_with_are_their_models() {
         // Where the vertex shader is ours, the pixels are the same ones.
         assert_eq!(alone, 0, "{}", program.name);
         assert!(most <= bound, "{}: {most:e}", program.name);
-        let both = Program { vertex: Some(text(program, Stage::Vertex)), ..Program::of_fragment(text(program, Stage::Fragment)) };
+        let both = Program {
+            vertex: Some(text(program, Stage::Vertex)),
+            ..Program::of_fragment(text(program, Stage::Fragment))
+        };
         let (most, alone) = difference(&built_in, &with_program(built_in.clone(), both));
         // Where it is the user's, rounding may move a silhouette by a step of 1/256 pixel.
         assert!(alone <= 2 && most <= bound, "{}: {most:e}, {alone}", program.name);
@@ -153,7 +157,10 @@ fn without_exponents_a_program_is_its_model_to_1e_6() {
 fn drawn(fragment: &str) -> glanz_render::Frame {
     let mut scene = with_program(scene(""), of_fragment(fragment));
     scene.image.background = Background::Transparent;
-    Shot::new(&scene).unwrap_or_else(|error| panic!("{error}")).frame().unwrap_or_else(|error| panic!("{error}"))
+    Shot::new(&scene)
+        .unwrap_or_else(|error| panic!("{error}"))
+        .frame()
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 const GOURAUD_LIKE: &str = "#version 330\nin vec3 pos; in vec3 normal; uniform mat4 mvp; uniform mat3 normalMatrix;\n\
@@ -179,13 +186,15 @@ fn every_simd_level_gives_the_same_bits() {
         let camera = busy().camera.expect("it has one");
         let view = View::new(&camera, 160, 120).expect("it can be drawn");
         let options = DrawOptions { samples, ..DrawOptions::new(Background::Transparent) };
-        let mut frames = SimdLevel::available().into_iter().map(|(name, level)| {
-            (name, Renderer::with_level(level).draw(&prepared, &view, &options))
-        });
+        let mut frames = SimdLevel::available()
+            .into_iter()
+            .map(|(name, level)| (name, Renderer::with_level(level).draw(&prepared, &view, &options)));
         let (_, first) = frames.next().expect("there is a narrowest level");
         assert!(first.alpha.iter().any(|alpha| *alpha > 0.0));
         for (name, frame) in frames {
-            let bits = |frame: &glanz_render::Frame| frame.rgb.each_ref().map(|p| p.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
+            let bits = |frame: &glanz_render::Frame| {
+                frame.rgb.each_ref().map(|p| p.iter().map(|v| v.to_bits()).collect::<Vec<_>>())
+            };
             assert_eq!(bits(&first), bits(&frame), "{name}");
         }
     }
@@ -193,7 +202,9 @@ fn every_simd_level_gives_the_same_bits() {
 
 #[test]
 fn places_of_fragments_count_from_the_lower_left() {
-    let frame = drawn("#version 330\nout vec4 c; void main() { c = vec4(gl_FragCoord.xy, gl_FrontFacing ? 1.0 : 0.0, 1.0); }");
+    let frame = drawn(
+        "#version 330\nout vec4 c; void main() { c = vec4(gl_FragCoord.xy, gl_FrontFacing ? 1.0 : 0.0, 1.0); }",
+    );
     let [x, y] = [70, 50];
     assert_eq!(frame.pixel(x, y), [70.5, 120.0 - 50.5, 1.0, 1.0]);
 }
@@ -201,7 +212,9 @@ fn places_of_fragments_count_from_the_lower_left() {
 #[test]
 fn derivatives_are_those_of_the_triangle_and_do_not_see_its_neighbours() {
     // Steps of the place on the screen are 1, on edges of triangles and of objects too.
-    let frame = drawn("#version 330\nout vec4 c; void main() { c = vec4(dFdx(gl_FragCoord.x), dFdy(gl_FragCoord.y), 0.0, 1.0); }");
+    let frame = drawn(
+        "#version 330\nout vec4 c; void main() { c = vec4(dFdx(gl_FragCoord.x), dFdy(gl_FragCoord.y), 0.0, 1.0); }",
+    );
     let seen = (0..frame.width * frame.height).filter(|at| frame.alpha[*at] > 0.0);
     assert!(seen.clone().count() > 2000);
     for at in seen {
@@ -236,7 +249,8 @@ fn triangles_beyond_the_near_plane_are_clipped_with_their_varyings() {
         mesh = "plane"
         scale = 40.0
     "#;
-    let scene = glanz_scene::file::parse_str(text, "".as_ref(), &Default::default()).expect("it is right").scene;
+    let scene =
+        glanz_scene::file::parse_str(text, "".as_ref(), &Default::default()).expect("it is right").scene;
     let vertex = "#version 330\nin vec3 pos; uniform mat4 model; uniform mat4 mvp; out vec3 world;\n\
         void main() { world = (model * vec4(pos, 1.0)).xyz; gl_Position = mvp * vec4(pos, 1.0); }";
     let fragment = "#version 330\nin vec3 world; out vec4 c; void main() { c = vec4(world, 1.0); }";
@@ -244,7 +258,8 @@ fn triangles_beyond_the_near_plane_are_clipped_with_their_varyings() {
         vertex: Some(ProgramText::new("own.vert", vertex)),
         ..Program::of_fragment(ProgramText::new("own.frag", fragment))
     };
-    let stand_in = of_fragment("#version 330\nin vec3 position; out vec4 c; void main() { c = vec4(position, 1.0); }");
+    let stand_in =
+        of_fragment("#version 330\nin vec3 position; out vec4 c; void main() { c = vec4(position, 1.0); }");
     let mut both = [own, stand_in].map(|program| with_program(scene.clone(), program));
     both.iter_mut().for_each(|scene| scene.image.background = Background::Transparent);
     let frame = Shot::new(&both[0]).expect("it can be drawn").frame().expect("it ends");
@@ -281,7 +296,8 @@ fn uniforms_that_are_not_there_are_refused_with_near_names() {
     assert!(error(program("exposure", &[1.0, 2.0])).contains("float of 1 numbers, not 2"));
     // The source's own value, and the user's.
     let value = |program| {
-        let frame = Shot::new(&with_program(scene(""), program)).expect("it is right").frame().expect("it ends");
+        let frame =
+            Shot::new(&with_program(scene(""), program)).expect("it is right").frame().expect("it ends");
         frame.pixel(75, 60)[0]
     };
     assert_eq!([value(of_fragment(text)), value(program("exposure", &[0.25]))], [2.0, 0.25]);
@@ -289,7 +305,8 @@ fn uniforms_that_are_not_there_are_refused_with_near_names() {
 
 #[test]
 fn programs_of_objects_come_before_that_of_the_scene() {
-    let color = |value: &str| of_fragment(&format!("#version 330\nout vec4 c; void main() {{ c = vec4({value}); }}"));
+    let color =
+        |value: &str| of_fragment(&format!("#version 330\nout vec4 c; void main() {{ c = vec4({value}); }}"));
     let mut scene = with_program(scene(""), color("0.25"));
     scene.programs.push(color("0.75"));
     scene.objects[1].program = Some(1);
@@ -299,8 +316,12 @@ fn programs_of_objects_come_before_that_of_the_scene() {
     let options = DrawOptions::new(Background::Transparent);
     let colors = |prepared: &Prepared| {
         let frame = Renderer::new().draw(prepared, &view, &options);
-        let seen: std::collections::BTreeSet<u32> =
-            frame.rgb[0].iter().zip(&frame.alpha).filter(|(_, alpha)| **alpha > 0.0).map(|(v, _)| v.to_bits()).collect();
+        let seen: std::collections::BTreeSet<u32> = frame.rgb[0]
+            .iter()
+            .zip(&frame.alpha)
+            .filter(|(_, alpha)| **alpha > 0.0)
+            .map(|(v, _)| v.to_bits())
+            .collect();
         seen.into_iter().map(f32::from_bits).collect::<Vec<_>>()
     };
     assert_eq!(colors(&prepared), [0.25, 0.75]);

@@ -29,6 +29,7 @@
 //! What a value is at a pixel, line by line, is a [`Trace`]; what a name stands for, a [`Role`]; what is right but
 //! probably not meant, a [`Warning`].
 
+mod brdf;
 mod check;
 mod error;
 mod intake;
@@ -44,6 +45,7 @@ mod screen;
 mod stage;
 mod trace;
 
+pub use brdf::{Brdf, BrdfSource};
 pub use check::{Warning, check_stages};
 pub use error::{Place, RunError, ShaderError};
 pub use intake::Range;

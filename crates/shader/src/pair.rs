@@ -122,7 +122,8 @@ fn joined(vertex: &Program, fragment: &Program) -> Result<Vec<Varying>, ShaderEr
     let mut all = Vec::new();
     for (input, port) in taken(fragment) {
         let same_place = |p: &Port| p.location.is_some() && p.location == port.location;
-        let found = given().find(|(_, p)| p.name == port.name).or_else(|| given().find(|(_, p)| same_place(p)));
+        let found =
+            given().find(|(_, p)| p.name == port.name).or_else(|| given().find(|(_, p)| same_place(p)));
         match found {
             Some((output, other)) if other.ty == port.ty => {
                 all.push(varying((input, port), (output, other)));

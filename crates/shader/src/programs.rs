@@ -28,12 +28,16 @@ const PIXEL: DefaultProgram = DefaultProgram {
     parameters: "float shininess;",
 };
 
-const COURSE: DefaultProgram =
-    DefaultProgram { vertex: include_str!("../programs/course.vert"), ..PIXEL };
+const COURSE: DefaultProgram = DefaultProgram { vertex: include_str!("../programs/course.vert"), ..PIXEL };
 
 /// All of them.
 const ALL: [DefaultProgram; 14] = [
-    DefaultProgram { name: "lambert-330", title: "Matte surfaces (Lambert 1760)", model: Some("lambert"), ..PIXEL },
+    DefaultProgram {
+        name: "lambert-330",
+        title: "Matte surfaces (Lambert 1760)",
+        model: Some("lambert"),
+        ..PIXEL
+    },
     DefaultProgram {
         name: "phong-330",
         title: "Phong's highlights (1975)",
@@ -167,7 +171,8 @@ impl DefaultProgram {
     /// The text of a GLSL stage with its lights and its material filled in: `values` are the constants that stand in place
     /// of the two uniforms.
     pub fn filled(&self, stage: Stage, values: &str) -> String {
-        let declared = "uniform LightSources lights;        // in the camera's space\nuniform Material material;\n";
+        let declared =
+            "uniform LightSources lights;        // in the camera's space\nuniform Material material;\n";
         self.text(stage).replace(declared, values)
     }
 
@@ -199,13 +204,19 @@ mod tests {
         for program in DefaultProgram::all() {
             let shader = |stage| Shader::new(stage, program.text(stage)).named(program.file_name(stage));
             let (vertex, fragment) = (shader(Stage::Vertex), shader(Stage::Fragment));
-            let pair = Pair::new(Some(&vertex), Some(&fragment)).unwrap_or_else(|e| panic!("{}: {e}", program.name));
+            let pair =
+                Pair::new(Some(&vertex), Some(&fragment)).unwrap_or_else(|e| panic!("{}: {e}", program.name));
             let unfilled = |program: &crate::Program| {
                 let uniforms = program.interface().uniforms.clone();
                 uniforms.into_iter().filter(|own| own.role.is_none()).map(|own| own.name).collect::<Vec<_>>()
             };
             let expected: &[&str] = if program.name == "toon-330" { &["steps"] } else { &[] };
-            assert_eq!([unfilled(&pair.vertex), unfilled(&pair.fragment)].concat(), expected, "{}", program.name);
+            assert_eq!(
+                [unfilled(&pair.vertex), unfilled(&pair.fragment)].concat(),
+                expected,
+                "{}",
+                program.name
+            );
             let warnings = [pair.vertex.warnings(), pair.fragment.warnings()].concat();
             assert!(warnings.is_empty(), "{}: {warnings:?}", program.name);
         }

@@ -2,7 +2,9 @@
 
 use glanz_math::{SimdLevel, at_level};
 
-use crate::machine::{Host, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute};
+use crate::machine::{
+    Host, NoTextures, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute,
+};
 use crate::{Program, RunError, Trace, UniformValues};
 
 /// Turns of loops in one run. A shader that takes more is taken for endless.
@@ -68,6 +70,34 @@ macro_rules! executors {
 }
 executors!(execute_16 1, execute_64 4);
 
+/// Registers after the prologue, for runs by [`proceed`]: a machine's, without the borrows.
+pub(crate) fn begin(level: SimdLevel, program: &Program, uniforms: &UniformValues) -> RegisterFile<1> {
+    let mut file = RegisterFile::<1>::new();
+    let host =
+        Host { uniforms: &uniforms.words, textures: &NoTextures, looks: &program.lowered.looks, fuel: FUEL };
+    // The prologue has no loops, so its fuel lasts.
+    let _ = execute_16(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
+    file
+}
+
+/// Runs a program without textures for the inputs in registers that are from [`begin`].
+pub(crate) fn proceed(
+    level: SimdLevel,
+    program: &Program,
+    uniforms: &UniformValues,
+    file: &mut RegisterFile<1>,
+    fuel: u32,
+) -> Result<(), RunError> {
+    let host = Host { uniforms: &uniforms.words, textures: &NoTextures, looks: &program.lowered.looks, fuel };
+    let done = execute_16(level, &program.lowered.ops, file, &host, &mut Silent);
+    done.map_err(|stopped| endless(program, stopped, fuel))
+}
+
+fn endless(program: &Program, stopped: OutOfFuel, turns: u32) -> RunError {
+    let place = program.loop_places.iter().find(|(at, _)| *at == stopped.at);
+    RunError::EndlessLoop { place: place.map(|(_, place)| place.clone()), turns }
+}
+
 impl<const G: usize> Machine<'_, G> {
     /// Sets how many turns all loops of a run may take together.
     pub fn set_fuel(&mut self, turns: u32) {
@@ -75,8 +105,7 @@ impl<const G: usize> Machine<'_, G> {
     }
 
     fn endless(&self, stopped: OutOfFuel) -> RunError {
-        let place = self.program.loop_places.iter().find(|(at, _)| *at == stopped.at);
-        RunError::EndlessLoop { place: place.map(|(_, place)| place.clone()), turns: self.fuel }
+        endless(self.program, stopped, self.fuel)
     }
 
     /// The lanes of a component of an input, to be written. Whole numbers are their bits.

@@ -1,6 +1,8 @@
 //! Directional integrals up to the horizon, narrow lobes included: the quadrature of [`crate::albedo`], with a finer grid
 //! for isotropic reflection.
 
+use core::cell::RefCell;
+
 use glanz_math::{PI, Vec3};
 
 use super::subject::Subject;
@@ -12,6 +14,33 @@ use crate::{DirectionPair, Side};
 const HALVINGS: i32 = 30;
 /// Borders nearer to each other than this, in radians, are one.
 const NEAREST: f64 = 1e-12;
+
+/// What an integrand is multiplied with.
+pub(super) type Weight<'a> = &'a dyn Fn(&DirectionPair<f64>) -> f64;
+
+/// ∫ f_cos · weight dωi over the hemisphere that the subject answers to, for each weight.
+///
+/// A subject that is fast for many pairs at a time is evaluated once for all points of the quadrature, whose order does not
+/// depend on values: the points are listed, evaluated, and added up in the same order. Values that are not finite, which
+/// are another law's, count as 0.
+pub(super) fn moments(subject: &dyn Subject, wo: Vec3<f64>, weights: &[Weight<'_>]) -> Vec<f64> {
+    if !subject.is_single() {
+        let moment = |weight: &Weight<'_>| integral(subject, wo, &|pair| subject.value(pair) * weight(pair));
+        return weights.iter().map(moment).collect();
+    }
+    let points = RefCell::new(Vec::new());
+    integral(subject, wo, &|pair| {
+        points.borrow_mut().push(*pair);
+        0.0
+    });
+    let values = subject.values(&points.into_inner());
+    let moment = |weight: &Weight<'_>| {
+        let next = RefCell::new(values.iter());
+        let finite = || next.borrow_mut().next().filter(|value| value.is_finite());
+        integral(subject, wo, &|pair| finite().map_or(0.0, |value| value * weight(pair)))
+    };
+    weights.iter().map(moment).collect()
+}
 
 /// ∫ f_cos dωi over the hemisphere that the subject answers to, for a function of about its width in the place of its
 /// own f_cos.

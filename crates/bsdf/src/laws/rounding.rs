@@ -12,7 +12,7 @@ pub(super) const COSINE_F32: f64 = 3e-7;
 /// Moves a coordinate of a pair by what the rounding of a cosine makes of it.
 type Move = fn(&mut DirectionPair<f64>, f64);
 
-/// The coordinates of a pair; isotropic lobes read the first four.
+/// The coordinates of a pair; isotropic lobes read the first four, programs of users all of them.
 const COORDINATES: [Move; 8] = [
     move_half,
     |p, step| p.cos_o += step,
@@ -40,7 +40,7 @@ fn move_half(pair: &mut DirectionPair<f64>, step: f64) {
 /// The least and the greatest value for coordinates that differ by at most `rounding` from the pair's: every
 /// coordinate is moved both ways, then all together the ways in which the value fell, or rose.
 pub(super) fn range(subject: &dyn Subject, pair: &DirectionPair<f64>, rounding: f64) -> (f64, f64) {
-    let read = if subject.info().anisotropic { COORDINATES.len() } else { 4 };
+    let read = if subject.info().anisotropic || subject.is_single() { COORDINATES.len() } else { 4 };
     let at = subject.value(pair);
     let (mut low, mut high) = (at, at);
     let (mut falling, mut rising) = (*pair, *pair);

@@ -11,6 +11,9 @@ pub(super) const SINGLE_DIRECTION: &str = "it sends light into a single directio
 /// Why laws of single precision do not apply to some lobes.
 pub(super) const ONLY_F64: &str = "it is known in f64 only";
 
+/// Why laws of double precision do not apply to programs of users.
+pub(super) const ONLY_F32: &str = "it is computed in f32 only";
+
 /// Something that laws can judge.
 pub trait Subject {
     /// What it tells about itself.
@@ -38,6 +41,17 @@ pub trait Subject {
     /// machine lacks the level.
     fn value_lanes(&self, _level: &str, _pairs: &[DirectionPair<f32>; 16]) -> Option<[f32; 16]> {
         None
+    }
+
+    /// Whether it is computed in single precision only: its values in `f64` are then those in `f32`, and
+    /// [`Subject::values`] is the fast way to them.
+    fn is_single(&self) -> bool {
+        false
+    }
+
+    /// The values of many pairs.
+    fn values(&self, pairs: &[DirectionPair<f64>]) -> Vec<f64> {
+        pairs.iter().map(|pair| self.value(pair)).collect()
     }
 
     /// The index of refraction below the surface over that above it; see [`Model::eta`](crate::Model::eta).
@@ -121,6 +135,14 @@ impl Subject for Shape {
             self.f_cos(&pair).store(&mut values);
         });
         Some(values)
+    }
+
+    fn is_single(&self) -> bool {
+        Self::is_single(self)
+    }
+
+    fn values(&self, pairs: &[DirectionPair<f64>]) -> Vec<f64> {
+        Self::values(self, pairs)
     }
 
     fn eta(&self) -> f64 {

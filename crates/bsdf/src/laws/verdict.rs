@@ -2,6 +2,9 @@
 
 use core::fmt;
 
+use glanz_math::Vec3;
+
+use super::grid::Place;
 use crate::ModelInfo;
 
 /// A law that lobes are judged by. A model may be exempt from a law, with a reason
@@ -106,6 +109,10 @@ pub struct Finding {
     pub value: Option<f64>,
     /// What was found and where, for people; empty where the law does not apply.
     pub detail: String,
+    /// The view direction of the worst case, in the local frame, if it has one.
+    pub wo: Option<Vec3<f64>>,
+    /// Its light direction. Energy has none: it is about light from everywhere.
+    pub wi: Option<Vec3<f64>>,
 }
 
 impl Finding {
@@ -116,12 +123,18 @@ impl Finding {
             true => Verdict::Holds,
             false => Verdict::Broken { known: exemption.map(|(_, reason)| *reason) },
         };
-        Self { law, verdict, value: Some(value), detail }
+        Self { law, verdict, value: Some(value), detail, wo: None, wi: None }
+    }
+
+    /// The same, found there.
+    pub(super) fn at(self, place: Option<Place>) -> Self {
+        Self { wo: place.map(|place| place.wo), wi: place.map(|place| place.wi), ..self }
     }
 
     /// A finding that there is nothing to measure.
     pub(super) fn not_applicable(law: Law, reason: &'static str) -> Self {
-        Self { law, verdict: Verdict::NotApplicable(reason), value: None, detail: String::new() }
+        let verdict = Verdict::NotApplicable(reason);
+        Self { law, verdict, value: None, detail: String::new(), wo: None, wi: None }
     }
 
     /// Whether the law is broken, known or not.

@@ -16,8 +16,8 @@ pub(crate) use color::ColorArgs;
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
-pub(crate) use program::ProgramArgs;
 pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
+pub(crate) use program::ProgramArgs;
 pub(crate) use target::{Target, TargetArgs, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};
 

@@ -7,7 +7,7 @@ use glanz_render::Moment;
 use glanz_scene::read::{ReadOptions, read_texture};
 use glanz_scene::{Program, ProgramText, Scene, UniformValue};
 
-use crate::commands::shader;
+use crate::input::shader_text::{included, read};
 use crate::print::failure::{Failure, Report, without_number};
 
 /// Shaders of one's own.
@@ -37,7 +37,8 @@ pub(crate) struct ProgramArgs {
 
 fn mouse(text: &str) -> Result<[f32; 2], String> {
     let both: Result<[f64; 2], _> = super::numbers(text)?.try_into();
-    both.map(|both| both.map(|number| number as f32)).map_err(|_| "expected a place, such as 320,240".to_owned())
+    both.map(|both| both.map(|number| number as f32))
+        .map_err(|_| "expected a place, such as 320,240".to_owned())
 }
 
 impl ProgramArgs {
@@ -55,7 +56,9 @@ impl ProgramArgs {
         let own = scene.program.and_then(|own| scene.programs.get(own)).cloned();
         let mut program = match (&self.vs, &self.fs) {
             (None, None) => own.ok_or_else(|| {
-                Failure::Usage("--uniform needs a program: add --fs or --vs, or `program` in the scene".to_owned())
+                Failure::Usage(
+                    "--uniform needs a program: add --fs or --vs, or `program` in the scene".to_owned(),
+                )
             })?,
             _ => Program::default(),
         };
@@ -88,7 +91,8 @@ impl ProgramArgs {
         }
         let path = Path::new(value);
         if !path.is_file() {
-            let message = format!("--uniform {name}: expected numbers between commas, or a picture, not '{value}'");
+            let message =
+                format!("--uniform {name}: expected numbers between commas, or a picture, not '{value}'");
             return Err(Failure::Usage(message));
         }
         let could_not =
@@ -115,9 +119,9 @@ impl ProgramArgs {
 
 /// A file with what it includes.
 pub(crate) fn text(file: &Path) -> Result<ProgramText, Failure> {
-    let text = shader::read(file)?;
-    let mut read = |path: &str| shader::included(file, path);
-    Ok(ProgramText::with_includes(file.display().to_string(), text, &mut read))
+    let text = read(file)?;
+    let mut found = |path: &str| included(file, path);
+    Ok(ProgramText::with_includes(file.display().to_string(), text, &mut found))
 }
 
 /// `NAME=VALUE`.

@@ -11,7 +11,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args::MachineArgs;
-use crate::input::lobes::{SetArgs, model_names};
+use crate::input::lobes::SetArgs;
+use crate::input::models::models;
 use crate::print::failure::{ErrorFacts, Failure, Report};
 use crate::print::{self, FormatArgs, finite};
 
@@ -32,8 +33,8 @@ kept.";
 /// Options of `glanz check`.
 #[derive(Args, Debug)]
 pub(crate) struct CheckArgs {
-    /// Names of models, from `glanz bsdf list`
-    #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true,
+    /// Names of models, from `glanz bsdf list`, or BRDFs of one's own, as `glanz shader certify` takes them
+    #[arg(value_name = "MODEL", value_parser = models(), hide_possible_values = true,
           required_unless_present = "all")]
     models: Vec<String>,
 
@@ -134,7 +135,7 @@ struct CertificateFacts {
 
 /// What is found of a law.
 #[derive(Debug, Serialize, JsonSchema)]
-struct FindingFacts {
+pub(super) struct FindingFacts {
     /// The law's name
     check: &'static str,
     /// Whether it holds
@@ -151,7 +152,7 @@ struct FindingFacts {
 
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-enum VerdictFacts {
+pub(super) enum VerdictFacts {
     Holds,
     Fails,
     #[serde(rename = "not applicable")]
@@ -170,7 +171,17 @@ impl CertificateFacts {
 }
 
 impl FindingFacts {
-    fn of(finding: &Finding) -> Self {
+    /// Whether the law fails.
+    pub(super) fn fails(&self) -> bool {
+        matches!(self.verdict, VerdictFacts::Fails)
+    }
+
+    /// The law's name.
+    pub(super) fn name(&self) -> &'static str {
+        self.check
+    }
+
+    pub(super) fn of(finding: &Finding) -> Self {
         let (verdict, reason) = match finding.verdict {
             Verdict::Holds => (VerdictFacts::Holds, None),
             Verdict::Broken { known } => (VerdictFacts::Fails, known),

@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 43] = [
+const SCHEMAS: [Named; 44] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -51,6 +51,7 @@ const SCHEMAS: [Named; 43] = [
     ("shader-xray", schema::<shader::xray::Document>),
     ("shader-picture", schema::<shader::picture::Document>),
     ("shader-export", schema::<shader::export::Document>),
+    ("shader-certify", schema::<shader::certify::Document>),
     ("example", schema::<example::Document>),
     ("material-list", schema::<material::list::Document>),
     ("material-show", schema::<material::show::Document>),

@@ -9,7 +9,7 @@ use glanz_plot::reflection::{DEFAULT_NM, Unit, label};
 use glanz_plot::{Factor, Lobe, Variation, number};
 
 use super::vary::variation;
-use super::{media, spectra};
+use super::{media, models, spectra};
 use crate::print::failure::Failure;
 
 /// The most combinations of parameters.
@@ -32,10 +32,17 @@ pub(crate) struct SetArgs {
 impl SetArgs {
     /// A lobe for every combination of parameters of these models.
     pub(crate) fn lobes(&self, models: &[String]) -> Result<Vec<Lobe>, Failure> {
-        let infos: Vec<_> = models.iter().map(|name| info(name)).collect();
+        let shapes = models.iter().map(|word| models::shape(word)).collect::<Result<Vec<_>, _>>()?;
+        self.of_shapes(&shapes)
+    }
+
+    /// A lobe for every combination of parameters of these models.
+    pub(crate) fn of_shapes(&self, shapes: &[Shape]) -> Result<Vec<Lobe>, Failure> {
+        let infos: Vec<_> = shapes.iter().map(Shape::info).collect();
         self.check_names(&infos)?;
         let mut lobes = Vec::new();
-        for info in infos {
+        for shape in shapes {
+            let info = shape.info();
             let own: Vec<_> = info
                 .params
                 .iter()
@@ -47,7 +54,7 @@ impl SetArgs {
                 .filter(|count| count + lobes.len() <= MAX_LOBES)
                 .ok_or_else(|| Failure::Usage(format!("--set makes more than {MAX_LOBES} combinations")))?;
             for index in 0..count {
-                lobes.push(lobe(info, &combination(&own, index))?);
+                lobes.push(lobe(shape, &combination(&own, index))?);
             }
         }
         Ok(lobes)
@@ -63,7 +70,8 @@ impl SetArgs {
     /// That every option means a parameter of a model that is named.
     fn check_names(&self, infos: &[&ModelInfo]) -> Result<(), Failure> {
         for vary in &self.set {
-            let (model, param) = match vary.path.split_once('.') {
+            // A file's name has points of its own.
+            let (model, param) = match vary.path.rsplit_once('.') {
                 Some((model, param)) => (Some(model), param),
                 None => (None, vary.path.as_str()),
             };
@@ -108,20 +116,16 @@ fn combination<'a>(own: &[(&'static str, &'a Variation)], index: usize) -> Vec<(
     values
 }
 
-fn lobe(info: &ModelInfo, texts: &[(&'static str, &str)]) -> Result<Lobe, Failure> {
-    let mut set = Vec::with_capacity(texts.len());
+/// A model with these values of its parameters.
+fn lobe(model: &Shape, texts: &[(&'static str, &str)]) -> Result<Lobe, Failure> {
+    let mut shape = model.clone();
     for (name, text) in texts {
         let value = text
             .parse::<f64>()
             .map_err(|_| Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number")))?;
-        set.push((*name, value));
+        shape = shape.with(name, value).map_err(|error| Failure::Usage(error.to_string()))?;
     }
-    let shape = Shape::named(info.name, &set).map_err(|error| Failure::Usage(error.to_string()))?;
-    Ok(Lobe { shape, label: label(info.name, texts) })
-}
-
-fn info(name: &str) -> &'static ModelInfo {
-    glanz_bsdf::models::info_named(name).expect("the parser lets only known names through")
+    Ok(Lobe { shape, label: label(model.info().name, texts) })
 }
 
 /// What lobes are multiplied with.

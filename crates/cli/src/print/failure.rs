@@ -17,8 +17,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::document::versioned;
-use crate::commands::shader;
 use super::stdout::Format;
+use crate::input::shader_text::Texts;
 
 /// Shown after the help of the whole command.
 pub(crate) const EXIT_CODES: &str = "\
@@ -210,7 +210,7 @@ impl From<glanz_plot::Error> for Failure {
 impl From<ShotError> for Failure {
     fn from(error: ShotError) -> Self {
         if let ShotError::Prepare(PrepareError::Program(error)) = &error {
-            return shader::failure(&error.error, &error.texts);
+            return Texts::known(&error.texts).failure(&error.error);
         }
         Report { is_of_scene: true, ..Report::new(error) }.into()
     }

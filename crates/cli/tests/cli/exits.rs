@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 46] = [
+const COULD_NOT: [&[&str]; 47] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -44,6 +44,7 @@ const COULD_NOT: [&[&str]; 46] = [
     &["render", "scene.toml", "--fs", "wrong.frag", "-o", "a.png"],
     &["shader", "run", "none.frag", "-o", "toy.png"],
     &["shader", "run", "a.frag", "-o", "none/toy.png"],
+    &["shader", "certify", "none.brdf"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -64,7 +65,7 @@ const COULD_NOT: [&[&str]; 46] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 17] = [
+const PRINTING: [&[&str]; 18] = [
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],
@@ -79,6 +80,7 @@ const PRINTING: [&[&str]; 17] = [
     &["shader", "check", "a.frag"],
     &["shader", "list"],
     &["shader", "print", "phong-330"],
+    &["shader", "certify", "1 / pi"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 49] = [
+pub(crate) const COMMANDS: [&[&str]; 50] = [
     &[],
     &["render"],
     &["sweep"],
@@ -50,6 +50,7 @@ pub(crate) const COMMANDS: [&[&str]; 49] = [
     &["shader", "picture"],
     &["shader", "export"],
     &["shader", "run"],
+    &["shader", "certify"],
     &["example"],
     &["schema"],
     &["completions"],

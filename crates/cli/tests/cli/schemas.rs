@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 41] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 42] = [
     (
         "render",
         &[
@@ -86,6 +86,10 @@ const DOCUMENTS: [(&str, &[&[&str]]); 41] = [
         ],
     ),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
+    (
+        "shader-certify",
+        &[&["shader", "certify", "n = 2; n / (2 * pi)"], &["shader", "certify", "1 / (dot(N, L) - 0.5)"]],
+    ),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("shader-list", &[&["shader", "list"]]),
     (

@@ -116,7 +116,16 @@ fn scenes_are_drawn_by_programs_of_the_command_line() {
     }
     assert_eq!(folder.read("a.png"), folder.read("b.png"));
     assert_ne!(folder.read("a.png"), folder.read("c.png"));
-    let run = folder.glanz(&["render", "scene.toml", "--fs", "sight.frag", "--uniform", "exposur=2", "-o", "d.png"]);
+    let run = folder.glanz(&[
+        "render",
+        "scene.toml",
+        "--fs",
+        "sight.frag",
+        "--uniform",
+        "exposur=2",
+        "-o",
+        "d.png",
+    ]);
     assert_eq!(run.code, 3);
     assert!(run.stderr.contains("did you mean 'exposure'"), "{}", run.stderr);
     assert!(!folder.path("d.png").exists());
@@ -143,7 +152,18 @@ fn programs_of_scenes_are_read_beside_them_with_what_they_include() {
     let program = "program = { fragment = 'shaders/own.frag', uniforms = { exposure = 0.5 } }\n";
     folder.write("own.toml", &format!("{program}{scene}"));
     assert_eq!(folder.glanz(&["render", "own.toml", "--size", "24x16", "-o", "a.png"]).code, 0);
-    let words = ["render", "scene.toml", "--fs", "sight.frag", "--uniform", "exposure=0.5", "--size", "24x16", "-o", "b.png"];
+    let words = [
+        "render",
+        "scene.toml",
+        "--fs",
+        "sight.frag",
+        "--uniform",
+        "exposure=0.5",
+        "--size",
+        "24x16",
+        "-o",
+        "b.png",
+    ];
     assert_eq!(folder.glanz(&words).code, 0);
     assert_eq!(folder.read("a.png"), folder.read("b.png"));
     folder.write("none.toml", &format!("program = {{ fragment = 'none.frag' }}\n{scene}"));
@@ -164,7 +184,17 @@ fn every_value_of_a_pixel_is_told_with_its_line() {
     let records = json["records"].as_array().unwrap();
     let branch = records.iter().find(|record| record["kind"] == "branch").unwrap();
     assert_eq!((branch["line"].as_u64(), branch["name"].as_str()), (Some(7), Some("if")), "{branch}");
-    let run = folder.glanz(&["shader", "picture", "scene.toml", "--fs", "sight.frag", "--value", "upp", "-o", "v.png"]);
+    let run = folder.glanz(&[
+        "shader",
+        "picture",
+        "scene.toml",
+        "--fs",
+        "sight.frag",
+        "--value",
+        "upp",
+        "-o",
+        "v.png",
+    ]);
     assert!(run.code == 3 && run.stderr.contains("did you mean 'up'"), "{}", run.stderr);
 }
 
@@ -173,7 +203,8 @@ fn what_is_exported_draws_the_scene_itself() {
     let folder = drawing();
     folder.glanz(&["shader", "export", "scene.toml", "-o", "program"]).text();
     folder.glanz(&["render", "scene.toml", "-o", "a.exr"]).text();
-    let files: Vec<_> = std::fs::read_dir(folder.path("program")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let files: Vec<_> =
+        std::fs::read_dir(folder.path("program")).unwrap().map(|entry| entry.unwrap().path()).collect();
     let fragments = files.iter().filter(|path| path.extension().is_some_and(|ending| ending != "vert"));
     for path in fragments {
         let path = path.to_str().unwrap();

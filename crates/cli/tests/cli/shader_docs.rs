@@ -54,7 +54,8 @@ fn every_command_of_the_page_does_what_the_page_says() {
                 continue;
             }
             let printed = run.text().trim_end();
-            renewed = renewed.replace(&format!("{command}\n{}", expected.trim_end()), &format!("{command}\n{printed}"));
+            renewed = renewed
+                .replace(&format!("{command}\n{}", expected.trim_end()), &format!("{command}\n{printed}"));
         }
     }
     assert!(commands > 10, "{commands} commands");

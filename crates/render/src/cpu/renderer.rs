@@ -230,8 +230,13 @@ impl Renderer {
     /// The second pass.
     fn draw_bands(&mut self, frame: &FrameView, bands: Vec<Band>) {
         self.tiles.resize_with(threads::count() + 1, Mutex::default);
-        let projected =
-            Projected { screen: &self.screen, lit: &self.lit, lit_mix: &self.lit_mix, varyings: &self.varyings, chunks: &self.chunks };
+        let projected = Projected {
+            screen: &self.screen,
+            lit: &self.lit,
+            lit_mix: &self.lit_mix,
+            varyings: &self.varyings,
+            chunks: &self.chunks,
+        };
         let columns = columns(frame.camera.width);
         let level = self.level;
         let mut tasks: Vec<_> = bands.into_iter().enumerate().collect();

@@ -24,7 +24,9 @@ impl Shot {
         let mut texts = BTreeSet::new();
         if self.sight.draw.show == DebugView::Shaded {
             for object in &self.prepared.objects {
-                let Some(program) = object.program.and_then(|own| self.prepared.programs.get(own)) else { continue };
+                let Some(program) = object.program.and_then(|own| self.prepared.programs.get(own)) else {
+                    continue;
+                };
                 let material = &self.prepared.materials[object.material];
                 texts.extend(unset(program, &|name| has_map(name, material)));
             }
@@ -67,7 +69,8 @@ fn unset(program: &PreparedProgram, has_map: &dyn Fn(&str) -> bool) -> Vec<Strin
 fn unset_of(stage: &Program, program: &PreparedProgram, has_map: &dyn Fn(&str) -> bool) -> Vec<String> {
     let set = &program.source.uniforms;
     let is_set = |name: &str| {
-        set.keys().any(|own| own == name || name.strip_prefix(&**own).is_some_and(|rest| rest.starts_with('[')))
+        set.keys()
+            .any(|own| own == name || name.strip_prefix(&**own).is_some_and(|rest| rest.starts_with('[')))
     };
     let values = stage.uniforms();
     let is_zero = |name: &str| values.get(name).is_none_or(|own| own.iter().all(|value| *value == 0.0));
@@ -82,7 +85,9 @@ fn unset_of(stage: &Program, program: &PreparedProgram, has_map: &dyn Fn(&str) -
         let name = &texture.name;
         let is_picture = matches!(set.get(name), Some(UniformValue::Texture(_)));
         if !is_picture && !has_map(name) {
-            texts.push(format!("nobody gives the sampler '{name}' a picture, so it is black: --uniform {name}=FILE does"));
+            texts.push(format!(
+                "nobody gives the sampler '{name}' a picture, so it is black: --uniform {name}=FILE does"
+            ));
         }
     }
     texts

@@ -12,6 +12,7 @@ use crate::Tint;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Lobe {
     /// The directional part.
+    #[serde(deserialize_with = "super::brdf::deserialize")]
     pub shape: Shape,
     /// The coloured part. For an emission lobe: the light sent out.
     pub tint: Tint,

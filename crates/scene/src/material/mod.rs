@@ -1,5 +1,6 @@
 //! Materials: sums of lobes, their tints, the layers over them, and textures.
 
+pub(crate) mod brdf;
 mod classic;
 mod coat;
 mod coated_boundary;

@@ -28,5 +28,13 @@ fn directional(color: &LightColor, (direction, strength): ([f64; 3], f64)) -> Li
 }
 
 fn object(mesh: usize, material: usize, transform: DMat4) -> Object {
-    Object { name: String::new(), mesh, material, transform, shading: None, interpolation: None, program: None }
+    Object {
+        name: String::new(),
+        mesh,
+        material,
+        transform,
+        shading: None,
+        interpolation: None,
+        program: None,
+    }
 }

@@ -30,7 +30,7 @@ pub(super) struct BrdfFile {
 }
 
 /// Whether the text is such a file.
-pub(super) fn is_brdf_file(text: &str) -> bool {
+pub(crate) fn is_brdf_file(text: &str) -> bool {
     text.lines().any(|line| line.trim() == "::begin shader")
 }
 

@@ -18,6 +18,7 @@ mod source;
 mod token;
 
 pub use brdf::Range;
+pub(crate) use brdf::is_brdf_file;
 pub(crate) use front::{Front, origin_of, read};
 pub(crate) use source::{Map, Origin, Sources};
 

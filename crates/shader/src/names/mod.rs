@@ -126,7 +126,8 @@ impl Space {
         if says(&["world"]) {
             return Some(Self::World);
         }
-        says(&["cameraspace", "viewspace", "eyespace", "eyecoord", "eyenorm", "eyeposition"]).then_some(Self::Eye)
+        says(&["cameraspace", "viewspace", "eyespace", "eyecoord", "eyenorm", "eyeposition"])
+            .then_some(Self::Eye)
     }
 }
 

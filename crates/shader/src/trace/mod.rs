@@ -156,6 +156,14 @@ impl Trace {
         self.records.iter().filter(move |record| record.is_here(lane))
     }
 
+    /// The first value that is NaN or infinite in lane 0, if it was there.
+    pub fn first_not_finite(&self) -> Option<&Record> {
+        let is_wrong = |record: &&Record| {
+            record.ty.scalar == Scalar::Float && record.values(0).iter().any(|x| !x.is_finite())
+        };
+        self.of_lane(0).find(is_wrong)
+    }
+
     /// The first value that is NaN in a lane that was there.
     pub fn first_nan(&self) -> Option<&Record> {
         self.records.iter().find(|record| record.nan_lanes() != 0)

@@ -1,5 +1,6 @@
 //! Tests of the shader crate as a whole.
 
+mod brdfs;
 mod common;
 mod flow;
 mod languages;

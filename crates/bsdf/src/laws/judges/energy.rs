@@ -1,8 +1,7 @@
 //! Energy: no more light leaves than arrives, for any view direction.
 
-use crate::DirectionPair;
 use crate::laws::grid::{THETA, azimuths, direction};
-use crate::laws::hemisphere::{by_angles, integral};
+use crate::laws::hemisphere::{by_angles, moments};
 use crate::laws::subject::Subject;
 use crate::laws::verdict::{Finding, Law};
 
@@ -26,7 +25,8 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
     let (albedo, theta, phi) = worst;
     let azimuth = if subject.info().anisotropic { format!(", φo = {phi}°") } else { String::new() };
     let detail = format!("the greatest albedo is {albedo:.5}: θo = {theta}°{azimuth}");
-    Finding::judged(Law::Energy, subject.info(), albedo <= 1.0 + TOLERANCE, albedo, detail)
+    let finding = Finding::judged(Law::Energy, subject.info(), albedo <= 1.0 + TOLERANCE, albedo, detail);
+    Finding { wo: Some(direction(theta, phi)), ..finding }
 }
 
 /// The albedo times η²: radiance is compressed by that where light enters a denser medium.
@@ -35,10 +35,9 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
 /// narrow one way only, must find too much as well.
 fn albedo(subject: &dyn Subject, theta: f64, phi: f64) -> f64 {
     let wo = direction(theta, phi);
-    let value = |pair: &DirectionPair<f64>| subject.value(pair);
-    let albedo = subject.eta() * subject.eta() * integral(subject, wo, &value);
+    let albedo = subject.eta() * subject.eta() * moments(subject, wo, &[&|_| 1.0])[0];
     match albedo > 1.0 + TOLERANCE && subject.info().anisotropic && !subject.transmits() {
-        true => albedo.min(by_angles(wo, &value)),
+        true => albedo.min(by_angles(wo, &|pair| subject.value(pair))),
         false => albedo,
     }
 }

@@ -3,7 +3,7 @@
 use glanz_math::{PI, Vec3};
 
 use crate::laws::grid::direction;
-use crate::laws::hemisphere::integral;
+use crate::laws::hemisphere::{Weight, moments};
 use crate::laws::subject::Subject;
 use crate::laws::verdict::{Finding, Law};
 use crate::{DirectionPair, LightTerm};
@@ -92,15 +92,10 @@ fn narrow(subject: &dyn Subject) -> Finding {
 /// How far all light comes from one direction (the length of the mean direction, 1 if it does), and which.
 fn middle(subject: &dyn Subject) -> (f64, Vec3<f64>) {
     let wo = direction(VIEW, 0.0);
-    let moment = |weight: &dyn Fn(&DirectionPair<f64>) -> f64| {
-        integral(subject, wo, &|pair| subject.value(pair) * weight(pair))
-    };
-    let all = moment(&|_| 1.0);
-    let sum = Vec3::new(
-        moment(&|pair| pair.tangent_i.0),
-        moment(&|pair| pair.tangent_i.1),
-        moment(&|pair| pair.cos_i),
-    );
+    let weights: [Weight<'_>; 4] =
+        [&|_| 1.0, &|pair| pair.tangent_i.0, &|pair| pair.tangent_i.1, &|pair| pair.cos_i];
+    let moments = moments(subject, wo, &weights);
+    let (all, sum) = (moments[0], Vec3::new(moments[1], moments[2], moments[3]));
     let length = sum.dot(sum).sqrt();
     match all > 0.0 && length.is_finite() && length > 0.0 {
         true => (length / all, sum * (1.0 / length)),

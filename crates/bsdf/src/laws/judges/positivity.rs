@@ -28,7 +28,7 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
         None if subject.info().delta => "0 everywhere, as a delta lobe must be".to_owned(),
         None => "never negative".to_owned(),
     };
-    Finding::judged(Law::Positivity, subject.info(), worst.1.is_none(), worst.0, detail)
+    Finding::judged(Law::Positivity, subject.info(), worst.1.is_none(), worst.0, detail).at(worst.1)
 }
 
 /// Looks for values that are not finite. The greatest one that is told is that of views up to 89.999°: lobes that grow
@@ -41,8 +41,9 @@ pub(in crate::laws) fn judge_finiteness(subject: &dyn Subject) -> Finding {
     let mut wrong = None;
     let above = places(subject).len();
     for (index, place) in places_anywhere(subject).into_iter().enumerate() {
-        let value = subject.value(&place.pair());
         let single = subject.value_f32(&place.pair_f32()).unwrap_or(0.0);
+        let value = if subject.is_single() { 0.0 } else { subject.value(&place.pair()) };
+        let value = if subject.is_single() && single.is_finite() { single.into() } else { value };
         if !value.is_finite() || !single.is_finite() {
             wrong = wrong.or(Some((place, if value.is_finite() { "f32" } else { "f64" })));
         } else if index < above && value > greatest.0 {
@@ -55,5 +56,6 @@ pub(in crate::laws) fn judge_finiteness(subject: &dyn Subject) -> Finding {
         (None, None) => "0 everywhere".to_owned(),
     };
     let value = if wrong.is_some() { f64::INFINITY } else { greatest.0 };
-    Finding::judged(Law::Grazing, subject.info(), wrong.is_none(), value, detail)
+    let place = wrong.map(|(place, _)| place).or(greatest.1);
+    Finding::judged(Law::Grazing, subject.info(), wrong.is_none(), value, detail).at(place)
 }

@@ -2,7 +2,7 @@
 
 use crate::laws::grid::{Place, places_anywhere};
 use crate::laws::rounding::{COSINE_F32, range};
-use crate::laws::subject::{ONLY_F64, Subject};
+use crate::laws::subject::{ONLY_F32, ONLY_F64, Subject};
 use crate::laws::verdict::{Finding, Law};
 
 /// How far a value may lie outside of those for coordinates that are rounded as `f32` rounds them, in parts of it: what a
@@ -22,6 +22,9 @@ const HORIZON: f64 = 1e-4;
 pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
     if let Some(reason) = subject.no_values() {
         return Finding::not_applicable(Law::Precision, reason);
+    }
+    if subject.is_single() {
+        return Finding::not_applicable(Law::Precision, ONLY_F32);
     }
     let is_low = |z: f64| z.abs() < HORIZON;
     let mut places = places_anywhere(subject);

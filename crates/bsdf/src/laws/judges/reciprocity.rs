@@ -30,9 +30,12 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
     let turned = turned.as_deref().unwrap_or(subject);
     let mut worst = [(0.0, None); 2];
     for place in places(subject) {
-        let differences = [in_f64(subject, turned, &place), in_f32(subject, turned, &place).unwrap_or(0.0)];
+        // What is computed in single precision only has no digits that double precision could ask for.
+        let double = if subject.is_single() { 0.0 } else { in_f64(subject, turned, &place) };
+        let differences = [double, in_f32(subject, turned, &place).unwrap_or(0.0)];
         for (worst, difference) in worst.iter_mut().zip(differences) {
-            if difference > worst.0 || difference.is_nan() {
+            // Of a program, values that are no numbers are another law's.
+            if difference > worst.0 || difference.is_nan() && !subject.is_single() {
                 *worst = (difference, Some(place));
             }
         }
@@ -50,7 +53,7 @@ pub(in crate::laws) fn judge(subject: &dyn Subject) -> Finding {
         }
         None => "both ways are the same".to_owned(),
     };
-    Finding::judged(Law::Reciprocity, subject.info(), holds == [true; 2], difference, detail)
+    Finding::judged(Law::Reciprocity, subject.info(), holds == [true; 2], difference, detail).at(place)
 }
 
 /// The same surface turned over: its parameter `eta` becomes the inverse. `Ok(None)` where it is the surface itself, an
@@ -76,32 +79,43 @@ fn exchanged<R: glanz_math::Real>(subject: &dyn Subject, wo: Vec3<R>, wi: Vec3<R
 fn in_f64(subject: &dyn Subject, turned: &dyn Subject, place: &Place) -> f64 {
     let pair = place.pair();
     let again = turned.value(&exchanged(subject, place.wo, place.wi));
-    difference(subject, &pair, [subject.value(&pair), again], COSINE_F64)
+    difference(
+        subject,
+        [&pair, &exchanged(subject, place.wo, place.wi)],
+        [subject.value(&pair), again],
+        COSINE_F64,
+    )
 }
 
 fn in_f32(subject: &dyn Subject, turned: &dyn Subject, place: &Place) -> Option<f64> {
     let pair = place.pair_f32();
-    let (there, again) = (
-        subject.value_f32(&pair)?,
-        turned.value_f32(&exchanged(subject, to_f32(place.wo), to_f32(place.wi)))?,
-    );
-    Some(difference(subject, &to_f64(&pair), [there.into(), again.into()], COSINE_F32))
+    let exchanged = exchanged(subject, to_f32(place.wo), to_f32(place.wi));
+    let (there, again) = (subject.value_f32(&pair)?, turned.value_f32(&exchanged)?);
+    let pairs = [&to_f64(&pair), &to_f64(&exchanged)];
+    Some(difference(subject, pairs, [there.into(), again.into()], COSINE_F32))
 }
 
 /// |f(wo, wi) η_i² − f(wi, wo) η_o²| in parts of the greater, both sides multiplied with both cosines, of the values of
 /// f_cos both ways.
 ///
-/// Where light is refracted, the half vector is formed from other numbers both ways; what the rounding of the cosines
-/// does is then no difference.
-fn difference(subject: &dyn Subject, pair: &DirectionPair<f64>, values: [f64; 2], rounding: f64) -> f64 {
+/// Where light is refracted, the half vector is formed from other numbers both ways, and a program of a user's forms what it
+/// likes; what the rounding of the coordinates does is then no difference.
+fn difference(
+    subject: &dyn Subject,
+    [pair, exchanged]: [&DirectionPair<f64>; 2],
+    values: [f64; 2],
+    rounding: f64,
+) -> f64 {
     let factor = pair.cos_o.abs() * subject.eta() * subject.eta();
     let (there, again) = (values[0] * factor, values[1] * pair.cos_i.abs());
-    let allowed = match subject.eta() == 1.0 {
-        true => 0.0,
-        false => {
-            let (low, high) = range(subject, pair, rounding);
-            (high - low) * factor
-        }
+    let rounded = |pair: &DirectionPair<f64>, factor: f64| {
+        let (low, high) = range(subject, pair, rounding);
+        (high - low) * factor
+    };
+    let allowed = match (subject.eta() == 1.0, subject.is_single() && there != again) {
+        (false, _) => rounded(pair, factor),
+        (true, false) => 0.0,
+        (true, true) => rounded(pair, factor) + rounded(exchanged, pair.cos_i.abs()),
     };
     let beyond = (there - again).abs() - allowed;
     if beyond <= 0.0 { 0.0 } else { beyond / there.abs().max(again.abs()).max(FAINTEST) }

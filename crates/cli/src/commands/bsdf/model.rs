@@ -10,14 +10,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::args;
-use crate::input::lobes::model_names;
+use crate::input::models::{self, models};
 use crate::print::failure::Failure;
 
 /// A model with its parameters.
 #[derive(Args, Debug)]
 pub(super) struct ModelArgs {
-    /// The model's name, from `glanz bsdf list`
-    #[arg(value_name = "NAME", value_parser = model_names())]
+    /// The model's name, from `glanz bsdf list`, or a BRDF of one's own, as `glanz shader certify` takes it
+    #[arg(value_name = "NAME", value_parser = models(), hide_possible_values = true)]
     name: String,
 
     /// A parameter, such as shininess=32; may be repeated
@@ -28,22 +28,22 @@ pub(super) struct ModelArgs {
 impl ModelArgs {
     /// The shape, with the parameters checked.
     pub(super) fn shape(&self) -> Result<Shape, Failure> {
-        let mut set = Vec::with_capacity(self.set.len());
+        let mut shape = models::shape(&self.name)?;
         for (name, text) in &self.set {
             let value = text.parse::<f64>().map_err(|_| {
                 Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number"))
             })?;
-            set.push((name.as_str(), value));
+            shape = shape.with(name, value).map_err(|error| {
+                let near = match &error {
+                    glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
+                        did_you_mean(name, known.split(", "))
+                    }
+                    _ => String::new(),
+                };
+                Failure::Usage(format!("{error}{near}"))
+            })?;
         }
-        Shape::named(&self.name, &set).map_err(|error| {
-            let near = match &error {
-                glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
-                    did_you_mean(name, known.split(", "))
-                }
-                _ => String::new(),
-            };
-            Failure::Usage(format!("{error}{near}"))
-        })
+        Ok(shape)
     }
 }
 

@@ -29,8 +29,12 @@ pub(super) struct Watched<'a> {
 impl<'a> Watched<'a> {
     /// The files of `scene`, and `more`; `target` is the picture.
     pub(super) fn new(scene: &Path, target: Option<&Path>, more: &'a dyn Fn() -> Vec<PathBuf>) -> Self {
-        let mut watched =
-            Self { scene: scene.to_owned(), target: target.map(Path::to_owned), more, stamps: BTreeMap::new() };
+        let mut watched = Self {
+            scene: scene.to_owned(),
+            target: target.map(Path::to_owned),
+            more,
+            stamps: BTreeMap::new(),
+        };
         watched.look();
         watched
     }
@@ -95,7 +99,9 @@ fn strings(text: &str) -> Vec<&str> {
 
 /// Whether a file of this name may name others.
 fn names_files(path: &Path) -> bool {
-    ["gltf", "obj", "vert", "frag", "vs", "fs", "glsl", "wgsl"].iter().any(|ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending)))
+    ["gltf", "obj", "vert", "frag", "vs", "fs", "glsl", "wgsl"]
+        .iter()
+        .any(|ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending)))
 }
 
 /// The files of the folder that a file is in.

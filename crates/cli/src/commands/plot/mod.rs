@@ -9,8 +9,9 @@ use glanz_plot::{Factor, Figure, FresnelPlot, Lang, LobePlot};
 
 use self::kind::Kind;
 use crate::args::{self, PlotOutputArgs};
-use crate::input::lobes::{FactorArgs, SetArgs, UnitName, model_names, wavelength};
+use crate::input::lobes::{FactorArgs, SetArgs, UnitName, wavelength};
 use crate::input::media;
+use crate::input::models::models;
 use crate::input::spectra::words;
 use crate::print::failure::Failure;
 
@@ -24,6 +25,7 @@ Examples:
   glanz plot blinn-phong --kind lobe3d --theta 45 -o lobe.png
   glanz plot --kind fresnel --ior 1.5,Au,Cu -o fresnel.svg
   glanz plot phong --unit course --lang fr --title Phong --size 800x500 -o phong.pdf
+  glanz plot my.brdf phong 'n = 20 in 1..100; (n + 8) / (8 * pi) * pow(max(dot(N, H), 0), n)' -o own.svg
   glanz plot cook-torrance --kind terms --theta 0,60 -o - --format csv
   glanz plot --kind attenuation --set 'attenuation=none,{linear=1},physical' -o fade.png
   glanz plot --kind spot --set cutoff_deg=30,60 --set exponent=0,8 -o cone.png
@@ -33,7 +35,10 @@ All combinations of models, parameters and angles are curves of one plot. The li
 plane of the viewer and the normal, at positive angles on the other side of the normal: the
 mirror direction of a viewer at 30° is 30°. For attenuation and spot, --set takes the keys of
 lights in scene files. An option that has no effect on a kind is refused. As .csv and .json the
-numbers of the curves come out, with their units.";
+numbers of the curves come out, with their units.
+
+A BRDF of one's own may stand in the place of a name: a .brdf file, a file with one function in
+GLSL or WGSL, or its text; see `glanz shader certify --help`.";
 
 /// Viewer and light of a drawing of directions: angles from the normal and azimuths, in degrees.
 const DIRECTIONS: [[f64; 2]; 2] = [[25.0, 180.0], [50.0, 0.0]];
@@ -52,8 +57,8 @@ enum Quantity {
 /// Options of `glanz plot`.
 #[derive(Args, Debug)]
 pub(crate) struct PlotArgs {
-    /// Names of models, from `glanz bsdf list`; none for fresnel, attenuation, spot and vectors
-    #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true)]
+    /// Names of models, from `glanz bsdf list`, or BRDFs of one's own; none for fresnel, attenuation, spot and vectors
+    #[arg(value_name = "MODEL", value_parser = models(), hide_possible_values = true)]
     models: Vec<String>,
 
     #[command(flatten)]

@@ -1,16 +1,14 @@
 //! `glanz shader check`: whether a shader compiles, what it takes and gives, and what is probably not meant.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 
 use clap::{Args, ValueEnum};
 use glanz_shader::{Place, Port, Program, Role, Shader, Stage, Uniform, Warning, check_stages};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::source::{failure, included, read};
+use crate::input::shader_text::Texts;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
@@ -92,20 +90,13 @@ impl CheckArgs {
 
 /// Compiles a file, with `#define`s in front; `#include` reads files of its folder.
 pub(super) fn compile(file: &Path, stage: Stage, defines: &[(String, String)]) -> Result<Program, Failure> {
-    let name = file.display().to_string();
-    let text = read(file)?;
-    let texts = Mutex::new(BTreeMap::from([(name.clone(), text.clone())]));
-    let include = |path: &str, _: &str| {
-        let found = included(file, path)?;
-        texts.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_owned(), found.clone());
-        Some(found)
-    };
-    let mut shader = Shader::new(stage, text).named(&name).include(&include);
+    let texts = Texts::read(file)?;
+    let include = |path: &str, _: &str| texts.include(path);
+    let mut shader = Shader::new(stage, texts.text()).named(texts.name()).include(&include);
     for (name, text) in defines {
         shader = shader.define(name, text);
     }
-    let compiled = shader.compile();
-    compiled.map_err(|error| failure(&error, &texts.lock().unwrap_or_else(PoisonError::into_inner)))
+    shader.compile().map_err(|error| texts.failure(&error))
 }
 
 /// For people.

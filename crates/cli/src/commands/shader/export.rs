@@ -186,11 +186,15 @@ fn count(fills: &[UniformFill]) -> usize {
 /// The constants in GLSL.
 fn glsl_values(fills: &[UniformFill]) -> String {
     let vector = |count: usize| format!("vec{count}");
-    let mut text = format!("// In the camera's space.\nconst LightSources lights = LightSources({}, LightSource[MNL](\n", count(fills));
+    let mut text = format!(
+        "// In the camera's space.\nconst LightSources lights = LightSources({}, LightSource[MNL](\n",
+        count(fills)
+    );
     let held = count(fills).max(1);
     for i in 0..held {
         let end = if i + 1 < held { "," } else { "" };
-        writeln!(text, "    LightSource({}){end}", light(fills, i, &vector)).expect("a string takes everything");
+        writeln!(text, "    LightSource({}){end}", light(fills, i, &vector))
+            .expect("a string takes everything");
     }
     text.push_str("));\n");
     let members = fills.iter().filter(|fill| fill.name.starts_with("material."));
@@ -199,7 +203,8 @@ fn glsl_values(fills: &[UniformFill]) -> String {
         count => format!("vec{count}({})", joined(&fill.values)),
     };
     let all: Vec<_> = members.map(member).collect();
-    writeln!(text, "const Material material = Material({});", all.join(", ")).expect("a string takes everything");
+    writeln!(text, "const Material material = Material({});", all.join(", "))
+        .expect("a string takes everything");
     text
 }
 
@@ -208,7 +213,9 @@ fn wgsl_values(fills: &[UniformFill]) -> String {
     let vector = |count: usize| format!("vec{count}<f32>");
     let count = count(fills);
     let held = count.max(1);
-    let mut text = format!("const count = {count}u;\nvar<private> source: array<LightSource, {held}> = array<LightSource, {held}>(\n");
+    let mut text = format!(
+        "const count = {count}u;\nvar<private> source: array<LightSource, {held}> = array<LightSource, {held}>(\n"
+    );
     for i in 0..held {
         writeln!(text, "    LightSource({}),", light(fills, i, &vector)).expect("a string takes everything");
     }

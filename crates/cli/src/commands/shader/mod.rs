@@ -1,18 +1,17 @@
 //! `glanz shader`: programs of users, in GLSL and WGSL.
 
+pub(super) mod certify;
 pub(super) mod check;
 pub(super) mod export;
 pub(super) mod picture;
 pub(super) mod programs;
-mod scene;
-mod source;
-pub(super) mod xray;
 pub(super) mod run;
+mod scene;
+pub(super) mod xray;
 
 use clap::Subcommand;
 
 pub(crate) use programs::print_of;
-pub(crate) use source::{failure, included, read};
 
 use crate::print::failure::Failure;
 
@@ -40,6 +39,9 @@ pub(crate) enum ShaderCommand {
     /// Draw a fragment shader alone, as Shadertoy and glslViewer do: a picture or a film
     #[command(after_help = run::EXAMPLES)]
     Run(Box<run::RunArgs>),
+    /// Judge BRDFs of one's own by the laws of physics, with the line that breaks them
+    #[command(after_help = certify::EXAMPLES)]
+    Certify(Box<certify::CertifyArgs>),
 }
 
 impl ShaderCommand {
@@ -53,6 +55,7 @@ impl ShaderCommand {
             Self::Picture(_) => "picture",
             Self::Export(_) => "export",
             Self::Run(_) => "run",
+            Self::Certify(_) => "certify",
         }
     }
 
@@ -66,6 +69,7 @@ impl ShaderCommand {
             Self::Picture(args) => args.run(),
             Self::Export(args) => args.run(),
             Self::Run(args) => args.run(),
+            Self::Certify(args) => args.run(),
         }
     }
 }

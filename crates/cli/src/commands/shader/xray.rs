@@ -64,7 +64,9 @@ impl XrayArgs {
         let Some(xray) = xray else {
             let message = match self.vertex {
                 Some(vertex) => format!("the object's mesh has no vertex {vertex}"),
-                None => format!("no program draws {what}: nothing is there, or an object with a material alone"),
+                None => {
+                    format!("no program draws {what}: nothing is there, or an object with a material alone")
+                }
             };
             return Err(Report::new(message).into());
         };
@@ -226,7 +228,10 @@ impl RecordFacts {
             words: happened(record, lane),
             taken: (record.kind == RecordKind::Branch).then(|| record.taken() >> lane & 1 == 1),
             here: record.lanes.count_ones(),
-            extent: record.extent().map(|(low, high)| [low, high]).filter(|e| e.iter().all(|v| v.is_finite())),
+            extent: record
+                .extent()
+                .map(|(low, high)| [low, high])
+                .filter(|e| e.iter().all(|v| v.is_finite())),
             is_nan: is_nan(record, lane),
         }
     }

@@ -40,7 +40,9 @@ pub(crate) fn process<S: Simd>(
         let count = (cluster.vertices as usize).next_multiple_of(16);
         let own = &mut screen[start..start + count];
         let clipped = match object.program {
-            true => project_by_program(simd, frame, cluster, object, (own, &mut *lit.varyings, start), &mut local),
+            true => {
+                project_by_program(simd, frame, cluster, object, (own, &mut *lit.varyings, start), &mut local)
+            }
             false => project(simd, frame, cluster, object, own, &mut local),
         };
         if object.shading == glanz_scene::Shading::Gouraud {

@@ -193,9 +193,10 @@ fn taken<S: Simd>(
 
 /// Linear sRGB in the channels of the frame.
 fn in_channels<S: Simd>(rgb: [Lanes<S>; 3], primaries: &[[f32; 3]; 3]) -> [Lanes<S>; 3] {
-    let is_srgb = primaries.iter().enumerate().all(|(c, own)| {
-        own.iter().enumerate().all(|(i, value)| *value == if i == c { 1.0 } else { 0.0 })
-    });
+    let is_srgb = primaries
+        .iter()
+        .enumerate()
+        .all(|(c, own)| own.iter().enumerate().all(|(i, value)| *value == if i == c { 1.0 } else { 0.0 }));
     if is_srgb {
         return rgb;
     }

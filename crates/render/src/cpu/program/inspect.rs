@@ -101,7 +101,8 @@ pub(super) fn look<S: Simd>(
     };
     let Some(pair) = inspection.pair(program.number) else { return };
     let StageValues { fragment: values, .. } = &program.values;
-    let mut machine = Machine::<1>::new(&pair.fragment, values, &program.fragment_textures, programs.all.level);
+    let mut machine =
+        Machine::<1>::new(&pair.fragment, values, &program.fragment_textures, programs.all.level);
     fill(&mut machine);
     let trace = machine.trace();
     match &inspection.wanted {

@@ -61,7 +61,12 @@ pub(crate) struct ObjectProgram<'a> {
 
 impl<'a> FramePrograms<'a> {
     /// What the frame's objects run; nothing where the picture shows something else than light.
-    pub(crate) fn new(prepared: &'a Prepared, view: &'a View, options: &DrawOptions, level: SimdLevel) -> Self {
+    pub(crate) fn new(
+        prepared: &'a Prepared,
+        view: &'a View,
+        options: &DrawOptions,
+        level: SimdLevel,
+    ) -> Self {
         let shown = options.show == DebugView::Shaded && !prepared.programs.is_empty();
         let mut all = Self {
             list: Vec::new(),

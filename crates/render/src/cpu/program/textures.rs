@@ -26,7 +26,8 @@ impl Textures for ProgramTextures<'_> {
                 Lod::Texel(level) => {
                     let level = level[lane].clamp(0, mipmap.levels.len() as i32 - 1) as usize;
                     let [x, y] = [u, v].map(|bits| bits.to_bits() as i32);
-                    mipmap.fetch(level, [x.saturating_add(query.offset[0]), y.saturating_add(query.offset[1])])
+                    mipmap
+                        .fetch(level, [x.saturating_add(query.offset[0]), y.saturating_add(query.offset[1])])
                 }
                 lod => {
                     let uv = [

@@ -61,9 +61,7 @@ fn attribute(
             let [u, v] = geometry.uvs.get(vertex).copied().unwrap_or_default();
             [u, v, 0.0, 1.0][component.min(3)]
         }
-        Some(Role::Color) => {
-            geometry.colors.get(vertex).copied().unwrap_or([1.0; 4])[component.min(3)]
-        }
+        Some(Role::Color) => geometry.colors.get(vertex).copied().unwrap_or([1.0; 4])[component.min(3)],
         Some(Role::Tangent) => {
             let [x, y, z, sign] = geometry.tangents.get(vertex).copied().unwrap_or_default();
             of_three([x, y, z], sign)

@@ -120,11 +120,13 @@ impl TriangleSetups {
         triangle: &Triangle,
     ) {
         let object = setup.object as usize;
-        let Some((programs, program)) = frame.programs.and_then(|all| Some((all, all.all.of(object)?))) else {
+        let Some((programs, program)) = frame.programs.and_then(|all| Some((all, all.all.of(object)?)))
+        else {
             return;
         };
         let stride = programs.all.stride;
-        let float = |v: usize, number: usize| projected.varyings.get(v * stride + number).copied().unwrap_or(0.0);
+        let float =
+            |v: usize, number: usize| projected.varyings.get(v * stride + number).copied().unwrap_or(0.0);
         let inverse_w = match program.places_vertices() {
             true => {
                 let at = corners.vertices.map(|v| float(v, 3));

@@ -42,7 +42,8 @@ pub(crate) fn programs(
 
 /// A program with its stages compiled and its uniforms checked.
 pub(crate) fn compiled(program: &Program, textures: usize) -> Result<Arc<PreparedProgram>, PrepareError> {
-    let wrong = |error: ShaderError| PrepareError::from(Box::new(ProgramError { error, texts: texts(program) }));
+    let wrong =
+        |error: ShaderError| PrepareError::from(Box::new(ProgramError { error, texts: texts(program) }));
     let pair = pair(program, false).map_err(wrong)?;
     for (name, value) in &program.uniforms {
         check(&pair, name, value, textures).map_err(wrong)?;
@@ -100,13 +101,15 @@ fn texts(program: &Program) -> BTreeMap<String, String> {
 /// That a value can be given to a uniform of the program.
 fn check(pair: &Pair, name: &str, value: &UniformValue, textures: usize) -> Result<(), ShaderError> {
     let stages = [&pair.vertex, &pair.fragment];
-    let invalid = |message: String, place: Option<Place>| ShaderError::Invalid { message, place, hints: vec![] };
+    let invalid =
+        |message: String, place: Option<Place>| ShaderError::Invalid { message, place, hints: vec![] };
     match value {
         UniformValue::Texture(texture) => {
             if *texture >= textures {
                 return Err(invalid(format!("the texture of '{name}' is not there"), None));
             }
-            let samplers = || stages.iter().flat_map(|own| &own.interface().textures).map(|own| own.name.as_str());
+            let samplers =
+                || stages.iter().flat_map(|own| &own.interface().textures).map(|own| own.name.as_str());
             match samplers().any(|own| own == name) {
                 true => Ok(()),
                 false => {

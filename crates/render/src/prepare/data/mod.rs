@@ -36,8 +36,8 @@ pub(crate) mod ltc;
 pub(crate) mod materials;
 pub(crate) mod mipmap;
 pub(crate) mod objects;
-pub(crate) mod program;
 pub mod pack;
+pub(crate) mod program;
 pub(crate) mod tint_coordinate;
 
 use std::sync::Arc;
@@ -56,8 +56,8 @@ pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
 pub use materials::{DirectLobe, MixTints, PreparedMaterial};
 pub use mipmap::{MipLevel, Mipmap};
 pub use objects::{Attributes, Facets, Polygons, PreparedObject};
-pub use program::PreparedProgram;
 pub use pack::{NO_RECORD, Packed, Pool, Section, Span};
+pub use program::PreparedProgram;
 pub use tint_coordinate::TintCoordinate;
 
 use crate::prepare::source::Source;

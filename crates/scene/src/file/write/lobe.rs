@@ -1,18 +1,22 @@
 //! The lobes of general materials.
 
-use glanz_bsdf::{Angle, Chebyshev, LayerWeight, LightTerm};
+use glanz_bsdf::{Angle, Chebyshev, LayerWeight, LightTerm, ModelSource, Shape};
 
 use super::color::{is_white, tint};
+use super::side_files::SideFiles;
 use super::text::{Table, inline, list, number, numbers, samples, string};
 use crate::{Lobe, Metalness, Tint};
 
 /// A lobe on one line.
-pub(super) fn lobe(lobe: &Lobe) -> String {
+pub(super) fn lobe(lobe: &Lobe, files: &mut SideFiles) -> String {
     let mut table = Table::default();
     let info = lobe.shape.info();
-    table.put("shape", string(info.name));
-    for (param, value) in info.params.iter().zip(lobe.shape.params()) {
-        table.put_unless(value == param.default, param.name, number(value));
+    match lobe.shape.source() {
+        Some(source) => table.put("shape", brdf(source, &lobe.shape, files)),
+        None => {
+            table.put("shape", string(info.name));
+            put_parameters(&lobe.shape, &mut table);
+        }
     }
     match &lobe.tint {
         Tint::Schlick(at_normal) if matches!(**at_normal, Tint::Rgb(_) | Tint::Spectrum(_)) => {
@@ -40,6 +44,24 @@ pub(super) fn lobe(lobe: &Lobe) -> String {
         Metalness::Metal { factor } => table.put("metalness", inline([("metal", number(factor))])),
         Metalness::Dielectric { factor } => table.put("metalness", inline([("dielectric", number(factor))])),
     }
+    table.inline()
+}
+
+fn put_parameters(shape: &Shape, table: &mut Table) {
+    for (param, value) in shape.info().params.iter().zip(shape.params()) {
+        table.put_unless(value == param.default, param.name, number(value));
+    }
+}
+
+/// A user's BRDF, whose text goes into a file of its own.
+fn brdf(source: &ModelSource, shape: &Shape, files: &mut SideFiles) -> String {
+    let is_wgsl = source.file.ends_with(".wgsl");
+    let ending = if is_wgsl { "wgsl" } else { "brdf" };
+    let mut table = Table::default();
+    table.put("file", string(&files.add("brdf", ending, source.text.clone().into_bytes())));
+    table.put("name", string(&source.file));
+    table.put_unless(!source.diffuse, "term", string("diffuse"));
+    put_parameters(shape, &mut table);
     table.inline()
 }
 

@@ -6,6 +6,7 @@ use super::WriteError;
 use super::color::{tint, transmittance};
 use super::lobe::lobe;
 use super::names::Names;
+use super::side_files::SideFiles;
 use super::text::{Document, Table, degrees, key, list, number, single, singles, string, tall_list};
 use crate::{AlphaMode, ClassicMaterial, Material, TextureUse, Tint};
 
@@ -15,11 +16,13 @@ pub(super) fn write(
     name: &str,
     names: &Names,
     document: &mut Document,
+    files: &mut SideFiles,
 ) -> Result<(), WriteError> {
     let wrong = |what| WriteError::NoKey { place: format!("material '{name}'"), what };
     let mut table = Table::default();
     table.put_unless(material.name == name, "name", string(&material.name));
-    if material.lobes.iter().any(|lobe| matches!(lobe.shape, Shape::Custom(_))) {
+    let only_here = |shape: &Shape| matches!(shape, Shape::Custom(_)) && shape.source().is_none();
+    if material.lobes.iter().any(|lobe| only_here(&lobe.shape)) {
         return Err(wrong("a lobe of a model that only the program knows"));
     }
     let glows = material.lobes.iter().filter(|lobe| lobe.shape.info().term == LightTerm::Emission);
@@ -28,7 +31,7 @@ pub(super) fn write(
     }
     match classic(material) {
         Some(block) => put_classic(&block, &mut table),
-        None => table.put("lobes", tall_list(material.lobes.iter().map(lobe))),
+        None => table.put("lobes", tall_list(material.lobes.iter().map(|own| lobe(own, files)))),
     }
     if let Some(value) = &material.transmittance {
         let value = transmittance(value).ok_or_else(|| wrong("a transmittance that depends on the angle"))?;

@@ -116,7 +116,7 @@ pub fn write(scene: &Scene, folder: &str) -> Result<Written, WriteError> {
         mesh::write(mesh, key, &mut document, &mut files);
     }
     for (material, key) in scene.materials.iter().zip(&names.materials) {
-        material::write(material, key, &names, &mut document)?;
+        material::write(material, key, &names, &mut document, &mut files)?;
     }
     for object in &scene.objects {
         object::write(object, &names, &programs, &mut document);

@@ -19,19 +19,22 @@ pub(super) struct Ball(LobeStage);
 impl Ball {
     /// A ball from the keys of a command line; the last of a key counts.
     pub(super) fn new(
-        model: &str,
+        model: &Shape,
         values: &[(String, String)],
         mesh: &str,
         light: Option<&str>,
     ) -> Result<Self, Failure> {
         let mut tint = Tint::Rgb(Rgb::WHITE);
-        let mut set = Vec::new();
+        let mut shape = model.clone();
         for (key, text) in values {
             match key.as_str() {
                 "ior" => tint = media::tint(text)?,
                 "tint" => tint = reflectance_tint(text)?,
                 name => match text.parse::<f64>() {
-                    Ok(value) => set.push((name, value)),
+                    Ok(value) => {
+                        let set = shape.with(name, value);
+                        shape = set.map_err(|error| Failure::Usage(error.to_string()))?;
+                    }
                     Err(_) => {
                         let message = format!("parameter '{name}' is '{text}', but must be a number");
                         return Err(Failure::Usage(message));
@@ -39,10 +42,10 @@ impl Ball {
                 },
             }
         }
-        let shape = Shape::named(model, &set).map_err(|error| Failure::Usage(error.to_string()))?;
         if shape.info().delta {
             return Err(Failure::Usage(format!(
-                "'{model}' sends light into a single direction: lamps leave it black, it shows environments only"
+                "'{}' sends light into a single direction: lamps leave it black, it shows environments only",
+                shape.info().name
             )));
         }
         let mesh = Builtin::named(mesh).expect("the parser lets only known names through");

@@ -4,7 +4,7 @@ mod ball;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use glanz_bsdf::models::info_named;
+use glanz_bsdf::Shape;
 use glanz_math::names::did_you_mean;
 use glanz_plot::{Grid, Variation};
 use glanz_scene::builtin::Builtin;
@@ -12,7 +12,7 @@ use glanz_scene::builtin::Builtin;
 use self::ball::Ball;
 use super::stage_sheet::StageSheetArgs;
 use crate::args::{choices, size};
-use crate::input::lobes::model_names;
+use crate::input::models::{self, models};
 use crate::print::failure::Failure;
 
 /// Shown after the help.
@@ -32,8 +32,8 @@ const DEFAULT_COLUMNS: u32 = 8;
 /// Options of `glanz sheet`.
 #[derive(Args, Debug)]
 pub(crate) struct SheetArgs {
-    /// The model's name, from `glanz bsdf list`
-    #[arg(value_name = "MODEL", value_parser = model_names(), hide_possible_values = true)]
+    /// The model's name, from `glanz bsdf list`, or a BRDF of one's own, as `glanz shader certify` takes it
+    #[arg(value_name = "MODEL", value_parser = models(), hide_possible_values = true)]
     model: String,
 
     /// A parameter, ior or tint, and the values it takes in turn: NAME=a,b,c or NAME=start:stop:count; may be
@@ -74,11 +74,12 @@ pub(crate) struct SheetArgs {
 impl SheetArgs {
     /// Draws the sheet.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let target = self.sheet.begin(&self.model)?;
-        self.check_keys()?;
+        let shape = models::shape(&self.model)?;
+        let target = self.sheet.begin(&file_name(shape.info().name))?;
+        self.check_keys(&shape)?;
         let grid = Grid { variations: &self.vary, columns: self.columns as usize, cell: self.size };
         let cells = grid.cells()?;
-        let balls = cells.iter().map(|cell| self.ball(cell)).collect::<Result<Vec<_>, _>>()?;
+        let balls = cells.iter().map(|cell| self.ball(&shape, cell)).collect::<Result<Vec<_>, _>>()?;
         let stages = balls.into_iter().map(|ball| ball.input(self.size));
         let sheet = grid.sheet(cells.len());
         let canvas = self.sheet.draw(&sheet, stages, self.size, self.samples)?;
@@ -86,14 +87,14 @@ impl SheetArgs {
     }
 
     /// The ball of one cell: what is varied comes before what is set.
-    fn ball(&self, cell: &[(String, String)]) -> Result<Ball, Failure> {
+    fn ball(&self, shape: &Shape, cell: &[(String, String)]) -> Result<Ball, Failure> {
         let values: Vec<_> = self.set.iter().chain(cell).cloned().collect();
-        Ball::new(&self.model, &values, &self.mesh, self.light.as_deref())
+        Ball::new(shape, &values, &self.mesh, self.light.as_deref())
     }
 
     /// That every key is one, and none is varied twice.
-    fn check_keys(&self) -> Result<(), Failure> {
-        let info = info_named(&self.model).map_err(|error| Failure::Usage(error.to_string()))?;
+    fn check_keys(&self, shape: &Shape) -> Result<(), Failure> {
+        let info = shape.info();
         let known: Vec<_> = info.params.iter().map(|param| param.name).chain(["ior", "tint"]).collect();
         let varied = self.vary.iter().map(|vary| ("--vary", vary.path.as_str()));
         let keys: Vec<_> = varied.chain(self.set.iter().map(|(key, _)| ("--set", key.as_str()))).collect();
@@ -116,4 +117,10 @@ impl SheetArgs {
             false => Ok(()),
         }
     }
+}
+
+/// A model's name as a file's: what no name of a file should have becomes a line.
+fn file_name(model: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' };
+    model.chars().map(plain).collect()
 }

@@ -10,14 +10,14 @@ use crate::file::error::Problem;
 use crate::file::near::{did_you_mean, list};
 use crate::file::tables::appearance::layer_weights::{LayerTable, MetalnessTable};
 use crate::file::tables::appearance::lobes::{FresnelName, KEYS, LobeTable};
+use crate::file::tables::appearance::shapes::ShapeTable;
 use crate::file::tables::values::At;
 use crate::{Absorption, Lobe, Metalness, Tint};
 
 impl LobeTable {
     /// The lobe.
     pub(crate) fn build(&self, builder: &mut Builder) -> Result<Lobe, Problem> {
-        let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
-        let shape = Shape::named(&self.shape, &params).map_err(|error| self.explain(&error))?;
+        let shape = self.shape(builder)?;
         // Textures and vertex colours are surface colours (E. Thiel, "Programmation graphique", lecture 5): they multiply
         // neither emitted light nor highlights.
         let textured =
@@ -56,6 +56,19 @@ impl LobeTable {
         let metalness = self.metalness.as_ref().map_or(Metalness::Any, MetalnessTable::metalness);
         let absorption = absorption.map(Arc::new);
         Ok(Lobe { shape, tint, textured, layers, absorption, metalness })
+    }
+
+    fn shape(&self, builder: &mut Builder) -> Result<Shape, Problem> {
+        let params: Vec<(&str, f64)> = self.params.iter().map(|(k, v)| (k.as_str(), v.0)).collect();
+        match (&self.shape.value, self.params.first()) {
+            (ShapeTable::Named(name), _) => Shape::named(name, &params).map_err(|error| self.explain(&error)),
+            (ShapeTable::Brdf(brdf), None) => brdf.build(builder),
+            (ShapeTable::Brdf(_), Some((key, _))) => {
+                let message = format!("unknown key '{}' in a lobe of a BRDF of one's own", key.value);
+                Err(Problem::at(&key.span, message)
+                    .help("its parameters stand in its table: shape = { file = \"my.brdf\", n = 20 }"))
+            }
+        }
     }
 
     /// The tint with the angle dependence that is asked for.

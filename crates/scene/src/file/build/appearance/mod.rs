@@ -1,5 +1,6 @@
 //! Materials: lobes, layers, textures.
 
+mod brdfs;
 pub(super) mod from_library;
 pub(super) mod layers;
 pub(super) mod lobes;

@@ -84,7 +84,11 @@ impl Builder {
     }
 
     /// The number of a texture by its name among the scene's, or else by its file.
-    pub(in crate::file::build) fn picture(&mut self, name: &str, span: &Range<usize>) -> Result<usize, Problem> {
+    pub(in crate::file::build) fn picture(
+        &mut self,
+        name: &str,
+        span: &Range<usize>,
+    ) -> Result<usize, Problem> {
         if let Some(texture) = self.names.textures.get(name) {
             return Ok(*texture);
         }

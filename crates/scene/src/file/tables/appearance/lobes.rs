@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value, json};
 
 use super::layer_weights::{LayerTable, MetalnessTable};
+use super::shapes::{ShapeTable, brdf_schema};
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::sampled::AbsorptionTable;
 use crate::file::tables::values::{At, Fraction, Number};
@@ -33,7 +34,7 @@ pub(crate) const KEYS: [&str; 8] =
 /// shape.
 #[derive(Debug)]
 pub(crate) struct LobeTable {
-    pub shape: At<String>,
+    pub shape: At<ShapeTable>,
     pub tint: Option<At<ColorValue>>,
     pub textured: Option<bool>,
     pub weight: Option<At<Fraction>>,
@@ -93,7 +94,8 @@ impl JsonSchema for LobeTable {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let keys = keys_of_every_model(generator);
-        let variants: Vec<Value> = MODELS.iter().map(|info| variant(info, &keys)).collect();
+        let mut variants: Vec<Value> = MODELS.iter().map(|info| variant(info, &keys)).collect();
+        variants.push(brdf_variant(&keys));
         json_schema!({ "description": "A term of a material: a shape times a tint.", "oneOf": variants })
     }
 }
@@ -124,6 +126,17 @@ fn keys_of_every_model(generator: &mut SchemaGenerator) -> [(&'static str, Value
         ("absorption", absorption.to_value()),
         ("metalness", metalness.to_value()),
     ]
+}
+
+/// A term whose shape is a user's BRDF.
+fn brdf_variant(keys: &[(&'static str, Value)]) -> Value {
+    let mut properties = Map::new();
+    properties.insert("shape".into(), brdf_schema());
+    properties.extend(keys.iter().map(|(key, schema)| ((*key).to_owned(), schema.clone())));
+    json!({
+        "type": "object", "title": "A BRDF of one's own", "required": ["shape"],
+        "additionalProperties": false, "properties": properties,
+    })
 }
 
 /// A term whose shape is this model.

@@ -5,4 +5,5 @@ pub(crate) mod layers;
 pub(crate) mod lobes;
 pub(crate) mod materials;
 mod set_aside;
+pub(crate) mod shapes;
 pub(crate) mod textures;
