@@ -3,6 +3,8 @@
 //!
 //!     cargo run --release -p glanz-shader --example bench -- [--turn] FILE…
 
+#![expect(clippy::print_stdout, reason = "its output is its purpose")]
+
 use std::error::Error;
 use std::time::Instant;
 

@@ -136,7 +136,7 @@ fn scenes_are_drawn_by_programs_of_the_command_line() {
 #[test]
 fn an_error_of_a_program_shows_its_line() {
     let folder = drawing();
-    folder.write("wrong.frag", &SIGHT.replace("float up =", "float upp ="));
+    folder.write("wrong.frag", SIGHT.replace("float up =", "float upp ="));
     let run = folder.glanz(&["render", "scene.toml", "--fs", "wrong.frag", "-o", "a.png"]);
     assert_eq!(run.code, 3);
     assert!(run.stderr.contains("wrong.frag:7") && run.stderr.contains("if (up < 0.0)"), "{}", run.stderr);
@@ -150,7 +150,7 @@ fn programs_of_scenes_are_read_beside_them_with_what_they_include() {
     folder.write("shaders/lib/up.glsl", "float up(vec3 n) { return abs(normalize(n).y); }\n");
     let scene = String::from_utf8(folder.read("scene.toml")).unwrap();
     let program = "program = { fragment = 'shaders/own.frag', uniforms = { exposure = 0.5 } }\n";
-    folder.write("own.toml", &format!("{program}{scene}"));
+    folder.write("own.toml", format!("{program}{scene}"));
     assert_eq!(folder.glanz(&["render", "own.toml", "--size", "24x16", "-o", "a.png"]).code, 0);
     let words = [
         "render",
@@ -166,10 +166,10 @@ fn programs_of_scenes_are_read_beside_them_with_what_they_include() {
     ];
     assert_eq!(folder.glanz(&words).code, 0);
     assert_eq!(folder.read("a.png"), folder.read("b.png"));
-    folder.write("none.toml", &format!("program = {{ fragment = 'none.frag' }}\n{scene}"));
+    folder.write("none.toml", format!("program = {{ fragment = 'none.frag' }}\n{scene}"));
     let run = folder.glanz(&["render", "none.toml", "-o", "c.png"]);
     assert!(run.code == 3 && run.stderr.contains("there is no file 'none.frag'"), "{}", run.stderr);
-    folder.write("empty.toml", &format!("program = {{ uniforms = {{ x = 1 }} }}\n{scene}"));
+    folder.write("empty.toml", format!("program = {{ uniforms = {{ x = 1 }} }}\n{scene}"));
     let run = folder.glanz(&["render", "empty.toml", "-o", "c.png"]);
     assert!(run.stderr.contains("a program needs 'vertex', 'fragment' or both"), "{}", run.stderr);
 }
