@@ -3,6 +3,8 @@
 //!
 //!     cargo run --release -p glanz-shader --example bench -- [--turn] FILE…
 
+#![expect(clippy::print_stdout, reason = "what is measured goes to stdout")]
+
 use std::error::Error;
 use std::time::Instant;
 
