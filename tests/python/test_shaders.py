@@ -38,7 +38,6 @@ ANGLE_TOLERANCE = 5e-4
 
 # What the machine does not take or does otherwise, and why. A program that begins to agree must leave this list.
 KNOWN = {
-    "array_unsized": "arrays of no size are not given that of their value",
     "dot1": "the front end has no scalar forms of functions of vectors",
     "faceforward1": "as dot1",
     "normalize1": "as dot1",

@@ -54,6 +54,7 @@ fn assert_same(scene: &Scene, again: &Scene, what: &str) {
     assert_eq!(scene.photometric, again.photometric, "{what}");
     assert!(scene.observer == again.observer, "{what}: observer");
     assert_eq!(scene.objects, again.objects, "{what}");
+    assert!(scene.programs == again.programs && scene.program == again.program, "{what}: programs");
     for (a, b) in scene.lights.iter().zip(&again.lights) {
         assert!(a == b, "{what}: light '{}'", a.name);
     }
@@ -587,6 +588,8 @@ fn scene() -> impl Strategy<Value = Scene> {
                 white: White::None,
                 ..RenderSettings::default()
             },
+            programs: Vec::new(),
+            program: None,
             observer,
             photometric,
         },

@@ -3,7 +3,7 @@
 //!
 //!     cargo run --release -p glanz-shader --example bench -- [--turn] FILE…
 
-#![expect(clippy::print_stdout, reason = "its output is its purpose")]
+#![expect(clippy::print_stdout, reason = "what is measured goes to stdout")]
 
 use std::error::Error;
 use std::time::Instant;

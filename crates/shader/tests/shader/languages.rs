@@ -227,3 +227,11 @@ fn a_function_may_end_without_a_return() {
     assert_eq!(value(text, 2.5), 3.0);
     assert_eq!(value(text, 20.0), 0.0, "it is undefined in GLSL, and 0 here");
 }
+
+#[test]
+fn an_array_takes_its_size_from_its_value() {
+    let text = "const vec2 p[] = vec2[](vec2(1.0, 2.0), vec2(3.0, 4.0));
+        varying float x; void main() { float[] a = float[](x, max(x, 7.0), 3.0); float b[] = float[3](1.0, x, 5.0);
+        gl_FragColor = vec4(a[1] + b[2] + float(a.length()) + p[1].y); }";
+    assert_eq!(value(text, 2.5), 7.0 + 5.0 + 3.0 + 4.0);
+}

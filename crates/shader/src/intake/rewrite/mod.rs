@@ -6,6 +6,7 @@ mod entry;
 mod legacy;
 mod prelude;
 mod refused;
+mod sizes;
 mod writer;
 
 use std::collections::{HashMap, HashSet};
@@ -66,6 +67,7 @@ struct Rewriter {
 /// Rewrites the tokens of a stage. `has_head`: declarations of ours that stand in front of the user's.
 pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Result<Rewritten, Complaint> {
     check_nesting(tokens)?;
+    let tokens = &*sizes::sized(tokens);
     refused::check(tokens)?;
     let items = Reader::new(tokens).items()?;
     refused::check_recursion(&items)?;
