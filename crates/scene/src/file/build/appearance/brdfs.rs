@@ -4,7 +4,7 @@ use glanz_bsdf::{ParamError, Shape};
 
 use crate::file::build::builder::Builder;
 use crate::file::error::Problem;
-use crate::file::tables::appearance::shapes::{BrdfTable, BrdfText, TermName};
+use crate::file::tables::appearance::shapes::{BrdfTable, BrdfText};
 
 impl BrdfTable {
     /// The shape.
@@ -30,6 +30,7 @@ impl BrdfTable {
     fn compile(&self, builder: &mut Builder) -> Result<Shape, Problem> {
         use glanz_shader::BrdfSource;
 
+        use crate::file::tables::appearance::shapes::TermName;
         use crate::read::{FolderFiles, Resolver};
 
         let (BrdfText::File(text) | BrdfText::Function(text)) = &self.text;

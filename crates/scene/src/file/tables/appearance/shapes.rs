@@ -28,6 +28,7 @@ pub(crate) enum ShapeTable {
 
 /// A user's BRDF, and its parameters.
 #[derive(Debug)]
+#[cfg_attr(not(feature = "shader"), expect(dead_code, reason = "without the feature no BRDF is compiled"))]
 pub(crate) struct BrdfTable {
     pub text: BrdfText,
     /// The model's name, where it is not the file's.
