@@ -29,7 +29,7 @@ macro_rules! stored {
 }
 
 /// The example scenes, by the names of their files.
-const SCENES: [Stored; 23] = stored![
+const SCENES: [Stored; 27] = stored![
     "ball.toml",
     "brewster.toml",
     "brushed.toml",
@@ -49,6 +49,10 @@ const SCENES: [Stored; 23] = stored![
     "metamers.toml",
     "mixing.toml",
     "orientation.toml",
+    "shader-kite.toml",
+    "shader-lights.toml",
+    "shader-normal-matrix.toml",
+    "shader-toon.toml",
     "soap.toml",
     "suzanne.toml",
     "teapot.toml",
@@ -56,12 +60,20 @@ const SCENES: [Stored; 23] = stored![
 ];
 
 /// The files that they name.
-const FILES: [Stored; 5] = stored![
+const FILES: [Stored; 13] = stored![
     "data/metamer-a.csv",
     "data/metamer-b.csv",
     "data/studio.hdr",
     "models/hls-double-cone.ply",
     "models/suzanne.glb",
+    "shaders/course.vert",
+    "shaders/normals.frag",
+    "shaders/gouraud.vert",
+    "shaders/phong.frag",
+    "shaders/wrong-normals.vert",
+    "shaders/right-normals.vert",
+    "shaders/lamp.frag",
+    "shaders/toon.frag",
 ];
 
 /// Options of `glanz example`.

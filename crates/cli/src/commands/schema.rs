@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 44] = [
+const SCHEMAS: [Named; 45] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -47,6 +47,7 @@ const SCHEMAS: [Named; 44] = [
     ("check", schema::<check::Document>),
     ("shader-run", schema::<shader::run::Document>),
     ("shader-check", schema::<shader::check::Document>),
+    ("shader-print", schema::<shader::programs::PrintDocument>),
     ("shader-list", schema::<shader::programs::ListDocument>),
     ("shader-xray", schema::<shader::xray::Document>),
     ("shader-picture", schema::<shader::picture::Document>),

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 42] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 43] = [
     (
         "render",
         &[
@@ -92,6 +92,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 42] = [
     ),
     ("shader-check", &[&["shader", "check", "a.vert", "a.frag"]]),
     ("shader-list", &[&["shader", "list"]]),
+    ("shader-print", &[&["shader", "print", "phong-330"]]),
     (
         "shader-xray",
         &[

@@ -235,6 +235,10 @@ fn the_table_is_within_a_hundredth_of_the_truth_on_every_example() {
         if path.extension().is_none_or(|extension| extension != "toml") {
             continue;
         }
+        // Programs give colours and no spectra.
+        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("shader-")) {
+            continue;
+        }
         let scene = path.to_string_lossy().into_owned();
         let words = ["modes", &scene, "-o", "a.png", "--modes", "spectral", "--against", "reference"];
         let small = ["--size", "40x30", "--samples", "1", "--format", "json"];

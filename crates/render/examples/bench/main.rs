@@ -49,6 +49,7 @@ fn sphere_scene(slices: u32, stacks: u32, lights: usize, shading: Shading) -> Sc
             transform: DMat4::IDENTITY,
             shading: Some(shading),
             interpolation: Some(Interpolation::Perspective),
+            program: None,
         }],
         ..Scene::default()
     };

@@ -114,7 +114,7 @@ impl PictureArgs {
             white: seen.range[1],
             pixels: seen.reached,
             nan_pixels: seen.nan,
-            first_nan: seen.first_nan,
+            first_nan: seen.first_nan.map(|(x, y)| PixelFacts { x, y }),
             unreached_pixels: seen.unreached,
         };
         if self.format.is_json() {
@@ -233,8 +233,15 @@ pub(crate) struct Document {
     pixels: usize,
     /// How many are NaN
     nan_pixels: usize,
-    /// Column and row of the first of them
-    first_nan: Option<(usize, usize)>,
+    /// The first of them
+    first_nan: Option<PixelFacts>,
     /// At how many the program does not come to the line
     unreached_pixels: usize,
+}
+
+/// A pixel: its column and its row from the top left
+#[derive(Debug, Serialize, JsonSchema)]
+struct PixelFacts {
+    x: usize,
+    y: usize,
 }

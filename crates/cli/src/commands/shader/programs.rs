@@ -50,6 +50,22 @@ pub(crate) struct PrintArgs {
     /// Write it into this file
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "stage")]
     output: Option<PathBuf>,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// A program to begin with, as a whole.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct PrintDocument {
+    name: &'static str,
+    title: &'static str,
+    /// The model whose pictures it equals; null where there is none
+    model: Option<&'static str>,
+    vertex: String,
+    fragment: String,
+    /// The file that was written
+    file: Option<String>,
 }
 
 /// Programs to begin with.
@@ -107,7 +123,17 @@ impl PrintArgs {
                 .map(|stage| format!("// {}\n{}", program.file_name(stage), program.text(stage)))
                 .join("\n"),
         };
-        let Some(path) = &self.output else { return print::text(&text) };
+        let document = |file: Option<String>| PrintDocument {
+            name: program.name,
+            title: program.title,
+            model: program.model,
+            vertex: program.text(Stage::Vertex),
+            fragment: program.text(Stage::Fragment),
+            file,
+        };
+        let Some(path) = &self.output else {
+            return if self.format.is_json() { print::json(&document(None)) } else { print::text(&text) };
+        };
         check_folder(path)?;
         write_atomically(path, |out| {
             std::io::Write::write_all(out, text.as_bytes()).map_err(|source| {
@@ -115,7 +141,10 @@ impl PrintArgs {
             })
         })?;
         print::note(format_args!("wrote {}", path.display()));
-        Ok(())
+        match self.format.is_json() {
+            true => print::json(&document(Some(path.display().to_string()))),
+            false => Ok(()),
+        }
     }
 }
 
