@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glanz_scene::{DebugView, UniformValue};
-use glanz_shader::{Program, Source};
+use glanz_shader::{Program, Role, Source};
 
 use super::{Remark, RemarkKind, Shot, ShotError};
 use crate::cpu::inspect_colors;
@@ -29,6 +29,7 @@ impl Shot {
                 };
                 let material = &self.prepared.materials[object.material];
                 texts.extend(unset(program, &|name| has_map(name, material)));
+                texts.extend(self.unknown_lights(program));
             }
         }
         let mut remarks: Vec<_> =
@@ -37,6 +38,22 @@ impl Shot {
             remarks.push(Remark::new(RemarkKind::Program, text));
         }
         Ok(remarks)
+    }
+
+    /// That a program takes lights, and knows nothing of some.
+    fn unknown_lights(&self, program: &PreparedProgram) -> Option<String> {
+        let pair = &program.pair;
+        let takes = |stage: &Program| {
+            let uniforms = stage.interface().uniforms.iter();
+            uniforms
+                .filter_map(|own| own.role)
+                .any(|role| matches!(role, Role::LightPosition | Role::LightDirection))
+        };
+        let left_out = self.prepared.lights.iter().filter(|light| !light.shape.is_punctual()).count();
+        (left_out > 0 && (takes(&pair.vertex) || takes(&pair.fragment))).then(|| {
+            let lights = if left_out == 1 { "light" } else { "lights" };
+            format!("programs know lights that shine from one point or direction: {left_out} {lights} with an area or around all are left out")
+        })
     }
 
     /// How many pixels are not a number, in a picture of one sample for each.

@@ -5,8 +5,9 @@ use fearless_simd::{Simd, SimdBase, SimdMask, i32x16};
 use glanz_math::Lanes;
 
 use crate::cpu::frame::{FrameView, ObjectView};
+use crate::cpu::geometry::bins::Bins;
 use crate::cpu::geometry::chunk::{ChunkOutput, Local};
-use crate::cpu::geometry::clip;
+use crate::cpu::geometry::clip::{self, ClippedTriangle};
 use crate::cpu::geometry::micro_triangles::{MicroTriangles, TINY};
 use crate::cpu::geometry::screen::{SMALL, Screen, sample_range};
 use crate::cpu::program::{self, ProgramClip};
@@ -84,16 +85,27 @@ pub(crate) fn sort<S: Simd>(
         while outside != 0 {
             let lane = outside.trailing_zeros();
             outside &= outside - 1;
-            let name = first_name + lane;
-            match object.placed_by_program {
-                true => {
-                    let depth_of_ndc = frame.programs.map_or([0.0; 2], |own| own.all.depth_of_ndc);
-                    let place = ProgramClip { screen, clip: &local.clip, depth_of_ndc };
-                    program::clip(frame, name, place, bins, clipped_triangles);
-                }
-                false => clip::clip(frame, name, screen, bins, clipped_triangles),
-            }
+            cut(frame, object, first_name + lane, (local, screen), bins, clipped_triangles);
         }
+    }
+}
+
+/// Clips a triangle, by the camera or by where a program put it.
+fn cut(
+    frame: &FrameView,
+    object: &ObjectView,
+    name: u32,
+    (local, screen): (&Local, &[Screen]),
+    bins: &mut Bins<u32>,
+    clipped_triangles: &mut Vec<ClippedTriangle>,
+) {
+    match frame.programs.filter(|_| object.placed_by_program) {
+        Some(programs) => {
+            let depth_of_ndc = programs.all.depth_of_ndc;
+            let place = ProgramClip { screen, clip: &local.clip, depth_of_ndc };
+            program::clip(frame, name, place, bins, clipped_triangles);
+        }
+        None => clip::clip(frame, name, screen, bins, clipped_triangles),
     }
 }
 

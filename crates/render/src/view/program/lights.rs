@@ -50,7 +50,9 @@ impl ProgramLights {
             size.max((DVec3::from_array(object.anchor)).length() + low.length().max(high.length()))
         });
         let directed = sources.iter().filter(|light| light.kind != LightKind::Ambient);
-        let list = prepared.lights.iter().zip(directed).map(|(light, source)| {
+        // What shines from more than one direction is nothing that these programs know.
+        let punctual = prepared.lights.iter().zip(directed).filter(|(light, _)| light.shape.is_punctual());
+        let list = punctual.map(|(light, source)| {
             let [ambient, diffuse, specular] =
                 [&source.colors.ambient, &source.colors.diffuse, &source.colors.specular].map(in_rgb::light);
             ProgramLight { ambient, diffuse, specular, ..geometry(light, view, FAR * size) }
@@ -147,17 +149,32 @@ fn wants_direction(name: &str) -> bool {
     name.contains("posdir") || name.ends_with(".position")
 }
 
-fn geometry(light: &PreparedLight, view: &View, far: f64) -> ProgramLight {
-    let axes = view.axes.map(DVec3::from_array);
-    let turned = |d: [f64; 3]| match light.space {
-        LightSpace::World => DVec3::from_array(d),
-        LightSpace::Camera => axes[0] * d[0] + axes[1] * d[1] + axes[2] * d[2],
-    };
-    let placed = |p: [f64; 3]| match light.space {
-        LightSpace::World => DVec3::from_array(p),
-        LightSpace::Camera => DVec3::from_array(view.eye) + turned(p),
-    };
-    let plain = ProgramLight {
+/// Where a light's own directions and places are in the world.
+struct Placed<'a> {
+    view: &'a View,
+    space: LightSpace,
+}
+
+impl Placed<'_> {
+    fn direction(&self, d: [f64; 3]) -> DVec3 {
+        let axes = self.view.axes.map(DVec3::from_array);
+        match self.space {
+            LightSpace::World => DVec3::from_array(d),
+            LightSpace::Camera => axes[0] * d[0] + axes[1] * d[1] + axes[2] * d[2],
+        }
+    }
+
+    fn point(&self, p: [f64; 3]) -> DVec3 {
+        match self.space {
+            LightSpace::World => DVec3::from_array(p),
+            LightSpace::Camera => DVec3::from_array(self.view.eye) + self.direction(p),
+        }
+    }
+}
+
+/// A light without a place, far above.
+fn plain(far: f64) -> ProgramLight {
+    ProgramLight {
         kind: Kind::Other,
         position: DVec3::Y * far,
         towards: DVec3::Y,
@@ -167,29 +184,33 @@ fn geometry(light: &PreparedLight, view: &View, far: f64) -> ProgramLight {
         ambient: [0.0; 3],
         diffuse: [0.0; 3],
         specular: [0.0; 3],
-    };
+    }
+}
+
+fn geometry(light: &PreparedLight, view: &View, far: f64) -> ProgramLight {
+    let (placed, plain) = (Placed { view, space: light.space }, plain(far));
     match &light.shape {
         LightShape::Directional { towards } => {
-            let towards = turned(*towards);
+            let towards = placed.direction(*towards);
             ProgramLight { kind: Kind::Directional, position: towards * far, towards, ..plain }
         }
         LightShape::Point { position, attenuation } => {
-            let position = placed(*position);
+            let position = placed.point(*position);
             let attenuation = attenuation.unwrap_or(plain.attenuation);
             let towards = position.normalize_or(DVec3::Y);
             ProgramLight { kind: Kind::Point, position, towards, attenuation, ..plain }
         }
         LightShape::Spot { position, axis, cos_cutoff, exponent, attenuation, .. } => ProgramLight {
             kind: Kind::Spot,
-            position: placed(*position),
-            towards: -turned(*axis),
+            position: placed.point(*position),
+            towards: -placed.direction(*axis),
             attenuation: attenuation.unwrap_or(plain.attenuation),
             cos_cutoff: *cos_cutoff,
             exponent: *exponent,
             ..plain
         },
         LightShape::Area { position, axes, .. } => {
-            ProgramLight { position: placed(*position), towards: -turned(axes[2]), ..plain }
+            ProgramLight { position: placed.point(*position), towards: -placed.direction(axes[2]), ..plain }
         }
         LightShape::Environment(_) => plain,
     }
