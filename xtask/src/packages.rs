@@ -12,7 +12,7 @@ use crate::{Failure, Result};
 const NEEDED: &[&str] = &["README.md", "LICENSE-MIT", "LICENSE-APACHE", "NOTICE"];
 
 /// Where else files of a package may lie; `build.rs` is a file by itself.
-const FOLDERS: &[&str] = &["src/", "data/", "examples/", "scenes/", "build.rs"];
+const FOLDERS: &[&str] = &["src/", "data/", "examples/", "programs/", "scenes/", "build.rs"];
 
 /// What Cargo adds.
 const ADDED: &[&str] = &[".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig"];

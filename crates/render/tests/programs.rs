@@ -378,3 +378,29 @@ fn colours_of_programs_are_linear_srgb_in_every_mode() {
     scene.render.mode = glanz_scene::ColorMode::Reference;
     assert!(Shot::new(&scene).is_err_and(|error| error.to_string().contains("no spectra")));
 }
+
+#[test]
+fn a_program_may_say_how_deep_its_fragments_are() {
+    // The sphere in front would hide the cube; told to be far away, it hides nothing.
+    let near = "#version 330\nout vec4 c; void main() { c = vec4(0.25); gl_FragDepth = gl_FragCoord.z; }";
+    let far = near.replace("gl_FragDepth = gl_FragCoord.z", "gl_FragDepth = 1.0");
+    let picture = |text: &str| {
+        let mut scene =
+            with_program(scene(""), of_fragment("#version 330\nout vec4 c; void main() { c = vec4(0.75); }"));
+        scene.image.background = Background::Transparent;
+        scene.objects[1].transform = glanz_scene::glam::DMat4::from_translation([0.0, 0.0, -2.0].into());
+        scene.programs.push(of_fragment(text));
+        scene.objects[0].program = Some(1);
+        Shot::new(&scene).expect("it compiles").frame().expect("it ends").pixel(72, 62)[0]
+    };
+    assert_eq!([picture(near), picture(&far)], [0.25, 0.75]);
+}
+
+#[test]
+fn what_a_program_draws_has_no_lobes_to_be_told_apart() {
+    let scene =
+        with_program(scene(""), of_fragment("#version 330\nout vec4 c; void main() { c = vec4(0.5); }"));
+    let mut shot = Shot::new(&scene).expect("it compiles");
+    assert!(matches!(shot.probe(75, 60), Err(ShotError::ByProgram { x: 75, y: 60 })));
+    assert!(shot.probe(1, 1).expect("nothing is there").surface.is_none());
+}

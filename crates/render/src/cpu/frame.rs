@@ -32,6 +32,8 @@ pub(crate) struct ObjectView {
     pub program: bool,
     /// Whether the program says where its vertices are.
     pub placed_by_program: bool,
+    /// Whether the program says how deep its fragments are.
+    pub depth_by_program: bool,
     /// Whether its colours need neither textures nor vertex colours nor a special view.
     pub simple: bool,
 }
@@ -158,6 +160,7 @@ impl ObjectView {
             polygons: None,
             program: false,
             placed_by_program: false,
+            depth_by_program: false,
             simple: false,
         };
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
@@ -179,7 +182,8 @@ impl ObjectView {
             // Where its back is depends on the program.
             self.cull_back = cull_back;
         }
-        if program.discards() && self.pass == Pass::Opaque {
+        self.depth_by_program = program.places_fragments();
+        if (program.discards() || self.depth_by_program) && self.pass == Pass::Opaque {
             self.pass = Pass::Masked;
             self.cull_back = cull_back;
         }

@@ -29,6 +29,16 @@ pub enum ShotError {
     /// A program of the scene does not come to its end.
     #[error(transparent)]
     Run(#[from] glanz_shader::RunError),
+    /// A pixel is to be taken apart into lights and lobes that a program draws.
+    #[error(
+        "a program draws the pixel {x},{y}, not a material: `glanz shader xray … --pixel {x},{y}` takes it apart"
+    )]
+    ByProgram {
+        /// The column.
+        x: u32,
+        /// The row.
+        y: u32,
+    },
     /// Something of a program was asked for where none draws.
     #[error("no program draws here: name one by --fs or --vs, or by 'program' in the scene")]
     NoProgram,

@@ -26,7 +26,7 @@ impl Shot {
     /// ```
     ///
     /// # Errors
-    /// [`ShotError::Pixel`] for a pixel that the picture does not have, [`ShotError::NoTable`] for pictures that are not made
+    /// [`ShotError::Pixel`] for a pixel that the picture does not have, [`ShotError::ByProgram`] for one that a program draws, [`ShotError::NoTable`] for pictures that are not made
     /// of the tint table, or not of light; else as [`Shot::frame`].
     pub fn probe(&mut self, x: u32, y: u32) -> Result<Probe, ShotError> {
         let (width, height) = (self.sight.view.width, self.sight.view.height);
@@ -46,6 +46,10 @@ impl Shot {
         let screen = screen.rgb.each_ref().map(|plane| plane[index]);
         let Self { prepared, sight, .. } = self;
         let (middle, surface) = probe(prepared, &sight.view, &sight.draw, (x, y));
+        let object = surface.as_ref().and_then(|surface| prepared.objects.get(surface.object));
+        if object.is_some_and(|object| object.program.is_some()) {
+            return Err(ShotError::ByProgram { x, y });
+        }
         Ok(Probe { pixel: (x, y), picture, screen, code, middle, surface })
     }
 

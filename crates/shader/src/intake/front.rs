@@ -142,7 +142,10 @@ fn glsl_complaint(errors: &glsl::ParseErrors, text: &str, map: &Map) -> Complain
     };
     let range = first.meta.to_range().unwrap_or(0..0);
     let found = text.get(range).unwrap_or("");
-    let advice = hints::advice(&first.kind, found);
+    let mut advice = hints::advice(&first.kind, found);
+    if let glsl::ErrorKind::UnknownField(name) = &first.kind {
+        advice.hints.extend(hints::members(name, text));
+    }
     // A missing ';' is looked for behind what stands before.
     if advice.is_missing
         && let Some(range) = first.meta.to_range()

@@ -95,6 +95,29 @@ pub(super) fn advice(kind: &ErrorKind, found: &str) -> Advice {
     }
 }
 
+/// Of a member that is not there: the members of the text's structs.
+pub(super) fn members(name: &str, text: &str) -> Option<String> {
+    let word = |text: &str| text.trim().split(['[', ' ']).next().unwrap_or("").to_owned();
+    let structs: Vec<(String, Vec<String>)> = text
+        .split("struct ")
+        .skip(1)
+        .filter_map(|rest| {
+            let (name, rest) = rest.split_once('{')?;
+            let (body, _) = rest.split_once('}')?;
+            let member = |line: &str| line.trim().split_once(' ').map(|(_, names)| word(names));
+            Some((word(name), body.split(';').filter_map(member).filter(|name| !name.is_empty()).collect()))
+        })
+        .collect();
+    let all = structs.iter().flat_map(|(_, members)| members).map(String::as_str);
+    let near = glanz_math::names::did_you_mean(name, all);
+    let listed = structs.iter().map(|(name, members)| format!("{name} has {}", members.join(", ")));
+    let listed = listed.collect::<Vec<_>>().join("; ");
+    (!structs.is_empty()).then(|| match near.trim_start_matches(['—', ',', ';', ' ']) {
+        "" => listed.clone(),
+        near => format!("{near} {listed}"),
+    })
+}
+
 /// What helps against a message.
 pub(super) fn hint(message: &str) -> Option<String> {
     HINTS.iter().find(|(part, _)| message.contains(part)).map(|(_, hint)| (*hint).to_owned())

@@ -67,14 +67,21 @@ impl<'a> Call<'a> {
 }
 
 fn degrees(call: &Call<'_>) -> Option<Remark> {
-    let word = call.word(0)?;
-    let named = word.is_identifier() && word.text.to_lowercase().contains("deg");
+    let path = call.arguments.first()?;
+    let is_path = path
+        .iter()
+        .all(|t| t.is_identifier() || t.kind == Kind::Number || t.is(".") || t.is("[") || t.is("]"));
+    let word = path.last().filter(|_| is_path)?;
+    let name = word.text.to_lowercase();
+    // OpenGL has the cut-off of a spot in degrees.
+    let named = word.is_identifier() && (name.contains("deg") || name == "spotcutoff");
     let large = word.kind == Kind::Number
         && word.text.trim_end_matches(['f', 'F']).parse::<f32>().is_ok_and(|x| x >= 10.0 && x % 5.0 == 0.0);
     (named || large).then(|| {
+        let whole: String = path.iter().map(|t| &*t.text).collect();
         let message = format!(
-            "'{}' takes radians, and '{}' looks like degrees: {}(radians({}))",
-            call.name, word.text, call.name, word.text
+            "'{0}' takes radians, and '{1}' looks like degrees: {0}(radians({whole}))",
+            call.name, word.text
         );
         (message, call.origin)
     })

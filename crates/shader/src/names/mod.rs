@@ -194,7 +194,12 @@ pub fn attribute_role(name: &str, ty: ValueType) -> Option<Role> {
 /// What the uniform of this name and type stands for. Members of structs and blocks count by the struct's name and their
 /// own: `light.ambient`, `material.ambient`; those of other blocks by their own.
 pub fn uniform_role(name: &str, ty: ValueType) -> Option<Role> {
-    let Some((before, member)) = name.rsplit_once('.') else { return look_up(UNIFORMS, name, ty) };
+    let Some((before, member)) = name.rsplit_once('.') else {
+        // Elements of arrays: lightPositions[2] is a lightPosition.
+        let base = name.split('[').next().unwrap_or(name);
+        let one = base.strip_suffix('s').filter(|_| base.len() < name.len());
+        return look_up(UNIFORMS, base, ty).or_else(|| look_up(UNIFORMS, one?, ty));
+    };
     let holders = || before.split('.').map(|holder| plain(holder.split('[').next().unwrap_or(holder)));
     for (word, table) in [("light", table::LIGHT), ("material", table::MATERIAL)] {
         if holders().any(|holder| holder.contains(word) || word == "material" && holder == "mat") {
@@ -246,6 +251,10 @@ mod tests {
             ("LightPosition_worldspace", ty(1, 3), Role::LightPosition),
             ("lights[3].position", ty(1, 4), Role::LightPosition),
             ("light.diffuse", ty(1, 3), Role::LightColor),
+            ("lightPositions[2]", ty(1, 3), Role::LightPosition),
+            ("lights.source[3].spotCutoff", ty(1, 1), Role::SpotCutoff),
+            ("lights.nbrLights", ty(1, 1), Role::LightCount),
+            ("material.alpha", ty(1, 1), Role::MaterialParameter),
             ("material.diffuse", ty(1, 3), Role::MaterialDiffuse),
             ("Matrices.projection", ty(4, 4), Role::Projection),
             ("Kd", ty(1, 3), Role::MaterialDiffuse),

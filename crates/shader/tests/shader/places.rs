@@ -64,3 +64,19 @@ fn hints_say_what_may_help() {
     assert!(hints("void main() {\n float x = 1.0\n gl_FragColor = vec4(x); }").contains("end with"));
     assert!(!hints("out vec4 c; void main() { vec3 v; mat4 m; c = m * v; }").is_empty());
 }
+
+#[test]
+fn a_member_that_is_not_there_comes_with_those_that_are() {
+    let text = "#version 330\nstruct LightSource { vec4 posDir; float spotCutoff; };\nuniform LightSource light;\n\
+        out vec4 c;\nvoid main() { c = light.position; }";
+    match error(text) {
+        ShaderError::Invalid { message, hints, .. } => {
+            assert!(message.contains("'position'"), "{message}");
+            assert!(
+                hints.iter().any(|hint| hint.contains("LightSource has posDir, spotCutoff")),
+                "{hints:?}"
+            );
+        }
+        other => panic!("{other:?}"),
+    }
+}

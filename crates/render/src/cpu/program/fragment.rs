@@ -53,6 +53,34 @@ pub(crate) fn shade<S: Simd>(
     });
 }
 
+/// Where a program says how deep its fragments are: the depths of a block of a triangle, in the tiles' own measure, and at
+/// which pixels they are not discarded.
+pub(crate) fn depths<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    run: &Run,
+    place: [Lanes<S>; 2],
+) -> (u32, Lanes<S>) {
+    let mut found = (0, Lanes::splat(simd, f32::NEG_INFINITY));
+    let object = setups.list[run.setup as usize].object as usize;
+    let Some((programs, program)) = frame.programs.and_then(|all| Some((all, all.all.of(object)?))) else {
+        return found;
+    };
+    let outputs = &program.pair.fragment.interface().outputs;
+    let Some(depth) = super::builtin(outputs, "gl_FragDepth") else { return found };
+    let at = Spot::new(simd, setups, run, place);
+    programs.machines.with(object, Stage::Fragment, &mut |machine| {
+        fill(machine, simd, frame, setups, run, program, &at);
+        programs.run(machine);
+        let [factor, summand] = programs.all.depth_of_ndc.map(|number| Lanes::splat(simd, number));
+        let window = Lanes::load(simd, &machine.output(depth, 0)[0].0).clamp(0.0, 1.0);
+        let ndc = window + window - window.one();
+        found = (!u32::from(machine.discarded()[0]) & run.bits, ndc * factor + summand);
+    });
+    found
+}
+
 /// At which pixels of a block a triangle's fragments are not discarded.
 pub(crate) fn passes<S: Simd>(
     simd: S,
@@ -182,8 +210,9 @@ fn taken<S: Simd>(
     let alpha = if blends { load(3) } else { one };
     let discarded = LanesMask::from_bits(simd, u32::from(machine.discarded()[0]));
     let zero = one.zero();
+    let primaries = frame.programs.map_or(frame.options.primaries, |programs| programs.all.primaries);
     Shaded {
-        rgb: in_channels(rgb, &frame.options.primaries),
+        rgb: in_channels(rgb, &primaries),
         alpha: (-one).select(discarded, alpha.max(zero)),
         transmittance: [zero; 3],
         distance: if frame.camera.perspective { one / at.depth } else { -at.depth },

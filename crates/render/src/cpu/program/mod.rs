@@ -12,7 +12,7 @@ mod textures;
 mod vertex;
 
 pub(crate) use clip::clip;
-pub(crate) use fragment::{passes, shade};
+pub(crate) use fragment::{depths, passes, shade};
 pub(crate) use vertex::{run as run_vertices, trace as trace_vertex};
 
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -35,6 +35,8 @@ pub(crate) struct FramePrograms<'a> {
     pub list: Vec<Option<ObjectProgram<'a>>>,
     /// Floats of a vertex: the most that any program needs.
     pub stride: usize,
+    /// The frame's channels of linear red, green and blue.
+    pub primaries: [[f32; 3]; 3],
     /// From z/w of clip space to the depth of the tiles: factor and summand.
     pub depth_of_ndc: [f32; 2],
     pub level: SimdLevel,
@@ -71,6 +73,8 @@ impl<'a> FramePrograms<'a> {
         let mut all = Self {
             list: Vec::new(),
             stride: 0,
+            // Colours are three channels: an observer's further ones get nothing.
+            primaries: if prepared.source.first_channel == 0 { options.primaries } else { [[0.0; 3]; 3] },
             depth_of_ndc: [0.0; 2],
             level,
             inspection: None,
@@ -172,6 +176,11 @@ impl<'a> ObjectProgram<'a> {
     /// Whether fragments may be dropped.
     pub(crate) fn discards(&self) -> bool {
         self.pair.fragment.discards()
+    }
+
+    /// Whether the fragment shader says how deep fragments are.
+    pub(crate) fn places_fragments(&self) -> bool {
+        builtin(&self.pair.fragment.interface().outputs, "gl_FragDepth").is_some()
     }
 
     /// Floats of a vertex.

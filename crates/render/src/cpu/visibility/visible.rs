@@ -117,6 +117,13 @@ impl Visible {
                 #[inline(always)]
                 |place, inside, z| {
                     let keep = masked.then_some((frame, &*setups, setup, &grid));
+                    if masked && view.depth_by_program {
+                        let run = Run { setup, bits: inside.bits() };
+                        let (bits, z) = depths(simd, frame, setups, &run, &grid, place);
+                        let inside = LanesMask::from_bits(simd, bits);
+                        used |= self.test(simd, plane + place, inside, z, [triangle.name, number], None);
+                        return;
+                    }
                     used |= self.test(simd, plane + place, inside, z, [triangle.name, number], keep);
                 },
             );
@@ -323,6 +330,20 @@ fn ties(seen: &[Seen], owners: &[u32; BLOCK], mut equal: u32, new: u32) -> u32 {
         won |= u32::from(name(seen, owners[lane as usize]).is_some_and(|other| new < other)) << lane;
     }
     won
+}
+
+/// How deep the fragments of a program are that says so itself, and at which of sixteen pixels they are at all.
+#[inline(never)]
+fn depths<S: Simd>(
+    simd: S,
+    frame: &FrameView,
+    setups: &TriangleSetups,
+    run: &Run,
+    grid: &Grid,
+    place: usize,
+) -> (u32, Lanes<S>) {
+    let at = block::coordinates(simd, grid, place, [0.5, 0.5]);
+    program::depths(simd, frame, setups, run, at)
 }
 
 /// At which of sixteen pixels a masked triangle is opaque enough to be seen.
