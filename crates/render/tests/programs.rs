@@ -388,7 +388,7 @@ fn a_program_may_say_how_deep_its_fragments_are() {
         let mut scene =
             with_program(scene(""), of_fragment("#version 330\nout vec4 c; void main() { c = vec4(0.75); }"));
         scene.image.background = Background::Transparent;
-        scene.objects[1].transform = glanz_scene::glam::DMat4::from_translation([0.0, 0.0, -2.0].into());
+        scene.objects[1].transform = glam::DMat4::from_translation([0.0, 0.0, -2.0].into());
         scene.programs.push(of_fragment(text));
         scene.objects[0].program = Some(1);
         Shot::new(&scene).expect("it compiles").frame().expect("it ends").pixel(72, 62)[0]
