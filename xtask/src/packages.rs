@@ -52,7 +52,8 @@ fn compile_packed(workspace: &Workspace, metadata: &Value) -> Result<()> {
         write!(members, "\"{folder}\", ").expect("a string takes everything");
         writeln!(patches, "{name} = {{ path = \"{folder}\" }}").expect("a string takes everything");
         let packed = workspace.target().join("package").join(format!("{folder}.crate"));
-        run_quietly(workspace.command("tar").arg("xzf").arg(&packed).arg("-C").arg(&tree))?;
+        // As new: Cargo would take what it made of an older package of the same times for this one.
+        run_quietly(workspace.command("tar").arg("xmzf").arg(&packed).arg("-C").arg(&tree))?;
         // What is compiled is what others get, and that is not where our own lock and attributes lie.
         let lock = tree.join(&folder).join("Cargo.lock");
         std::fs::remove_file(&lock).map_err(Failure::during(lock.display()))?;
