@@ -1,6 +1,7 @@
 //! The fragment stage: a block of pixels of one triangle.
 
 use fearless_simd::Simd;
+use glanz_math::inline::{inlined, nine};
 use glanz_math::{Lanes, LanesMask, Real, Vec3};
 use glanz_scene::AlphaMode;
 use glanz_shader::{Interpolation, Machine, Port, Row, Stage};
@@ -27,6 +28,7 @@ struct Spot<S: Simd> {
 }
 
 /// Runs an object's fragment shader for the pixels of a block and one of its triangles.
+#[inline(always)]
 pub(crate) fn shade<S: Simd>(
     simd: S,
     frame: &FrameView,
@@ -42,9 +44,16 @@ pub(crate) fn shade<S: Simd>(
     };
     let at = Spot::new(simd, setups, run, [px, py]);
     programs.machines.with(object, Stage::Fragment, &mut |machine| {
-        fill(machine, simd, frame, setups, run, program, &at);
+        // What is called by way of a trait object is compiled for no level by itself.
+        simd.vectorize(
+            #[inline(always)]
+            || fill(machine, simd, frame, setups, run, program, &at),
+        );
         programs.run(machine);
-        *out = taken(machine, simd, frame, program, setup, &at);
+        simd.vectorize(
+            #[inline(always)]
+            || *out = taken(machine, simd, frame, program, setup, &at),
+        );
         if programs.all.inspection.is_some() {
             let block = Block { place: [px, py], bits: run.bits, object };
             let mut fill = |traced: &mut Machine<'_, 1>| fill(traced, simd, frame, setups, run, program, &at);
@@ -95,9 +104,19 @@ pub(crate) fn passes<S: Simd>(
 }
 
 impl<S: Simd> Spot<S> {
+    #[inline(always)]
     fn new(simd: S, setups: &TriangleSetups, run: &Run, [px, py]: [Lanes<S>; 2]) -> Self {
-        let splat = |value: f32| Lanes::splat(simd, value);
-        let [x0, y0, ux, uy, vx, vy, q0, dq1, dq2] = setups.row(run, 0).map(splat);
+        let rows = inlined(
+            #[inline(always)]
+            |part: usize| {
+                let row = setups.row(run, part);
+                nine(
+                    #[inline(always)]
+                    |i| Lanes::splat(simd, row[i]),
+                )
+            },
+        );
+        let [x0, y0, ux, uy, vx, vy, q0, dq1, dq2] = rows(0);
         let (dx, dy) = (px - x0, py - y0);
         let (u, v) = (dx * ux + dy * uy, dx * vx + dy * vy);
         // Pixels that the triangle covers in part, but not in their middle, are brought to its border, as everywhere else;
@@ -106,7 +125,7 @@ impl<S: Simd> Spot<S> {
         let on_it = u.clamp(0.0, 1.0);
         let u = on_it.select(covered, u);
         let v = v.clamp(0.0, 1.0).min(on_it.one() - on_it).select(covered, v);
-        let [w0, .., w1, _, _, w2, _, _] = setups.row(run, 1).map(splat);
+        let [w0, .., w1, _, _, w2, _, _] = rows(1);
         let inverse_w = w0 + u * w1 + v * w2;
         let w = inverse_w.one() / inverse_w;
         Self {
@@ -120,13 +139,18 @@ impl<S: Simd> Spot<S> {
     }
 
     /// A number of the vertices at the pixels: its value at the first, and the differences of the others from it.
+    #[inline(always)]
     fn interpolated(&self, [first, second, third]: [f32; 3], how: Interpolation) -> Lanes<S> {
-        let splat = |value: f32| self.px.lit(f64::from(value));
+        let splat = inlined(
+            #[inline(always)]
+            |value: f32| self.px.lit(f64::from(value)),
+        );
         let [u, v] = if how == Interpolation::Linear { self.screen } else { self.surface };
         splat(first) + u * splat(second) + v * splat(third)
     }
 }
 
+#[inline(always)]
 fn row_of<S: Simd>(lanes: Lanes<S>) -> Row {
     let mut row = Row::splat(0.0);
     lanes.store(&mut row.0);
@@ -134,6 +158,7 @@ fn row_of<S: Simd>(lanes: Lanes<S>) -> Row {
 }
 
 /// Gives the machine sixteen fragments.
+#[inline(always)]
 fn fill<S: Simd>(
     machine: &mut Machine<'_, 1>,
     simd: S,
@@ -167,6 +192,7 @@ fn fill<S: Simd>(
 }
 
 /// What the pipeline itself gives a fragment.
+#[inline(always)]
 fn of_pipeline<S: Simd>(
     simd: S,
     frame: &FrameView,
@@ -193,6 +219,7 @@ fn of_pipeline<S: Simd>(
 }
 
 /// Takes the colour of sixteen fragments; that of discarded ones has an alpha below 0.
+#[inline(always)]
 fn taken<S: Simd>(
     machine: &Machine<'_, 1>,
     simd: S,
@@ -201,7 +228,10 @@ fn taken<S: Simd>(
     setup: &TriangleSetup,
     at: &Spot<S>,
 ) -> Shaded<S> {
-    let load = |component: usize| Lanes::load(simd, &machine.output(program.color, component)[0].0);
+    let load = inlined(
+        #[inline(always)]
+        |component: usize| Lanes::load(simd, &machine.output(program.color, component)[0].0),
+    );
     let rgb = [load(0), load(1), load(2)];
     let port = &program.pair.fragment.interface().outputs[program.color];
     let material = &frame.materials[frame.objects[setup.object as usize].material];
@@ -221,6 +251,7 @@ fn taken<S: Simd>(
 }
 
 /// Linear sRGB in the channels of the frame.
+#[inline(always)]
 fn in_channels<S: Simd>(rgb: [Lanes<S>; 3], primaries: &[[f32; 3]; 3]) -> [Lanes<S>; 3] {
     let is_srgb = primaries
         .iter()
