@@ -91,6 +91,8 @@ pub(crate) fn sort<S: Simd>(
 }
 
 /// Clips a triangle, by the camera or by where a program put it.
+#[cold]
+#[inline(never)]
 fn cut(
     frame: &FrameView,
     object: &ObjectView,

@@ -111,6 +111,8 @@ impl TriangleSetups {
     }
 
     /// Appends what a program gives its fragments: first 1/w, then three numbers a group.
+    #[cold]
+    #[inline(never)]
     fn add_varyings(
         &mut self,
         frame: &FrameView,

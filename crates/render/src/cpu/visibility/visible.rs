@@ -119,9 +119,8 @@ impl Visible {
                     let keep = masked.then_some((frame, &*setups, setup, &grid));
                     if masked && view.depth_by_program {
                         let run = Run { setup, bits: inside.bits() };
-                        let (bits, z) = depths(simd, frame, setups, &run, &grid, place);
-                        let inside = LanesMask::from_bits(simd, bits);
-                        used |= self.test(simd, plane + place, inside, z, [triangle.name, number], None);
+                        let names = [triangle.name, number];
+                        used |= self.test_by_program(simd, frame, setups, &run, &grid, [plane, place], names);
                         return;
                     }
                     used |= self.test(simd, plane + place, inside, z, [triangle.name, number], keep);
@@ -132,6 +131,23 @@ impl Visible {
             let (chunk, object) = (chunk as u32, object as u32);
             self.seen.push(Seen { name: triangle.name, key, chunk, object, setup });
         }
+    }
+
+    /// The same where a program says how deep its fragments are.
+    #[expect(clippy::too_many_arguments, reason = "out of the loop over blocks, whose code it would double")]
+    #[inline(never)]
+    fn test_by_program<S: Simd>(
+        &mut self,
+        simd: S,
+        frame: &FrameView,
+        setups: &TriangleSetups,
+        run: &Run,
+        grid: &Grid,
+        [plane, place]: [usize; 2],
+        names: [u32; 2],
+    ) -> bool {
+        let (bits, z) = depths(simd, frame, setups, run, grid, place);
+        self.test(simd, plane + place, LanesMask::from_bits(simd, bits), z, names, None)
     }
 
     /// Depth-tests sixteen samples; returns whether any is won. `masked` names the record of a triangle
