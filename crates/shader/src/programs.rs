@@ -24,7 +24,7 @@ const PIXEL: DefaultProgram = DefaultProgram {
     model: None,
     vertex: include_str!("../programs/pixel.vert"),
     fragment: include_str!("../programs/pixel.frag"),
-    highlight: include_str!("../programs/lambert.glsl"),
+    highlight: include_str!("../programs/highlights/lambert.glsl"),
     parameters: "float shininess;",
 };
 
@@ -42,35 +42,35 @@ const ALL: [DefaultProgram; 14] = [
         name: "phong-330",
         title: "Phong's highlights (1975)",
         model: Some("phong"),
-        highlight: include_str!("../programs/phong.glsl"),
+        highlight: include_str!("../programs/highlights/phong.glsl"),
         ..PIXEL
     },
     DefaultProgram {
         name: "blinn-phong-330",
         title: "Blinn's highlights (1977)",
         model: Some("blinn-phong"),
-        highlight: include_str!("../programs/blinn-phong.glsl"),
+        highlight: include_str!("../programs/highlights/blinn-phong.glsl"),
         ..PIXEL
     },
     DefaultProgram {
         name: "phong-normalized-330",
         title: "Phong's highlights with their energy kept (Lewis 1994)",
         model: Some("phong-normalized"),
-        highlight: include_str!("../programs/phong-normalized.glsl"),
+        highlight: include_str!("../programs/highlights/phong-normalized.glsl"),
         ..PIXEL
     },
     DefaultProgram {
         name: "blinn-phong-normalized-330",
         title: "Blinn's highlights with their energy kept",
         model: Some("blinn-phong-normalized"),
-        highlight: include_str!("../programs/blinn-phong-normalized.glsl"),
+        highlight: include_str!("../programs/highlights/blinn-phong-normalized.glsl"),
         ..PIXEL
     },
     DefaultProgram {
         name: "cook-torrance-330",
         title: "Facets with Beckmann's slopes (Cook and Torrance 1982)",
         model: Some("cook-torrance"),
-        highlight: include_str!("../programs/cook-torrance.glsl"),
+        highlight: include_str!("../programs/highlights/cook-torrance.glsl"),
         parameters: "float m;                        // slope of the facets",
         ..PIXEL
     },
@@ -78,7 +78,7 @@ const ALL: [DefaultProgram; 14] = [
         name: "ggx-330",
         title: "Facets as GGX has them (Walter et al. 2007)",
         model: Some("ggx"),
-        highlight: include_str!("../programs/ggx.glsl"),
+        highlight: include_str!("../programs/highlights/ggx.glsl"),
         parameters: "float alpha;                    // width of the distribution of facets",
         ..PIXEL
     },
@@ -86,7 +86,7 @@ const ALL: [DefaultProgram; 14] = [
         name: "ward-330",
         title: "Ward's isotropic highlights (1992)",
         model: Some("ward"),
-        highlight: include_str!("../programs/ward.glsl"),
+        highlight: include_str!("../programs/highlights/ward.glsl"),
         parameters: "float alpha;                    // width of the highlight",
         ..PIXEL
     },
@@ -95,7 +95,7 @@ const ALL: [DefaultProgram; 14] = [
         title: "Phong's highlights at the vertices, colours interpolated (Gouraud 1971)",
         vertex: include_str!("../programs/gouraud.vert"),
         fragment: include_str!("../programs/gouraud.frag"),
-        highlight: include_str!("../programs/phong.glsl"),
+        highlight: include_str!("../programs/highlights/phong.glsl"),
         ..PIXEL
     },
     DefaultProgram {

@@ -5,7 +5,8 @@ use glanz_scene::Scene;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::{light, material_name, object_name};
+use super::{light, material_name};
+use crate::input::objects::object_name;
 
 /// Pixels, taken apart. Colours are linear, in the observer's channels; directions are unit vectors along the world's axes.
 #[derive(Debug, Serialize, JsonSchema)]

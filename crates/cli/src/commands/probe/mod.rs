@@ -12,6 +12,7 @@ use glanz_render::{Probe, Shot};
 use glanz_scene::{Light, LightKind, Scene};
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, PlotTarget, SizeArgs};
+use crate::input::objects::object_of;
 use crate::load::More;
 use crate::pipeline::Plan;
 use crate::print::failure::{Failure, Report};
@@ -122,13 +123,7 @@ fn of_object(
     uv: [f32; 2],
     notes: &mut Vec<String>,
 ) -> Result<(u32, u32), Failure> {
-    let named = scene.objects.iter().position(|object| object.name == name);
-    let numbered = || name.parse().ok().filter(|number: &usize| *number < scene.objects.len());
-    let Some(object) = named.or_else(numbered) else {
-        let known: Vec<_> = (0..scene.objects.len()).map(|number| object_name(scene, number)).collect();
-        let report = Report::new(format_args!("there is no object '{name}'"));
-        return Err(report.help(format_args!("there are: {}", known.join(", "))).into());
-    };
+    let object = object_of(scene, name)?;
     let Some((pixel, found)) = shot.pixel_of(object, uv) else {
         let report = Report::new(format_args!("no pixel shows '{name}' with texture coordinates"));
         return Err(report.help("it is hidden, outside of the picture, or its mesh has none").into());
@@ -138,12 +133,6 @@ fn of_object(
         notes.push(format!("the nearest point of '{name}' that is seen has the texture coordinates {u},{v}"));
     }
     Ok(pixel)
-}
-
-/// The name of an object, or its number.
-fn object_name(scene: &Scene, number: usize) -> String {
-    let name = scene.objects.get(number).map_or("", |object| object.name.as_str());
-    if name.is_empty() { number.to_string() } else { name.to_owned() }
 }
 
 /// A light of the scene by its number among those that are not ambient: its number in paths such as lights.0.color, and

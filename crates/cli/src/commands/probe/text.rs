@@ -4,7 +4,8 @@ use glanz_render::ToneMap;
 use glanz_render::{Arrival, PointPlace, Probe, ProbedLight, ProbedLobe, ProbedPoint, ProbedSurface, Shot};
 use glanz_scene::{Scene, Shading};
 
-use super::{light, material_name, object_name};
+use super::{light, material_name};
+use crate::input::objects::object_name;
 use crate::print::{line, number};
 
 /// Values that differ by less than this, in parts of the greater, are the same.

@@ -7,7 +7,7 @@ use glanz_scene::Scene;
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, SizeArgs};
 use crate::load::More;
 use crate::pipeline::Plan;
-use crate::print::failure::{Failure, Report};
+use crate::print::failure::Failure;
 
 /// A scene, and how it is looked at.
 #[derive(Args, Debug)]
@@ -41,21 +41,4 @@ pub(super) fn line_of(scene: &Scene, file: &str, line: u32) -> Option<String> {
         false => text.includes.get(file).map(String::as_str),
     })?;
     text.lines().nth((line as usize).checked_sub(1)?).map(|line| line.trim().to_owned())
-}
-
-/// The name of an object, or its number.
-pub(super) fn object_name(scene: &Scene, number: usize) -> String {
-    let name = scene.objects.get(number).map_or("", |object| object.name.as_str());
-    if name.is_empty() { number.to_string() } else { name.to_owned() }
-}
-
-/// The number of an object by its name or its number.
-pub(super) fn object_of(scene: &Scene, name: &str) -> Result<usize, Failure> {
-    let named = scene.objects.iter().position(|object| object.name == name);
-    let numbered = || name.parse().ok().filter(|number: &usize| *number < scene.objects.len());
-    named.or_else(numbered).ok_or_else(|| {
-        let known: Vec<_> = (0..scene.objects.len()).map(|number| object_name(scene, number)).collect();
-        let report = Report::new(format_args!("there is no object '{name}'"));
-        report.help(format_args!("there are: {}", known.join(", "))).into()
-    })
 }

@@ -7,7 +7,8 @@ use glanz_shader::{Record, RecordKind, Source, Stage};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::scene::{SceneArgs, line_of, object_name, object_of};
+use super::scene::{SceneArgs, line_of};
+use crate::input::objects::{object_name, object_of};
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
 
