@@ -5,6 +5,20 @@ use glanz_picture::{ChannelError, Develop, Frame, develop};
 use crate::cpu::Renderer;
 use crate::{DrawOptions, Prepared, View};
 
+/// Why a back end drew no frame.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BackendError {
+    /// A program does not come to its end.
+    #[error(transparent)]
+    Run(#[from] glanz_shader::RunError),
+    /// The back end does not draw this, or its device failed.
+    #[error("{what}")]
+    Device {
+        /// What, and what would be right.
+        what: String,
+    },
+}
+
 /// Whatever turns prepared arrays and a view into a frame: the CPU's rasteriser, or a program's own.
 ///
 /// A back end reads [`Prepared`] and what [`crate::view`] makes of it for one camera; it never sees the scene. All
@@ -39,8 +53,8 @@ pub trait Backend: Send {
         *frame = self.draw(prepared, view, options);
     }
 
-    /// Why a program of the last frame did not come to its end, if one did not; the frame is then of no use. Asked once.
-    fn take_error(&mut self) -> Option<glanz_shader::RunError> {
+    /// Why the last frame is of no use, if it is not: a program did not come to its end, or the device failed. Asked once.
+    fn take_error(&mut self) -> Option<BackendError> {
         None
     }
 

@@ -281,7 +281,7 @@ fn a_loop_without_end_is_an_error_with_its_line() {
     let endless = "#version 330\nuniform float zero; out vec4 c;\nvoid main() {\n  float x = 1.0;\n  while (x > zero) { x += 0.5; }\n  c = vec4(x);\n}";
     let scene = with_program(scene(""), of_fragment(endless));
     let error = Shot::new(&scene).expect("it compiles").frame().expect_err("it does not end");
-    assert!(matches!(error, ShotError::Run(_)) && error.to_string().starts_with("own.frag:5"), "{error}");
+    assert!(matches!(error, ShotError::Backend(_)) && error.to_string().starts_with("own.frag:5"), "{error}");
 }
 
 #[test]

@@ -122,6 +122,11 @@ impl UniformValues {
         Self { words: defaults.to_vec(), uniforms: uniforms.to_vec() }
     }
 
+    /// All values as words of 32 bits, in the order of [`Interface::uniforms`]; truth values are 0 or not.
+    pub fn words(&self) -> &[u32] {
+        &self.words
+    }
+
     /// Sets a uniform: one number per component, column by column of a matrix. Whole numbers are rounded to, and a truth
     /// value is whether the number is not 0.
     pub fn set(&mut self, name: &str, values: &[f32]) -> Result<(), UniformError> {

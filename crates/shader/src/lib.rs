@@ -32,6 +32,7 @@
 mod brdf;
 mod check;
 mod error;
+pub mod gpu;
 mod intake;
 mod interface;
 mod lower;

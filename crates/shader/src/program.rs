@@ -1,5 +1,8 @@
 //! From a text to a program.
 
+use std::sync::Arc;
+
+use crate::gpu::Kept;
 use crate::intake::{self, Complaint, Front, Sources};
 use crate::interface::{Interface, Port, Uniform, UniformValues};
 use crate::lower::{self, Lowered, Slot};
@@ -121,7 +124,7 @@ impl<'a> Shader<'a> {
             let complaint = Complaint { message: refused.message, origin, hints: vec![], unsupported: true };
             complaint.into_error(&sources)
         })?;
-        Ok(Program::new(self, &sources, &front, lowered))
+        Ok(Program::new(self, &sources, front, lowered))
     }
 }
 
@@ -132,6 +135,7 @@ pub struct Program {
     interface: Interface,
     warnings: Vec<Warning>,
     pub(crate) lowered: Lowered,
+    pub(crate) kept: Kept,
     /// Of each event of the trace.
     pub(crate) event_places: Vec<Option<Place>>,
     /// Instruction → place of the loop.
@@ -139,13 +143,14 @@ pub struct Program {
 }
 
 impl Program {
-    fn new(shader: &Shader<'_>, sources: &Sources, front: &Front, lowered: Lowered) -> Self {
+    fn new(shader: &Shader<'_>, sources: &Sources, front: Front, lowered: Lowered) -> Self {
         let place = |span| intake::origin_of(span, &front.map).map(|origin| sources.place(origin));
         let event_places = lowered.events.iter().map(|event| place(event.span)).collect();
         let loop_places = lowered.loops.iter().filter_map(|(at, span)| Some((*at, place(*span)?))).collect();
-        let interface = interface(shader.stage, sources, front, &lowered);
-        let warnings = check::warnings(front, shader.stage, sources);
-        Self { stage: shader.stage, interface, warnings, lowered, event_places, loop_places }
+        let interface = interface(shader.stage, sources, &front, &lowered);
+        let warnings = check::warnings(&front, shader.stage, sources);
+        let kept = Kept { module: Arc::new(front.module), roles: Arc::new(front.given.roles) };
+        Self { stage: shader.stage, interface, warnings, lowered, kept, event_places, loop_places }
     }
 
     /// Its stage.

@@ -3,6 +3,7 @@
 mod camera;
 pub(crate) mod choices;
 mod color;
+mod device;
 mod input;
 mod look;
 mod picture;
@@ -13,6 +14,7 @@ mod values;
 
 pub(crate) use camera::CameraArgs;
 pub(crate) use color::ColorArgs;
+pub(crate) use device::DeviceArgs;
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};

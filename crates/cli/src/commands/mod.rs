@@ -5,6 +5,7 @@ mod check;
 mod color;
 mod compare;
 mod completions;
+mod devices;
 mod draw;
 mod example;
 mod info;
@@ -81,6 +82,9 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz shader check phong.vert phong.frag\n  glanz shader run toy.frag -o toy.png"
     )]
     Shader(shader::ShaderCommand),
+    /// List what can draw: the CPU and the GPUs
+    #[command(after_help = devices::EXAMPLES)]
+    Devices(devices::DevicesArgs),
     /// Write an example scene that is part of the program
     #[command(after_help = example::EXAMPLES)]
     Example(example::ExampleArgs),
@@ -113,6 +117,7 @@ impl Command {
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Shader(command) => vec!["shader", command.name()],
+            Self::Devices(_) => vec!["devices"],
             Self::Example(_) => vec!["example"],
             Self::Schema(_) => vec!["schema"],
             Self::Completions(_) => vec!["completions"],
@@ -158,6 +163,7 @@ impl Command {
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
             Self::Shader(command) => command.run(),
+            Self::Devices(args) => args.run(),
             Self::Example(args) => args.run(),
             Self::Schema(args) => args.run(),
             Self::Completions(args) => args.run(root()),

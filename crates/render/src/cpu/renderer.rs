@@ -4,6 +4,7 @@ use std::sync::{Mutex, PoisonError};
 
 use glanz_math::{SimdLevel, at_level};
 
+use crate::BackendError;
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::{TILE_HEIGHT, columns};
 use crate::cpu::geometry::chunk::ChunkOutput;
@@ -52,6 +53,17 @@ impl Renderer {
     pub fn with_level(level: SimdLevel) -> Self {
         Self { level, ..Self::default() }
     }
+
+    /// What is behind all surfaces, without these: for back ends that draw surfaces alone.
+    pub fn background(&mut self, prepared: &Prepared, view: &View, options: &DrawOptions) -> Frame {
+        let mut out = Frame::default();
+        let frame = FrameView::new(prepared, view, options, None);
+        shape_frame(&mut out, prepared, view, options);
+        let bands = plane_bands(&mut out, ViewBackground::of(&frame).fixed());
+        self.chunks.clear();
+        threads::enter(|| self.draw_bands(&frame, bands));
+        out
+    }
 }
 
 impl Backend for Renderer {
@@ -71,8 +83,8 @@ impl Backend for Renderer {
         self.failed = programs.into_error();
     }
 
-    fn take_error(&mut self) -> Option<RunError> {
-        self.failed.take()
+    fn take_error(&mut self) -> Option<BackendError> {
+        self.failed.take().map(BackendError::from)
     }
 
     fn draw_rgba8(

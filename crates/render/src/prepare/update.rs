@@ -260,6 +260,11 @@ impl Prepared {
         &self.source.options.observation
     }
 
+    /// Which of the observer's channels the first one is: 0 but for the further ones of an observer with more than three.
+    pub fn first_channel(&self) -> usize {
+        self.source.first_channel
+    }
+
     /// The same scene for another observer or colour mode.
     ///
     /// # Errors

@@ -94,6 +94,11 @@ impl Shot {
         &self.sight.view
     }
 
+    /// How it is drawn.
+    pub fn draw_options(&self) -> &DrawOptions {
+        &self.sight.draw
+    }
+
     /// The camera.
     pub fn camera(&self) -> &Camera {
         &self.sight.camera

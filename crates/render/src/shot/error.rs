@@ -26,9 +26,9 @@ pub enum ShotError {
     /// A frame is not what its development is for.
     #[error(transparent)]
     Channels(#[from] ChannelError),
-    /// A program of the scene does not come to its end.
+    /// The back end drew nothing: a program of the scene does not come to its end, or the device does not draw it.
     #[error(transparent)]
-    Run(#[from] glanz_shader::RunError),
+    Backend(#[from] crate::BackendError),
     /// A pixel is to be taken apart into lights and lobes that a program draws.
     #[error(
         "a program draws the pixel {x},{y}, not a material: `glanz shader xray … --pixel {x},{y}` takes it apart"

@@ -10,8 +10,7 @@ use super::{Shot, ShotError};
 use crate::cpu::Renderer;
 use crate::cpu::inspect::{Findings, Wanted};
 use crate::prepare::{PrepareError, ProgramError, compiled_program, traced_pair};
-use crate::view::camera::ViewCamera;
-use crate::view::program::Told;
+use crate::view::program::FrameUniforms;
 use crate::view::{DrawOptions, Samples};
 
 /// What a value's picture has where the program did not come to its line.
@@ -128,8 +127,7 @@ impl Shot {
     pub fn uniforms_of(&self, program: &Program, object: usize) -> Result<Vec<UniformFill>, ShotError> {
         let own = self.prepared.objects.get(object).ok_or(ShotError::NoProgram)?;
         let compiled = compiled_program(program, self.prepared.textures.len())?;
-        let camera = ViewCamera::new(&self.prepared, &self.sight.view);
-        let told = Told::new(&self.prepared, &self.sight.view, self.sight.draw.moment, camera.range);
+        let told = FrameUniforms::new(&self.prepared, &self.sight.view, self.sight.draw.moment);
         let values = told.values(own, &compiled);
         let pair = &compiled.pair;
         let stages = [(&pair.vertex, &values.vertex), (&pair.fragment, &values.fragment)];

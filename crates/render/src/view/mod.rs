@@ -5,13 +5,13 @@ pub mod lights;
 pub mod materials;
 pub mod objects;
 mod options;
+pub mod program;
 pub mod samples;
 
 use glam::{DMat4, DVec3, DVec4};
 use glanz_scene::{Camera, Projection};
 use thiserror::Error;
 
-pub(crate) mod program;
 pub use options::{Aovs, DebugView, DrawOptions, Moment};
 pub use samples::{Samples, SamplesError};
 

@@ -3,6 +3,7 @@
 mod brdfs;
 mod common;
 mod flow;
+mod gpu;
 mod languages;
 mod mutated;
 mod numbers;

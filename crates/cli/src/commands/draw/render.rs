@@ -12,7 +12,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::args::{
-    BitDepth, CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+    BitDepth, CameraArgs, DevelopArgs, DeviceArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
 };
 use crate::commands::shader;
 use crate::encode;
@@ -39,6 +39,7 @@ Examples:
   glanz render scene.toml --watch --preview
   glanz render scene.toml --fs normals.frag -o normals.png
   glanz render scene.toml --vs my.vert --fs my.frag --uniform exposure=1.5 --watch --preview
+  glanz render scene.toml --fs my.frag --device gpu -o gpu.png
   glanz render - --preview < scene.toml
   glanz render scene.toml --repeat 50 --timings --format json";
 
@@ -71,6 +72,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, help_heading = "Program", conflicts_with_all = ["watch", "frames", "preview", "output"])]
     pub ps: bool,
 
+    #[command(flatten)]
+    pub device: DeviceArgs,
     #[command(flatten)]
     pub size: SizeArgs,
     #[command(flatten)]
@@ -219,7 +222,9 @@ impl RenderArgs {
     /// The scene as arrays, and how it is drawn.
     pub(crate) fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
-        let mut shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
+        let shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
+        let (mut shot, told) = self.device.apply(shot)?;
+        told.iter().for_each(|told| print::note(format_args!("note: {told}")));
         shot.set_moment(self.input.program.moment());
         Ok((plan, shot))
     }

@@ -22,8 +22,7 @@ use glanz_shader::{Interpolation, Machine, Pair, Port, RunError, Source, Stage};
 
 use crate::cpu::threads;
 use crate::prepare::{Prepared, PreparedProgram};
-use crate::view::camera::ViewCamera;
-use crate::view::program::{StageValues, Told};
+use crate::view::program::{FrameUniforms, MeshAttributes, StageValues};
 use crate::view::{DebugView, DrawOptions, View};
 use inspect::{Findings, Inspection, Wanted};
 use pool::Pool;
@@ -55,10 +54,8 @@ pub(crate) struct ObjectProgram<'a> {
     pub values: StageValues<'a>,
     vertex_textures: ProgramTextures<'a>,
     fragment_textures: ProgramTextures<'a>,
-    /// Rows: from vertices relative to the anchor to the mesh's own places.
-    pub to_mesh: [[f32; 4]; 3],
-    /// The transpose of the linear part of the placement: from normals in the world to those of the mesh.
-    pub normal_to_mesh: [[f32; 3]; 3],
+    /// What vertices are given.
+    pub attributes: MeshAttributes,
 }
 
 impl<'a> FramePrograms<'a> {
@@ -83,8 +80,7 @@ impl<'a> FramePrograms<'a> {
         if !shown {
             return all;
         }
-        let camera = ViewCamera::new(prepared, view);
-        let told = Told::new(prepared, view, options.moment, camera.range);
+        let told = FrameUniforms::new(prepared, view, options.moment);
         all.depth_of_ndc = told.range.depth_of_ndc().map(|number| number as f32);
         all.list = prepared
             .objects
@@ -150,10 +146,6 @@ impl<'a> ObjectProgram<'a> {
         values: StageValues<'a>,
         object: &crate::prepare::PreparedObject,
     ) -> Option<Self> {
-        let placement = glam::DMat4::from_cols_array_2d(&object.placement);
-        let anchor = glam::DMat4::from_translation(glam::DVec3::from_array(object.anchor));
-        let to_mesh = (placement.inverse() * anchor).transpose();
-        let normal = glam::DMat3::from_mat4(placement);
         let textures = |list: &[Option<&'a crate::prepare::Mipmap>]| ProgramTextures(list.to_vec());
         Some(Self {
             pair: &program.pair,
@@ -162,9 +154,7 @@ impl<'a> ObjectProgram<'a> {
             vertex_textures: textures(&values.vertex_textures),
             fragment_textures: textures(&values.fragment_textures),
             values,
-            to_mesh: [to_mesh.x_axis, to_mesh.y_axis, to_mesh.z_axis].map(|row| row.as_vec4().to_array()),
-            // The columns are the rows of the transpose.
-            normal_to_mesh: normal.as_mat3().to_cols_array_2d(),
+            attributes: MeshAttributes::new(object),
         })
     }
 

@@ -1,6 +1,6 @@
 //! The vertex stage: of each vertex its place in clip space, and what goes to the fragments.
 
-use glanz_shader::{Machine, Port, Role, Row, Stage};
+use glanz_shader::{Machine, Row, Stage};
 
 use super::{CLIP, ObjectProgram, builtin};
 use crate::cpu::frame::FrameView;
@@ -30,55 +30,11 @@ fn fill(machine: &mut Machine<'_, 1>, program: &ObjectProgram, geometry: &Geomet
         for component in 0..port.ty.scalars() {
             let mut row = Row::splat(0.0);
             for (lane, value) in row.0.iter_mut().enumerate() {
-                *value = attribute(port, component, program, geometry, first + lane);
+                *value = program.attributes.of(port, component, geometry, first + lane);
             }
             machine.input(number, component)[0] = row;
         }
     }
-}
-
-/// A component of what a vertex has.
-fn attribute(
-    port: &Port,
-    component: usize,
-    program: &ObjectProgram,
-    geometry: &Geometry,
-    vertex: usize,
-) -> f32 {
-    if port.builtin {
-        let source = geometry.sources.get(vertex).copied().unwrap_or(0);
-        return if port.name == "gl_VertexID" { f32::from_bits(source) } else { 0.0 };
-    }
-    let of_three = |v: [f32; 3], fourth: f32| if component < 3 { v[component] } else { fourth };
-    match port.role {
-        Some(Role::Position) => {
-            let at = geometry.position.each_ref().map(|axis| axis[vertex]);
-            let own = program.to_mesh.map(|row| row[0] * at[0] + row[1] * at[1] + row[2] * at[2] + row[3]);
-            of_three(own, 1.0)
-        }
-        Some(Role::Normal) => of_three(to_mesh(program, geometry.normals[vertex]), 0.0),
-        Some(Role::TexCoord) => {
-            let [u, v] = geometry.uvs.get(vertex).copied().unwrap_or_default();
-            [u, v, 0.0, 1.0][component.min(3)]
-        }
-        Some(Role::Color) => geometry.colors.get(vertex).copied().unwrap_or([1.0; 4])[component.min(3)],
-        Some(Role::Tangent) => {
-            let [x, y, z, sign] = geometry.tangents.get(vertex).copied().unwrap_or_default();
-            of_three([x, y, z], sign)
-        }
-        Some(Role::Bitangent) => {
-            let [x, y, z, sign] = geometry.tangents.get(vertex).copied().unwrap_or_default();
-            let (normal, tangent) = (glam::Vec3::from(geometry.normals[vertex]), glam::Vec3::new(x, y, z));
-            of_three((normal.cross(tangent).normalize_or_zero() * sign).to_array(), 0.0)
-        }
-        _ => 0.0,
-    }
-}
-
-/// A normal of the world as the mesh has it.
-fn to_mesh(program: &ObjectProgram, normal: [f32; 3]) -> [f32; 3] {
-    let [nx, ny, nz] = normal;
-    program.normal_to_mesh.map(|column| column[0] * nx + column[1] * ny + column[2] * nz)
 }
 
 /// Takes what the machine gives for sixteen vertices.

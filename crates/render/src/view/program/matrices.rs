@@ -9,9 +9,12 @@ use crate::view::View;
 
 /// The planes between which clip space lies: those that hold the whole scene.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DepthRange {
+pub struct DepthRange {
+    /// Distance of the nearer plane from the camera, in metres; below 0 behind it.
     pub near: f64,
+    /// Distance of the farther one.
     pub far: f64,
+    /// Whether distances shrink what is seen.
     pub perspective: bool,
 }
 
@@ -31,8 +34,9 @@ impl DepthRange {
         Self { near, far, perspective }
     }
 
-    /// The depth of the tiles, greater when nearer, from z/w of clip space: a·z/w + b.
-    pub(crate) fn depth_of_ndc(&self) -> [f64; 2] {
+    /// The depth of the CPU's tiles, greater when nearer, from z/w of clip space: a·z/w + b. That is 1/distance, or the
+    /// negative distance of parallel projections.
+    pub fn depth_of_ndc(&self) -> [f64; 2] {
         let Self { near, far, perspective } = *self;
         match perspective {
             true => [-(far - near) / (2.0 * far * near), (far + near) / (2.0 * far * near)],

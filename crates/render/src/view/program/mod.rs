@@ -2,6 +2,7 @@
 //!
 //! Names say what a uniform stands for ([`Role`]); what stands for nothing keeps the value of the source, or 0.
 
+mod attributes;
 mod lights;
 mod material;
 mod matrices;
@@ -10,13 +11,35 @@ use glanz_scene::UniformValue;
 use glanz_shader::{Program, Role, Uniform, UniformValues};
 
 use crate::prepare::{Mipmap, Prepared, PreparedObject, PreparedProgram, program_values};
+use crate::view::camera::ViewCamera;
 use crate::view::{Moment, View};
+pub use attributes::MeshAttributes;
 use lights::ProgramLights;
-pub(crate) use matrices::DepthRange;
+pub use matrices::DepthRange;
 use matrices::Matrices;
 
-/// Everything about a frame that uniforms can stand for.
-pub(crate) struct Told<'a> {
+/// Everything about a frame that uniforms can stand for: for a back end to ask what each object's program is given.
+///
+/// ```
+/// use glanz_render::view::program::FrameUniforms;
+/// use glanz_render::{Moment, Shot};
+/// use glanz_scene::{Mesh, Program, ProgramText, Scene, library};
+///
+/// let text = "uniform float exposure; uniform float time; out vec4 c; void main() { c = vec4(exposure * time); }";
+/// let program = Program::of_fragment(ProgramText::new("own.frag", text)).with_uniform("exposure", &[2.0]);
+/// let mut scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(8, 8);
+/// scene.programs.push(program);
+/// scene.program = Some(0);
+///
+/// let shot = Shot::new(&scene)?;
+/// let moment = Moment { time: 3.0, ..Moment::default() };
+/// let frame = FrameUniforms::new(shot.prepared(), shot.view(), moment);
+/// let values = frame.of(&shot.prepared().objects[0]).expect("the scene's program draws it");
+/// assert_eq!(values.fragment.get("exposure"), Some(vec![2.0]));
+/// assert_eq!(values.fragment.get("time"), Some(vec![3.0]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct FrameUniforms<'a> {
     prepared: &'a Prepared,
     view: &'a View,
     moment: Moment,
@@ -26,21 +49,31 @@ pub(crate) struct Told<'a> {
 }
 
 /// The values of both stages of an object's program.
-pub(crate) struct StageValues<'a> {
+pub struct StageValues<'a> {
+    /// Uniforms of the vertex shader.
     pub vertex: UniformValues,
+    /// Uniforms of the fragment shader.
     pub fragment: UniformValues,
+    /// Of each texture of the vertex shader; none is opaque black.
     pub vertex_textures: Vec<Option<&'a Mipmap>>,
+    /// The same of the fragment shader.
     pub fragment_textures: Vec<Option<&'a Mipmap>>,
 }
 
-impl<'a> Told<'a> {
-    pub(crate) fn new(prepared: &'a Prepared, view: &'a View, moment: Moment, range: [f32; 2]) -> Self {
-        let range = DepthRange::new(view, range);
+impl<'a> FrameUniforms<'a> {
+    /// For a frame of this view at this moment.
+    pub fn new(prepared: &'a Prepared, view: &'a View, moment: Moment) -> Self {
+        let range = DepthRange::new(view, ViewCamera::new(prepared, view).range);
         let lights = ProgramLights::new(prepared, view);
         Self { prepared, view, moment, range, lights }
     }
 
-    /// What the program of an object is told.
+    /// What the program of an object is given, if it has one.
+    pub fn of(&self, object: &PreparedObject) -> Option<StageValues<'a>> {
+        Some(self.values(object, self.prepared.programs.get(object.program?)?))
+    }
+
+    /// What a program is given for an object.
     pub(crate) fn values(&self, object: &PreparedObject, program: &PreparedProgram) -> StageValues<'a> {
         let matrices = Matrices::new(self.view, &self.range, object);
         let stage = |stage: &Program| self.of_stage(stage, program, object, &matrices);

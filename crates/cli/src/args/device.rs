@@ -1,0 +1,85 @@
+//! What draws: the CPU or a GPU.
+
+use clap::Args;
+use glanz_gpu::{Choice, Gpu};
+use glanz_render::Shot;
+
+use crate::print::failure::Failure;
+
+/// The device.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct DeviceArgs {
+    /// What draws: cpu, gpu (the fastest of `glanz devices`), gpu:WORDS (one with these words in its name, interface or
+    /// driver) or auto (a graphics card if there is one that draws the whole scene, else the CPU). GPUs draw shader
+    /// programs
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = device, help_heading = "Program")]
+    pub device: Device,
+}
+
+/// What draws.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Device {
+    /// The CPU.
+    #[default]
+    Cpu,
+    /// A graphics card if it draws the scene, else the CPU.
+    Auto,
+    /// A GPU.
+    Gpu(Choice),
+}
+
+fn device(text: &str) -> Result<Device, String> {
+    match text.split_once(':').unwrap_or((text, "")) {
+        ("cpu", "") => Ok(Device::Cpu),
+        ("auto", "") => Ok(Device::Auto),
+        ("gpu", "") => Ok(Device::Gpu(Choice::Best)),
+        ("gpu", words) => Ok(Device::Gpu(Choice::Named(words.to_owned()))),
+        _ => Err("expected cpu, gpu, gpu:WORDS or auto, such as gpu:vulkan".to_owned()),
+    }
+}
+
+impl DeviceArgs {
+    /// The picture, drawn by the device; and what to tell of that, if it is not the CPU.
+    pub(crate) fn apply(&self, shot: Shot) -> Result<(Shot, Option<String>), Failure> {
+        let gpu = match &self.device {
+            Device::Cpu => return Ok((shot, None)),
+            Device::Auto => {
+                let able = Gpu::check(shot.prepared(), shot.draw_options());
+                let gpu = able.and_then(|()| Gpu::open(&Choice::Hardware));
+                match gpu {
+                    Ok(gpu) => gpu,
+                    Err(error) => {
+                        let why = error.to_string();
+                        let why = why.trim_end_matches("; --device cpu draws it").to_owned();
+                        return Ok((shot, Some(format!("drawn by the CPU: {why}"))));
+                    }
+                }
+            }
+            Device::Gpu(choice) => {
+                Gpu::check(shot.prepared(), shot.draw_options()).map_err(failure)?;
+                Gpu::open(choice).map_err(failure)?
+            }
+        };
+        let told = format!("drawn by {}", gpu.info());
+        Ok((shot.on(Box::new(gpu)), Some(told)))
+    }
+}
+
+fn failure(error: glanz_gpu::GpuError) -> Failure {
+    Failure::Usage(format!("--device: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn devices_have_names() {
+        assert_eq!(device("cpu"), Ok(Device::Cpu));
+        assert_eq!(device("gpu"), Ok(Device::Gpu(Choice::Best)));
+        assert_eq!(device("gpu:vulkan llvmpipe"), Ok(Device::Gpu(Choice::Named("vulkan llvmpipe".to_owned()))));
+        for wrong in ["", "GPU", "cpu:1", "cuda", "auto:x"] {
+            assert!(device(wrong).unwrap_err().contains("gpu:WORDS"), "{wrong}");
+        }
+    }
+}
