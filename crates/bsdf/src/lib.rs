@@ -111,7 +111,7 @@ pub trait Model: Sized {
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R;
 
     /// The numbers that the model's twin in WGSL reads, in its order: those of which [`Model::f_cos`] makes constants by
-    /// [`Real::lit`], rounded as it rounds them. None for models without a twin; see [`wgsl`].
+    /// [`Real::lit`], rounded as it rounds them. See [`wgsl`]; without a twin nobody reads them.
     fn numbers(&self) -> Vec<f32> {
         Vec::new()
     }

@@ -10,10 +10,10 @@ use crate::common::Numbers;
 
 /// Shapes of the twin's model, each with the grid of the laws and so many random places.
 pub(super) fn cases(twin: &Twin, random: usize) -> impl Iterator<Item = (Shape, Vec<Place>)> {
-    let info = MODELS.iter().find(|info| info.name == twin.model).unwrap();
+    let info = MODELS.iter().find(|info| info.name == twin.model).expect("it is in the list");
     parameters(info).into_iter().enumerate().map(move |(i, values)| {
         let set: Vec<_> = info.params.iter().map(|param| param.name).zip(values).collect();
-        let shape = Shape::named(info.name, &set).unwrap();
+        let shape = Shape::named(info.name, &set).expect("all are in range");
         let places = places(&shape, random, i as u32 + 1);
         (shape, places)
     })
@@ -79,23 +79,30 @@ fn places(shape: &Shape, random: usize, seed: u32) -> Vec<Place> {
     grid.chain(std::iter::repeat_with(|| random_place(&mut numbers)).take(random)).collect()
 }
 
-/// A random place: anywhere, near the horizon, near the mirror direction, near opposite, or along the normal.
+/// A random place: anywhere, near the horizon, near the mirror direction, near opposite, along the normal, or where |wo + wi|²
+/// begins to be taken from the vectors.
 pub(super) fn random_place(numbers: &mut Numbers) -> Place {
     let (origin, up) = (Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
     let (wo, wi) = (near(numbers, origin, 1.0), near(numbers, origin, 1.0));
     let little = 10_f64.powf(-8.0 * f64::from(numbers.unit()));
     let low = |v: Vec3<f64>| Vec3::new(v.x, v.y, v.z * little).normalized();
     let above = Vec3::new(wo.x, wo.y, wo.z.abs());
-    let (wo, wi) = match numbers.below(6) {
+    let (wo, wi) = match numbers.below(7) {
         0 => (wo, wi),
         1 => (low(wo), wi),
         2 => (low(wo), low(wi)),
         3 => (above, near(numbers, above.reflected(up), little)),
         4 => (wo, near(numbers, -wo, little)),
+        5 => (wo, near(numbers, wo * -0.875 + across(wo, wi) * 0.234_375_f64.sqrt(), little)),
         _ => (near(numbers, up, little), near(numbers, up, little)),
     };
     let alpha_scale = if numbers.below(2) == 0 { 1.0 } else { numbers.unit() };
     Place { wo: in_f32(wo), wi: in_f32(wi), alpha_scale }
+}
+
+/// The unit vector across `w` in the plane of both.
+fn across(w: Vec3<f64>, other: Vec3<f64>) -> Vec3<f64> {
+    (other - w * w.dot(other)).normalized()
 }
 
 /// A unit vector at a distance from another one.

@@ -45,7 +45,7 @@ fn faulty(text: &str) -> Vec<(String, String)> {
     for (from, to) in CHANGES {
         for (at, _) in text.match_indices(from) {
             let line = text[..at].rfind('\n').map_or(0, |i| i + 1);
-            let line = text[line..].lines().next().unwrap().trim();
+            let line = text[line..].lines().next().unwrap_or("").trim();
             if !line.starts_with("//") {
                 let changed = format!("{}{to}{}", &text[..at], &text[at + from.len()..]);
                 all.push((changed, format!("{line} [{}]", from.trim())));
