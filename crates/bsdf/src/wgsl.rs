@@ -51,7 +51,7 @@ pub struct Twin {
 pub struct Part {
     /// The file, below `crates`.
     pub file: &'static str,
-    /// What it declares. Names are its own in all parts.
+    /// What it declares. No two parts declare the same name.
     pub text: &'static str,
     /// The parts that it needs to stand with.
     pub needs: &'static [&'static Part],
