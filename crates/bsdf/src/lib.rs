@@ -37,6 +37,7 @@ pub mod microfacet;
 pub mod models;
 mod serial;
 pub mod terms;
+pub mod wgsl;
 
 pub use albedo::{albedo, albedo_at, albedo_with};
 pub use custom::CustomModel;
@@ -108,6 +109,12 @@ pub trait Model: Sized {
     /// The BSDF times the incident cosine, in 1/sr. Zero where the light is on the wrong side of the surface
     /// (see [`ModelInfo::side`]); the viewer is above it.
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R;
+
+    /// The numbers that the model's twin in WGSL reads, in its order: those of which [`Model::f_cos`] makes constants by
+    /// [`Real::lit`], rounded as it rounds them. See [`wgsl`]; without a twin nobody reads them.
+    fn numbers(&self) -> Vec<f32> {
+        Vec::new()
+    }
 
     /// The index of refraction below the surface over that above it, for refraction: then the albedo of a lossless surface
     /// is 1/η², since radiance is proportional to the square of the index, and the law of reciprocity is

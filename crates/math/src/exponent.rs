@@ -52,6 +52,12 @@ impl Exponent {
         }
     }
 
+    /// What [`wgsl::EXPONENT`](crate::wgsl::EXPONENT) reads: n, the number of factors or 0, the base below which a product
+    /// is 0.
+    pub fn numbers(&self) -> [f32; 3] {
+        [self.n as f32, self.factors as f32, self.least]
+    }
+
     /// The product of the factors, at least one; 0 where it would be below the floor.
     #[inline(always)]
     pub(crate) fn product<R: Real>(&self, base: R) -> R {

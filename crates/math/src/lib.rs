@@ -35,6 +35,7 @@ mod quadrature;
 mod real;
 mod twice;
 mod vec3;
+pub mod wgsl;
 
 pub use chebyshev::{Chebyshev, chebyshev_nodes};
 pub use exponent::Exponent;

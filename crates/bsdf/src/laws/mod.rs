@@ -31,6 +31,8 @@
 //! # Ok::<(), glanz_bsdf::ParamError>(())
 //! ```
 
+use glanz_math::Vec3;
+
 mod grid;
 mod hemisphere;
 mod judges;
@@ -67,4 +69,20 @@ pub fn certify(subject: &dyn Subject) -> Certificate {
     let params = info.params.iter().map(|param| param.name).zip(subject.params()).collect();
     let findings = Law::ALL.iter().map(|law| judge(*law, subject)).collect();
     Certificate { model: info.name, params, findings }
+}
+
+/// The directions, to the viewer and to the light, that values of a lobe are judged at: in steps over the whole sphere,
+/// ever nearer to the horizon and to the mirror direction, equal and opposite ones among them.
+///
+/// ```
+/// use glanz_bsdf::{DirectionPair, Shape, laws::directions};
+///
+/// let ward = Shape::named("ward", &[])?;
+/// let pairs = directions(&ward).into_iter().map(|[wo, wi]| DirectionPair::new(wo, wi));
+/// assert!(pairs.clone().count() > 10_000 && pairs.clone().any(|pair| pair.cos_o < 0.0));
+/// assert!(pairs.map(|pair| ward.f_cos(&pair)).all(f64::is_finite));
+/// # Ok::<(), glanz_bsdf::ParamError>(())
+/// ```
+pub fn directions(subject: &dyn Subject) -> Vec<[Vec3<f64>; 2]> {
+    grid::places_anywhere(subject).iter().map(|place| [place.wo, place.wi]).collect()
 }

@@ -104,6 +104,16 @@ impl<D: Distribution> Compensation<D> {
         self.alpha.0 == self.alpha.1
     }
 
+    /// What `compensation.wgsl` reads, which is for GGX surfaces.
+    pub(super) fn numbers(&self) -> Vec<f32> {
+        let (x, y) = self.alpha;
+        let isotropic = f64::from(u8::from(self.is_isotropic()));
+        let mut numbers = vec![isotropic, self.center, self.origin, self.less, self.scale, self.weight / PI];
+        numbers.extend([x * x, y * y, libm::sqrt(x * y)]);
+        numbers.extend(self.series.as_flattened());
+        numbers.into_iter().map(|number| number as f32).collect()
+    }
+
     /// The lobe's `f_cos`, for light and viewer above. The pair's `alpha_scale` multiplies the widths where the distribution
     /// reads it, to a product of 0.001 at least.
     #[inline(always)]

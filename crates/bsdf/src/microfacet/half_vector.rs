@@ -47,3 +47,9 @@ pub(crate) fn stretched2<R: Real>(cosine: R, tangent: (R, R), squares: (f64, f64
     }
     tangent.0.sqr() * x + tangent.1.sqr() * cosine.lit(squares.1)
 }
+
+/// What `half_vector.wgsl` reads of a pair of numbers: both, and 1 where they are equal, which single precision may not
+/// tell.
+pub(super) fn axes((x, y): (f64, f64)) -> [f32; 3] {
+    [x as f32, y as f32, f32::from(u8::from(x == y))]
+}

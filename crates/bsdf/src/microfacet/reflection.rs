@@ -3,6 +3,7 @@
 use glanz_math::{PI, Real, Vec3};
 
 use super::compensation::Compensation;
+use super::half_vector::axes;
 use super::{Distribution, HalfVector, LEAST_ALPHA, factors, widths};
 use crate::{DirectionPair, Model, ModelInfo};
 
@@ -50,6 +51,13 @@ impl<D: Distribution> Model for Smith<D> {
     fn is_anisotropic(&self) -> bool {
         let (x, y) = widths(self.alpha, self.alpha_y);
         x != y
+    }
+
+    fn numbers(&self) -> Vec<f32> {
+        let mut numbers = [axes(self.squares), axes(self.inverse2)].concat();
+        numbers.extend([self.scale, self.least_scale, self.multiscatter].map(|number| number as f32));
+        numbers.extend(self.compensation.numbers());
+        numbers
     }
 
     #[inline(always)]

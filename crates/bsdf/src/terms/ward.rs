@@ -68,6 +68,10 @@ impl<F: WardFactor> Model for WardLobe<F> {
         vec![self.widths.alpha, self.widths.alpha_y]
     }
 
+    fn numbers(&self) -> Vec<f32> {
+        self.widths.numbers().to_vec()
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         above(pair, F::f_cos(&self.widths, pair))
@@ -130,6 +134,11 @@ impl Widths {
             steepness: (steepness(alpha), steepness(across)),
             height: 1.0 / (PI * alpha * across),
         }
+    }
+
+    /// What `ward.wgsl` reads: both steepnesses and the height.
+    fn numbers(&self) -> [f32; 3] {
+        [self.steepness.0, self.steepness.1, self.height].map(|number| number as f32)
     }
 
     /// The Gaussian of the facet between `wo` and `wi`.

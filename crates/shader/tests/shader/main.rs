@@ -10,5 +10,6 @@ mod numbers;
 mod phong;
 mod places;
 mod trace;
+mod twins;
 mod warnings;
 mod wild;

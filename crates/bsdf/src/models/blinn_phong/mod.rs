@@ -50,6 +50,10 @@ impl Model for BlinnPhong {
         vec![self.shininess.n()]
     }
 
+    fn numbers(&self) -> Vec<f32> {
+        self.shininess.numbers().to_vec()
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();

@@ -46,6 +46,10 @@ impl Model for BlinnPhongNormalized {
         vec![self.shininess.n()]
     }
 
+    fn numbers(&self) -> Vec<f32> {
+        [&self.shininess.numbers()[..], &[self.scale as f32]].concat()
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();

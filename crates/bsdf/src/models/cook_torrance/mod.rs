@@ -81,6 +81,11 @@ impl Model for CookTorrance {
         vec![self.m, self.m2, self.weight2]
     }
 
+    fn numbers(&self) -> Vec<f32> {
+        let [(scale, steep), (scale2, steep2)] = self.terms;
+        [scale, steep, scale2, steep2, self.weight2].map(|number| number as f32).to_vec()
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let half = HalfVector::new(pair);

@@ -69,6 +69,10 @@ impl Model for Eon {
         vec![self.roughness, self.rho]
     }
 
+    fn numbers(&self) -> Vec<f32> {
+        self.c.map(|c| c as f32).to_vec()
+    }
+
     #[inline(always)]
     fn f_cos<R: Real>(&self, pair: &DirectionPair<R>) -> R {
         let zero = pair.cos_i.zero();
