@@ -10,8 +10,13 @@ pub(crate) const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -
 pub(crate) const SERIAL: &str = "glanz/exr,glanz/gif,glanz/plot";
 
 /// What each feature of `glanz` adds; without it none of these may be there.
-const ADDED: &[(&str, &[&str])] =
-    &[("rayon", &["rayon"]), ("exr", &["exr"]), ("gif", &["gif"]), ("plot", &["plotters", "ab_glyph"])];
+const ADDED: &[(&str, &[&str])] = &[
+    ("rayon", &["rayon"]),
+    ("exr", &["exr"]),
+    ("gif", &["gif"]),
+    ("plot", &["plotters", "ab_glyph"]),
+    ("gpu", &["wgpu"]),
+];
 
 /// The feature that is on by default, and so part of what the test compiles.
 const DEFAULT: &str = "rayon";

@@ -62,6 +62,8 @@
 )]
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels: prepare, view, back ends |
+//! | [`shader`] | GLSL and WGSL of users: programs, machines, traces, warnings |
+#![cfg_attr(feature = "gpu", doc = "| [`gpu`] | a back end for programs on GPUs, and what GPUs there are |")]
 //!
 //! # Features
 //!
@@ -71,6 +73,7 @@
 //! | `exr` | OpenEXR: environment maps, spectral files, pictures of linear light and of spectra |
 //! | `gif` | films as GIF; PNG and APNG need no feature |
 //! | `plot` | the module `plot` |
+//! | `gpu` | the module `gpu` |
 //!
 //! What needs a feature that is off ends in an error that names it.
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -83,12 +86,15 @@ pub use load::{load, load_with_remarks, parse};
 
 pub use glanz_bsdf as bsdf;
 pub use glanz_color as color;
+#[cfg(feature = "gpu")]
+pub use glanz_gpu as gpu;
 pub use glanz_math as math;
 pub use glanz_picture as picture;
 #[cfg(feature = "plot")]
 pub use glanz_plot as plot;
 pub use glanz_render as render;
 pub use glanz_scene as scene;
+pub use glanz_shader as shader;
 
 pub use glanz_bsdf::Shape;
 pub use glanz_color::{Observer, Rgb, Spectrum};

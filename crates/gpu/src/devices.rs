@@ -104,12 +104,15 @@ pub enum Choice {
     Named(String),
 }
 
-/// All adapters, the fastest kinds first, and of those Vulkan before OpenGL.
-pub(crate) fn adapters() -> Vec<(wgpu::Adapter, DeviceInfo)> {
+/// What is asked first; OpenGL answers for the same devices once more.
+const FIRST: wgpu::Backends = wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12);
+
+/// The adapters of some interfaces, the fastest kinds first, and of those Vulkan before OpenGL.
+fn adapters(backends: wgpu::Backends) -> Vec<(wgpu::Adapter, DeviceInfo)> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-    descriptor.backends = wgpu::Backends::all();
+    descriptor.backends = backends;
     let instance = wgpu::Instance::new(descriptor);
-    let found = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    let found = pollster::block_on(instance.enumerate_adapters(backends));
     let mut all: Vec<_> = found
         .into_iter()
         .map(|adapter| {
@@ -129,19 +132,22 @@ pub(crate) fn adapters() -> Vec<(wgpu::Adapter, DeviceInfo)> {
 /// }
 /// ```
 pub fn devices() -> Vec<DeviceInfo> {
-    adapters().into_iter().map(|(_, info)| info).collect()
+    adapters(wgpu::Backends::all()).into_iter().map(|(_, info)| info).collect()
 }
 
 pub(crate) fn chosen(choice: &Choice) -> Result<(wgpu::Adapter, DeviceInfo), GpuError> {
-    let all = adapters();
-    let known: Vec<String> = all.iter().map(|(_, info)| info.to_string()).collect();
     let fits = |info: &DeviceInfo| match choice {
         Choice::Best => true,
         Choice::Hardware => info.kind != DeviceKind::Software,
         Choice::Named(words) => info.matches(words),
     };
-    let found = all.into_iter().find(|(_, info)| fits(info));
-    found.ok_or_else(|| match (choice, known.is_empty()) {
+    let found = |all: Vec<(wgpu::Adapter, DeviceInfo)>| all.into_iter().find(|(_, info)| fits(info));
+    if let Some(found) = found(adapters(FIRST)) {
+        return Ok(found);
+    }
+    let all = adapters(wgpu::Backends::all());
+    let known: Vec<String> = all.iter().map(|(_, info)| info.to_string()).collect();
+    found(all).ok_or_else(|| match (choice, known.is_empty()) {
         (_, true) => GpuError::None,
         (Choice::Named(words), _) => GpuError::Unknown { words: words.clone(), known: known.join(", ") },
         _ => GpuError::OnlySoftware { known: known.join(", ") },

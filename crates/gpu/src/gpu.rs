@@ -146,10 +146,10 @@ impl Gpu {
             let Some((number, values)) = object.program.zip(uniforms.of(object)) else { continue };
             let program = &prepared.programs[number];
             let pipeline = self.pipeline(program)?;
-            let attributes = &pipeline.pair.vertex.attributes;
             let inputs = &program.pair.vertex.interface().inputs;
             let device = &self.device;
             let drawn = device.checked(|| {
+                let attributes = &pipeline.pair.vertex.attributes;
                 let mesh = Mesh::new(device, &prepared.geometry, object, attributes, inputs);
                 Drawn::new(device, pipeline, mesh, &values, &mut textures)
             })?;

@@ -41,8 +41,9 @@ impl Mesh {
             let triangles =
                 cluster.first_triangle as usize..(cluster.first_triangle + cluster.triangles) as usize;
             for [a, b, c] in &geometry.triangles[triangles] {
-                // What is flat is that of the last vertex for OpenGL, that of the first one for WebGPU.
-                for corner in [c, a, b] {
+                // What is flat is that of the last vertex on the CPU and in OpenGL, that of the first one elsewhere.
+                let corners = if device.info.api == "opengl" { [a, b, c] } else { [c, a, b] };
+                for corner in corners {
                     let index = cluster.first_vertex - first + u32::from(*corner);
                     indices.extend(index.to_le_bytes());
                 }

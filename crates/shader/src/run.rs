@@ -21,6 +21,7 @@ pub struct Machine<'a, const G: usize> {
     level: SimdLevel,
     file: RegisterFile<G>,
     fuel: u32,
+    down: bool,
 }
 
 /// One copy of the loop per level and width, made in this crate.
@@ -47,10 +48,10 @@ macro_rules! executors {
             ) -> Self {
                 let mut file = RegisterFile::<$g>::new();
                 let looks = &program.lowered.looks;
-                let host = Host { uniforms: &uniforms.words, textures, looks, fuel: FUEL };
+                let host = Host { uniforms: &uniforms.words, textures, looks, fuel: FUEL, down: false };
                 // The prologue has no loops, so its fuel lasts.
                 let _ = $name(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
-                Self { program, uniforms, textures, level, file, fuel: FUEL }
+                Self { program, uniforms, textures, level, file, fuel: FUEL, down: false }
             }
 
             /// Runs the program for what the inputs hold. Inputs must be written anew for each run.
@@ -61,7 +62,7 @@ macro_rules! executors {
             fn run_with(&mut self, recorder: &mut dyn Recorder) -> Result<(), RunError> {
                 let lowered = &self.program.lowered;
                 let (words, looks) = (&self.uniforms.words, &lowered.looks);
-                let host = Host { uniforms: words, textures: self.textures, looks, fuel: self.fuel };
+                let host = Host { uniforms: words, textures: self.textures, looks, fuel: self.fuel, down: self.down };
                 let done = $name(self.level, &lowered.ops, &mut self.file, &host, recorder);
                 done.map_err(|stopped| self.endless(stopped))
             }
@@ -73,8 +74,13 @@ executors!(execute_16 1, execute_64 4);
 /// Registers after the prologue, for runs by [`proceed`]: a machine's, without the borrows.
 pub(crate) fn begin(level: SimdLevel, program: &Program, uniforms: &UniformValues) -> RegisterFile<1> {
     let mut file = RegisterFile::<1>::new();
-    let host =
-        Host { uniforms: &uniforms.words, textures: &NoTextures, looks: &program.lowered.looks, fuel: FUEL };
+    let host = Host {
+        uniforms: &uniforms.words,
+        textures: &NoTextures,
+        looks: &program.lowered.looks,
+        fuel: FUEL,
+        down: false,
+    };
     // The prologue has no loops, so its fuel lasts.
     let _ = execute_16(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
     file
@@ -88,7 +94,13 @@ pub(crate) fn proceed(
     file: &mut RegisterFile<1>,
     fuel: u32,
 ) -> Result<(), RunError> {
-    let host = Host { uniforms: &uniforms.words, textures: &NoTextures, looks: &program.lowered.looks, fuel };
+    let host = Host {
+        uniforms: &uniforms.words,
+        textures: &NoTextures,
+        looks: &program.lowered.looks,
+        fuel,
+        down: false,
+    };
     let done = execute_16(level, &program.lowered.ops, file, &host, &mut Silent);
     done.map_err(|stopped| endless(program, stopped, fuel))
 }
@@ -99,6 +111,13 @@ fn endless(program: &Program, stopped: OutOfFuel, turns: u32) -> RunError {
 }
 
 impl<const G: usize> Machine<'_, G> {
+    /// The same for blocks whose rows are given from the top down: derivatives along y are those upwards, as OpenGL has
+    /// them. By default rows go up.
+    #[must_use]
+    pub fn with_rows_down(self) -> Self {
+        Self { down: true, ..self }
+    }
+
     /// Sets how many turns all loops of a run may take together.
     pub fn set_fuel(&mut self, turns: u32) {
         self.fuel = turns;

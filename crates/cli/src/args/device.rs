@@ -4,7 +4,7 @@ use clap::Args;
 use glanz_gpu::{Choice, Gpu};
 use glanz_render::Shot;
 
-use crate::print::failure::Failure;
+use crate::print::failure::{Failure, Report};
 
 /// The device.
 #[derive(Args, Clone, Debug, Default)]
@@ -38,7 +38,36 @@ fn device(text: &str) -> Result<Device, String> {
     }
 }
 
+/// Starts the command anew with a folder for what runs, where the system names none: the drivers' libraries complain of
+/// that on stderr as if it were an error.
+#[cfg(unix)]
+pub(crate) fn with_runtime_folder() {
+    use std::os::unix::process::CommandExt;
+
+    const NAME: &str = "XDG_RUNTIME_DIR";
+    if std::env::var_os(NAME).is_none()
+        && let Ok(own) = std::env::current_exe()
+    {
+        // Returns only if it fails, and then the complaint is all.
+        let _ = std::process::Command::new(own)
+            .args(std::env::args_os().skip(1))
+            .env(NAME, std::env::temp_dir())
+            .exec();
+    }
+}
+
+/// Other systems have no such folder.
+#[cfg(not(unix))]
+pub(crate) fn with_runtime_folder() {}
+
 impl DeviceArgs {
+    /// Before anything is read: sees to what drivers need.
+    pub(crate) fn begin(&self) {
+        if self.device != Device::Cpu {
+            with_runtime_folder();
+        }
+    }
+
     /// The picture, drawn by the device; and what to tell of that, if it is not the CPU.
     pub(crate) fn apply(&self, shot: Shot) -> Result<(Shot, Option<String>), Failure> {
         let gpu = match &self.device {
@@ -66,7 +95,7 @@ impl DeviceArgs {
 }
 
 fn failure(error: glanz_gpu::GpuError) -> Failure {
-    Failure::Usage(format!("--device: {error}"))
+    Report::new(format_args!("--device: {error}")).into()
 }
 
 #[cfg(test)]
@@ -77,7 +106,10 @@ mod tests {
     fn devices_have_names() {
         assert_eq!(device("cpu"), Ok(Device::Cpu));
         assert_eq!(device("gpu"), Ok(Device::Gpu(Choice::Best)));
-        assert_eq!(device("gpu:vulkan llvmpipe"), Ok(Device::Gpu(Choice::Named("vulkan llvmpipe".to_owned()))));
+        assert_eq!(
+            device("gpu:vulkan llvmpipe"),
+            Ok(Device::Gpu(Choice::Named("vulkan llvmpipe".to_owned())))
+        );
         for wrong in ["", "GPU", "cpu:1", "cuda", "auto:x"] {
             assert!(device(wrong).unwrap_err().contains("gpu:WORDS"), "{wrong}");
         }

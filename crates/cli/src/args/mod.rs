@@ -14,7 +14,7 @@ mod values;
 
 pub(crate) use camera::CameraArgs;
 pub(crate) use color::ColorArgs;
-pub(crate) use device::DeviceArgs;
+pub(crate) use device::{DeviceArgs, with_runtime_folder};
 pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};

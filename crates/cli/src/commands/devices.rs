@@ -4,6 +4,7 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::args::with_runtime_folder;
 use crate::print::failure::Failure;
 use crate::print::{self, Format, FormatArgs};
 
@@ -48,6 +49,7 @@ struct DeviceFacts {
 impl DevicesArgs {
     /// Lists them.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        with_runtime_folder();
         let document = Document { devices: facts() };
         match self.format.format {
             Format::Json => print::json(&document),

@@ -78,7 +78,7 @@ pub(super) fn location(location: u32, scalar: Scalar, how: crate::Interpolation)
     let (interpolation, sampling) = match how {
         crate::Interpolation::Perspective if is_float => (Interpolation::Perspective, Sampling::Center),
         crate::Interpolation::Linear if is_float => (Interpolation::Linear, Sampling::Center),
-        _ => (Interpolation::Flat, Sampling::First),
+        _ => (Interpolation::Flat, Sampling::Either),
     };
     Binding::Location {
         location,

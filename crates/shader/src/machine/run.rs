@@ -18,6 +18,8 @@ pub(crate) struct Host<'a> {
     pub(crate) looks: &'a [Look<u16>],
     /// Turns of loops that are left.
     pub(crate) fuel: u32,
+    /// Whether rows of pixels count from the top.
+    pub(crate) down: bool,
 }
 
 /// Who hears of the events of a traced program.
@@ -73,16 +75,19 @@ fn cross<S: Simd, const G: usize>(simd: S, file: &mut Registers<G>, op: &Op) {
     }
 }
 
-/// Lanes are 4×4 pixels, row by row; quads are 2×2 of them. `bit` is 1 along x and 4 along y.
+/// Lanes are 4×4 pixels, row by row; quads are 2×2 of them. `bit` is 1 along x and 4 along y. `down`: rows count from the
+/// top, so that later ones have the lesser coordinate.
 #[expect(clippy::needless_range_loop, reason = "two registers of the file are indexed")]
 #[inline(always)]
-fn derivative<const G: usize>(file: &mut Registers<G>, op: &Op, bit: usize) {
+fn derivative<const G: usize>(file: &mut Registers<G>, op: &Op, bit: usize, down: bool) {
+    let [more, less] = if down { [0, bit] } else { [bit, 0] };
     for k in 0..op.n {
         for g in 0..G {
             let x = file[index(op.a + k * (u16::from(op.s) & 1))][g].0;
             let out = &mut file[index(op.d + k)][g].0;
             for (lane, out) in out.iter_mut().enumerate() {
-                *out = x[(lane | bit) & 15] - x[lane & !bit & 15];
+                let first = lane & !bit & 15;
+                *out = x[first | more] - x[first | less];
             }
         }
     }
@@ -359,8 +364,8 @@ pub(crate) fn execute<S: Simd, const G: usize>(
             Code::Imm => file[index(op.d)] = [Row([f32::from_bits(op.imm); 16]); G],
             Code::LoadU => load_uniform(file, op, host.uniforms, op.imm as usize),
             Code::LoadUI => load_uniform_indexed(file, op, host.uniforms),
-            Code::DdX => derivative(file, op, 1),
-            Code::DdY => derivative(file, op, 4),
+            Code::DdX => derivative(file, op, 1, false),
+            Code::DdY => derivative(file, op, 4, host.down),
             Code::Texture => sample(file, op, host),
             Code::Jump => next = op.imm as usize,
             Code::JumpNone | Code::JumpAny => {

@@ -12,7 +12,8 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::args::{
-    BitDepth, CameraArgs, DevelopArgs, DeviceArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+    BitDepth, CameraArgs, DevelopArgs, DeviceArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target,
+    TargetArgs,
 };
 use crate::commands::shader;
 use crate::encode;
@@ -130,6 +131,7 @@ pub(crate) struct RenderArgs {
 impl RenderArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        self.device.begin();
         self.machine.apply()?;
         match &self.frames {
             Some(range) => self.film(range.clone()),

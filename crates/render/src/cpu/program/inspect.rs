@@ -102,7 +102,8 @@ pub(super) fn look<S: Simd>(
     let Some(pair) = inspection.pair(program.number) else { return };
     let StageValues { fragment: values, .. } = &program.values;
     let mut machine =
-        Machine::<1>::new(&pair.fragment, values, &program.fragment_textures, programs.all.level);
+        Machine::<1>::new(&pair.fragment, values, &program.fragment_textures, programs.all.level)
+            .with_rows_down();
     fill(&mut machine);
     let trace = machine.trace();
     match &inspection.wanted {

@@ -33,7 +33,8 @@ impl<'a> Pool<'a> {
             Stage::Vertex => (&program.pair.vertex, &program.values.vertex, &program.vertex_textures),
             Stage::Fragment => (&program.pair.fragment, &program.values.fragment, &program.fragment_textures),
         };
-        list.push((object, stage, Machine::<1>::new(of_stage, values, textures, level)));
+        let machine = Machine::<1>::new(of_stage, values, textures, level).with_rows_down();
+        list.push((object, stage, machine));
         let last = list.len() - 1;
         &mut list[last].2
     }
