@@ -45,7 +45,6 @@ KNOWN = {
     "refract1": "as dot1",
     "matrix_column": "the front end writes no swizzle of a column",
     "matrix_outer23": "the front end turns the type of outer products that are not square",
-    "short_circuit": "the front end calls functions on the right of && and || always, with what they change",
     "texture_proj": "llvmpipe takes the change along the first row for the whole quad, we that of each row; by dFdxFine "
     "and textureGrad it agrees",
     "structs_equal": "the front end compares no structs",
@@ -219,6 +218,9 @@ def flow():
     yield "macros", "result = vec4(TWICE(x), MAD(x, y, 2.0), VALUE, 0.0);", "#define TWICE(a) ((a) * 2.0)\n#define MAD(a, b, c) (a * b + c)\n#if defined(TWICE) && !defined(OTHER)\n#define VALUE 7.0\n#else\n#define VALUE 8.0\n#endif"
     yield "comma", "float k = (x += 1.0, y * x); result = vec4(k, x, 0.0, 0.0);", ""
     yield "short_circuit", "int n = 0; bool t = x < 0.0 && up(n); t = y < 0.0 || up(n); result = vec4(n, t, 0, 0);", "bool up(inout int n) { n++; return n > 0; }"
+    yield "short_circuit_loops", "int n = 0; while (x < y && up(n) && n < 4 || n < 1 && up(n)) result.x += 1.0; for (; n < 9 && (y < 0.0 || up(n)); n += 2) result.y += 1.0; result.z = float(n);", "bool up(inout int n) { n++; return n > 0; }"
+    yield "short_circuit_global", "bool t = x < 0.0 && next() || y < 0.0 && next() && next(); t = t ^^ (x < y || next()); result = vec4(n, t, 0, 0);", "int n = 0; bool next() { n++; return n > 1; }"
+    yield "do_continue", "int k = 0; do { k++; if (k == (i & 3) + 1) continue; result.x += y; } while (k < (i & 3) + 1); result.y = float(k);", ""
     yield "shadowing", "float x2 = x; { float x2 = y; result.x = x2; } result.y = x2; for (int x2 = 0; x2 < 2; x2++) result.z += float(x2);", ""
     yield "dfdx", "result = vec4(dFdx(x * y), dFdy(x * x + y * y), fwidth(x * 0.5), dFdx(a2).y);", ""
     yield "dfdx_of_call", "result = vec4(dFdx(sin(x)), dFdy(floor(y * 2.0)), fwidth(a2));", ""

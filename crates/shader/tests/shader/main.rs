@@ -1,6 +1,7 @@
 //! Tests of the shader crate as a whole.
 
 mod brdfs;
+mod circuit;
 mod common;
 mod flow;
 mod languages;

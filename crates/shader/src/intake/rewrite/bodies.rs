@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use super::Rewriter;
+use super::circuit::shortened;
 use super::legacy::modern_function;
+use super::loops::with_conditions;
 use crate::intake::items::is_precision;
 use crate::intake::token::{Kind, Token};
 use crate::intake::{Complaint, SAMPLER_SUFFIX, TEXTURE_SUFFIX};
@@ -84,6 +86,10 @@ impl Rewriter {
         let name = self.safe_name(name);
         self.out.push(Token { spaced: true, ..name });
         let samplers = self.parameters(parameters)?;
+        let conditioned = with_conditions(body)?;
+        let body = conditioned.as_deref().unwrap_or(body);
+        let shortened = shortened(body, &self.effects);
+        let body = shortened.as_deref().unwrap_or(body);
         let Some((close, inside)) = body.split_last().filter(|_| may_fall_through(head, body)) else {
             return self.body(body, &samplers);
         };

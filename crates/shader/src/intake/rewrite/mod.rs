@@ -1,9 +1,12 @@
 //! Top-level items to what naga reads.
 
 mod bodies;
+mod circuit;
 mod declarations;
+mod effects;
 mod entry;
 mod legacy;
+mod loops;
 mod prelude;
 mod refused;
 mod sizes;
@@ -60,6 +63,8 @@ struct Rewriter {
     holders: HashMap<String, String>,
     /// Names of functions that the text defines.
     functions: HashSet<String>,
+    /// Those whose call is more than its value.
+    effects: HashSet<String>,
     used: HashSet<String>,
     bindings: u32,
 }
@@ -85,6 +90,7 @@ pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Resul
         struct_samplers: HashMap::new(),
         holders: HashMap::new(),
         functions: functions.collect(),
+        effects: effects::of_functions(&items),
         used,
         bindings: 0,
     };
