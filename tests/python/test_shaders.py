@@ -242,6 +242,30 @@ def textures():
         yield f"texture_{name}", f"result = {text};", "vec4 look(sampler2D s, vec2 at) { return texture(s, at + 0.1); }"
 
 
+def cubes():
+    """Looks at directions inside of faces: along their edges filters differ."""
+    inside = "vec2 p = (uv - 0.5) * 1.4;"
+    faces = ["vec3(1.0, p)", "vec3(-1.3, p * 1.2)", "vec3(p.x, 0.8, p.y * 0.7)", "vec3(p.x, -1.0, p.y)", "vec3(p, 2.0)", "vec3(p.yx, -0.9)"]
+    for i, face in enumerate(faces):
+        yield f"cube_{i}", f"{inside} result = texture(cube, {face});"
+    # The same face in the whole of a quad.
+    chosen = "int k = (j + 7) / 2 % 6; vec3 d = k == 0 ? vec3(1.0, p) : k == 1 ? vec3(-1.0, p) : k == 2 ? vec3(p.x, 1.0, p.y) : k == 3 ? vec3(p.x, -1.0, p.y) : k == 4 ? vec3(p, 1.0) : vec3(p, -1.0);"
+    yield "cube_level0", f"{inside} {chosen} result = textureLod(cube, d, 0.0);"
+    yield "cube_level15", f"{inside} {chosen} result = textureLod(cube, d * 0.1 + d, 1.5);"
+    yield "cube_bias", "result = texture(cube, vec3(uv - 0.5, -1.0), 1.5);"
+    yield "cube_grad", "vec2 p = (uv - 0.5); result = textureGrad(cube, vec3(p, 1.0), vec3(0.25, 0.0, 0.0), vec3(0.0, 0.2, 0.1));"
+    yield "cube_size", "result = vec4(textureSize(cube, 0), textureSize(cube, 2));"
+    yield "cube_called", f"{inside} result = look(cube, vec3(p, 1.0));"
+
+
+def gathers():
+    for c in range(4):
+        yield f"gather_{c}", f"result = textureGather(image, uv, {c});"
+    yield "gather_red", "result = textureGather(image, uv * 2.0 - 0.3);"
+    yield "gather_offset", "result = textureGatherOffset(image, uv, ivec2(2, -1)) + textureGatherOffset(image, uv, ivec2(-3, 0), 2);"
+    yield "gather_called", "result = look(image, uv.yx);"
+
+
 def programs():
     """Name → (text, tolerance)."""
     all = {}
@@ -253,6 +277,12 @@ def programs():
     for name, body, before in textures():
         level = name.removeprefix("texture_") in BY_LEVEL
         all[name] = (HEAD % (before, body), LEVEL_TOLERANCE if level else TEXTURE_TOLERANCE)
+    for name, body in cubes():
+        before = "uniform samplerCube cube; vec4 look(samplerCube s, vec3 at) { return texture(s, at); }"
+        all[name] = (HEAD % (before, body), TEXTURE_TOLERANCE)
+    for name, body in gathers():
+        text = HEAD % ("vec4 look(sampler2D s, vec2 at) { const int g = 1; return textureGather(s, at, g); }", body)
+        all[name] = (text.replace("330", "400"), TEXTURE_TOLERANCE)
     return all
 
 
@@ -262,7 +292,16 @@ def texels():
     return np.stack([x * 15 + y, y * 15 + x, x * y % 200, 255 - x * 3 - y * 5], axis=-1).astype("u1")
 
 
+def faces():
+    """Of a cube map, by rows from t = 0; the same as in the example `oracle`."""
+    return np.stack([texels() // 2 + np.array([20 * face, 100 - 15 * face, 25 * face, 10], "u1") for face in range(6)])
+
+
 def by_opengl(context, texts):
+    cube = context.texture_cube((SIDE, SIDE), 4, faces().tobytes())
+    cube.build_mipmaps()
+    cube.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+    cube.use(1)
     image = context.texture((SIDE, SIDE), 4, texels().tobytes())
     image.build_mipmaps()
     image.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
@@ -272,6 +311,8 @@ def by_opengl(context, texts):
     target.use()
     for name, (text, _) in texts.items():
         program = context.program(vertex_shader=VERTEX, fragment_shader=text)
+        if "cube" in program:
+            program["cube"] = 1
         context.vertex_array(program, []).render(moderngl.TRIANGLES, vertices=3)
         yield name, np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(SIDE, SIDE, 4)
 

@@ -11,6 +11,7 @@ mod arithmetic;
 mod emit;
 mod expressions;
 mod flow;
+mod gather;
 mod layout;
 mod loops;
 mod math;

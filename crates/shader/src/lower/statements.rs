@@ -150,9 +150,15 @@ impl<'a> Lowering<'a> {
         if self.depth >= MOST_CALLS {
             return Err(Refused::new(format!("more than {MOST_CALLS} calls inside each other"), span));
         }
-        self.depth += 1;
-        let value = self.inline(called, info, arguments)?;
-        self.depth -= 1;
+        let value = match self.gather_call(called, &arguments, span)? {
+            Some(texels) => Some(texels),
+            None => {
+                self.depth += 1;
+                let value = self.inline(called, info, arguments)?;
+                self.depth -= 1;
+                value
+            }
+        };
         if let (Some(result), Some(value)) = (result, value) {
             frame.items.insert(result, Item::Value(value));
         }

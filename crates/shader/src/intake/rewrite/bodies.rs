@@ -149,7 +149,7 @@ impl Rewriter {
             if token.kind != Kind::Identifier {
                 if token.is("(") {
                     let before = at.checked_sub(2).and_then(|i| tokens.get(i));
-                    calls.push(before.is_some_and(|t| self.functions.contains(&*t.text)));
+                    calls.push(before.is_some_and(|t| self.takes_halves(&t.text)));
                 } else if token.is(")") {
                     calls.pop();
                 }
@@ -208,7 +208,15 @@ impl Rewriter {
         Some((sampler_text(&token.text, ty, to_function), 0))
     }
 
+    /// Whether samplers go to the function in two halves.
+    fn takes_halves(&self, function: &str) -> bool {
+        self.functions.contains(function) || self.gathers.contains(function)
+    }
+
     fn replacement(&mut self, token: &Token, is_call: bool) -> Token {
+        if self.gathers.contains(&*token.text) {
+            return token.renamed(&format!("glanz_{}", token.text));
+        }
         if self.functions.contains(&*token.text) {
             return self.safe_name(token);
         }

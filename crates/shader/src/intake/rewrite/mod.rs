@@ -65,6 +65,8 @@ struct Rewriter {
     functions: HashSet<String>,
     /// Those whose call is more than its value.
     effects: HashSet<String>,
+    /// Functions of GLSL's that gather texels and that functions of ours stand for.
+    gathers: HashSet<String>,
     used: HashSet<String>,
     bindings: u32,
 }
@@ -91,6 +93,7 @@ pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Resul
         holders: HashMap::new(),
         functions: functions.collect(),
         effects: effects::of_functions(&items),
+        gathers: HashSet::new(),
         used,
         bindings: 0,
     };
