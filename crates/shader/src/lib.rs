@@ -32,6 +32,9 @@
 mod brdf;
 mod check;
 mod error;
+#[cfg(feature = "fuzz")]
+#[doc(hidden)]
+pub mod fuzz;
 mod intake;
 mod interface;
 mod lower;

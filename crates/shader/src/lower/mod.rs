@@ -16,6 +16,7 @@ mod layout;
 mod loops;
 mod math;
 mod matrices;
+mod pool;
 mod statements;
 mod textures;
 mod types;
@@ -209,6 +210,8 @@ struct Lowering<'a> {
     depth: usize,
     trace: bool,
     layout: Layout,
+    /// Constants that lie in the memory of the uniforms → their first words.
+    pool: HashMap<Handle<naga::Constant>, usize>,
 }
 
 /// Lowers the entry point of the module's only stage. `roles` tells what a private global stands for.
@@ -238,6 +241,7 @@ pub(crate) fn lower(
         depth: 0,
         trace,
         layout: Layout::default(),
+        pool: HashMap::new(),
     };
     lowering.program()
 }

@@ -112,7 +112,7 @@ fn continue_in_a_do_loop_asks_its_condition() {
         ("int k = 0; do { k++; if (k == 4) continue; n++; } while (k < 4);", 3.0),
         (
             "do { n++; if (n > 1) continue; for (int i = 0; i < 3; i++) { if (i > 0) continue; n++; } } while (up(n) && n < 9);",
-            10.0,
+            9.0,
         ),
     ] {
         assert_eq!(counted(statements, 0.75), expected, "{statements}");

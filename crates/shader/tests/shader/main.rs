@@ -9,6 +9,7 @@ mod mutated;
 mod numbers;
 mod phong;
 mod places;
+mod samplers;
 mod trace;
 mod warnings;
 mod wild;

@@ -23,7 +23,7 @@ use glanz_shader::{Interpolation, Machine, Pair, Port, RunError, Source, Stage};
 use crate::cpu::threads;
 use crate::prepare::{Prepared, PreparedProgram};
 use crate::view::camera::ViewCamera;
-use crate::view::program::{StageValues, Told};
+use crate::view::program::{ProgramPicture, StageValues, Told};
 use crate::view::{DebugView, DrawOptions, View};
 use inspect::{Findings, Inspection, Wanted};
 use pool::Pool;
@@ -154,7 +154,7 @@ impl<'a> ObjectProgram<'a> {
         let anchor = glam::DMat4::from_translation(glam::DVec3::from_array(object.anchor));
         let to_mesh = (placement.inverse() * anchor).transpose();
         let normal = glam::DMat3::from_mat4(placement);
-        let textures = |list: &[Option<&'a crate::prepare::Mipmap>]| ProgramTextures(list.to_vec());
+        let textures = |list: &[Option<ProgramPicture<'a>>]| ProgramTextures(list.to_vec());
         Some(Self {
             pair: &program.pair,
             number,

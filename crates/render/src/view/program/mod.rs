@@ -5,15 +5,17 @@
 mod lights;
 mod material;
 mod matrices;
+mod pictures;
 
 use glanz_scene::UniformValue;
 use glanz_shader::{Program, Role, Uniform, UniformValues};
 
-use crate::prepare::{Mipmap, Prepared, PreparedObject, PreparedProgram, program_values};
+use crate::prepare::{Prepared, PreparedObject, PreparedProgram, program_values};
 use crate::view::{Moment, View};
 use lights::ProgramLights;
 pub(crate) use matrices::DepthRange;
 use matrices::Matrices;
+pub(crate) use pictures::{EnvironmentPicture, ProgramPicture, has_picture, is_cube, is_flat};
 
 /// Everything about a frame that uniforms can stand for.
 pub(crate) struct Told<'a> {
@@ -29,8 +31,8 @@ pub(crate) struct Told<'a> {
 pub(crate) struct StageValues<'a> {
     pub vertex: UniformValues,
     pub fragment: UniformValues,
-    pub vertex_textures: Vec<Option<&'a Mipmap>>,
-    pub fragment_textures: Vec<Option<&'a Mipmap>>,
+    pub vertex_textures: Vec<Option<ProgramPicture<'a>>>,
+    pub fragment_textures: Vec<Option<ProgramPicture<'a>>>,
 }
 
 impl<'a> Told<'a> {
@@ -44,7 +46,10 @@ impl<'a> Told<'a> {
     pub(crate) fn values(&self, object: &PreparedObject, program: &PreparedProgram) -> StageValues<'a> {
         let matrices = Matrices::new(self.view, &self.range, object);
         let stage = |stage: &Program| self.of_stage(stage, program, object, &matrices);
-        let textures = |stage: &Program| self.textures(stage, program, object);
+        let material = &self.prepared.materials[object.material];
+        let textures = |stage: &Program| {
+            pictures::of_stage(&stage.interface().textures, program, self.prepared, material, self.view)
+        };
         let pair = &program.pair;
         StageValues {
             vertex: stage(&pair.vertex),
@@ -113,29 +118,6 @@ impl<'a> Told<'a> {
             }
         })
     }
-
-    /// The pictures of a stage's samplers: what the user sets, or the material's map that the name says.
-    fn textures(
-        &self,
-        stage: &Program,
-        program: &PreparedProgram,
-        object: &PreparedObject,
-    ) -> Vec<Option<&'a Mipmap>> {
-        let all = &self.prepared.textures;
-        let of = |name: &str| match program.source.uniforms.get(name) {
-            Some(UniformValue::Texture(texture)) => all.get(*texture).map(|own| &**own),
-            _ => {
-                let map = material::map(name, &self.prepared.materials[object.material])?;
-                all.get(map).map(|own| &**own)
-            }
-        };
-        stage.interface().textures.iter().map(|texture| of(&texture.name)).collect()
-    }
-}
-
-/// Whether the material has a map that a sampler's name stands for.
-pub(crate) fn has_map(name: &str, material: &crate::prepare::PreparedMaterial) -> bool {
-    material::map(name, material).is_some()
 }
 
 /// As many numbers as the type has: of matrices the upper left part, of vectors the first ones, a fourth being 1.

@@ -22,7 +22,7 @@ pub(super) fn shortened(body: &[Token], effects: &HashSet<String>) -> Option<Vec
 }
 
 /// Whether an expression does more than give a value.
-fn has_effect(tokens: &[Token], effects: &HashSet<String>) -> bool {
+pub(super) fn has_effect(tokens: &[Token], effects: &HashSet<String>) -> bool {
     let writes = |t: &Token| is_assignment(t) || t.is("++") || t.is("--");
     let calls = |w: &[Token]| w[0].is_identifier() && w[1].is("(") && effects.contains(&*w[0].text);
     tokens.iter().any(writes) || tokens.windows(2).any(calls)
