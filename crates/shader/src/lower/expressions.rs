@@ -118,9 +118,10 @@ impl<'a> Lowering<'a> {
             Expression::FunctionArgument(i) => {
                 frame.arguments.get(*i as usize).cloned().unwrap_or(Item::Nothing)
             }
-            Expression::LocalVariable(local) => {
-                Item::Place { var: frame.locals[local], offset: 0, dynamic: None }
-            }
+            Expression::LocalVariable(local) => match frame.pooled.get(local) {
+                Some(item) => item.clone(),
+                None => Item::Place { var: frame.locals[local], offset: 0, dynamic: None },
+            },
             Expression::GlobalVariable(global) => self.globals.get(global).cloned().unwrap_or(Item::Nothing),
             Expression::AccessIndex { base, index } => {
                 let (inner, item) = (self.inner(frame, *base), self.item(frame, *base)?);

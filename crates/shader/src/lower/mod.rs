@@ -144,6 +144,8 @@ struct Frame<'a> {
     info: &'a FunctionInfo,
     items: HashMap<Handle<Expression>, Item>,
     locals: HashMap<Handle<naga::LocalVariable>, usize>,
+    /// Locals that are constants in the memory of the uniforms.
+    pooled: HashMap<Handle<naga::LocalVariable>, Item>,
     /// How often each local is named in the whole function.
     uses: HashMap<Handle<naga::LocalVariable>, usize>,
     arguments: Vec<Item>,
@@ -210,8 +212,8 @@ struct Lowering<'a> {
     depth: usize,
     trace: bool,
     layout: Layout,
-    /// Constants that lie in the memory of the uniforms → their first words.
-    pool: HashMap<Handle<naga::Constant>, usize>,
+    /// Words of constants that lie in the memory of the uniforms → the first of them there.
+    pool: HashMap<Vec<u32>, usize>,
 }
 
 /// Lowers the entry point of the module's only stage. `roles` tells what a private global stands for.
