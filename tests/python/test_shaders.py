@@ -2,7 +2,8 @@
 
 Every function and operator of GLSL in its scalar and vector forms, swizzles, matrices, control flow, structs, arrays,
 out parameters, whole numbers, derivatives and textures. The numbers of all pixels must agree within 1e-5, relative;
-what a texture gives, within 2/255. Where OpenGL itself is less exact than that, the tolerance says why.
+what a texture gives, within 2/255. What is made of logarithms, powers and angles is compared with double precision, too,
+and alone where llvmpipe is less exact than that; GLANZ_SHOW_EXACT=1 shows how exact both are.
 
     GLANZ_ORACLE=program python -m unittest tests/python/test_shaders.py
 """
@@ -26,15 +27,14 @@ SIDE = 16
 # Relative to the value, or to this where the value is smaller: sums that cancel have no relative precision.
 TOLERANCE, SMALL = 1e-5, 0.1
 TEXTURE_TOLERANCE = 2 / 255
-# llvmpipe has the level from a logarithm that is linear between powers of two, up to 0.09 levels wrong.
-LEVEL_TOLERANCE = 3 / 255
+# llvmpipe has the level of textures from a logarithm that is linear between powers of two, up to 0.09 levels wrong, and
+# the change along the first row for the whole quad: up to 7/255 from double precision, with which these are compared.
 BY_LEVEL = {"grad", "smaller", "warped", "proj"}
-# llvmpipe has its logarithms and powers of two from polynomials of about 17 bits, and makes all others of these.
-APPROXIMATE = {"exp", "exp2", "log", "log2", "pow", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"}
-APPROXIMATE_TOLERANCE = 5e-5
-# Mesa makes these of polynomials of its own; GLSL asks for 2^-11 or for nothing.
-ANGLES = {"asin", "acos", "atan", "atan2", "sin", "cos", "tan"}
-ANGLE_TOLERANCE = 5e-4
+# These are compared with double precision, too.
+BY_DOUBLE = {"exp", "exp2", "log", "log2", "pow", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
+             "asin", "acos", "atan", "atan2", "sin", "cos", "tan"}
+# And these with nothing else: Mesa's are polynomials, of which GLSL asks for 2^-11 or nothing, up to 4e-4 wrong.
+INEXACT = {"asin", "acos", "atan", "atan2"}
 
 # What the machine does not take or does otherwise, and why. A program that begins to agree must leave this list.
 KNOWN = {
@@ -45,9 +45,6 @@ KNOWN = {
     "refract1": "as dot1",
     "matrix_column": "the front end writes no swizzle of a column",
     "matrix_outer23": "the front end turns the type of outer products that are not square",
-    "short_circuit": "the front end calls functions on the right of && and || always, with what they change",
-    "texture_proj": "llvmpipe takes the change along the first row for the whole quad, we that of each row; by dFdxFine "
-    "and textureGrad it agrees",
     "structs_equal": "the front end compares no structs",
 }
 
@@ -219,6 +216,9 @@ def flow():
     yield "macros", "result = vec4(TWICE(x), MAD(x, y, 2.0), VALUE, 0.0);", "#define TWICE(a) ((a) * 2.0)\n#define MAD(a, b, c) (a * b + c)\n#if defined(TWICE) && !defined(OTHER)\n#define VALUE 7.0\n#else\n#define VALUE 8.0\n#endif"
     yield "comma", "float k = (x += 1.0, y * x); result = vec4(k, x, 0.0, 0.0);", ""
     yield "short_circuit", "int n = 0; bool t = x < 0.0 && up(n); t = y < 0.0 || up(n); result = vec4(n, t, 0, 0);", "bool up(inout int n) { n++; return n > 0; }"
+    yield "short_circuit_loops", "int n = 0; while (x < y && up(n) && n < 4 || n < 1 && up(n)) result.x += 1.0; for (; n < 9 && (y < 0.0 || up(n)); n += 2) result.y += 1.0; result.z = float(n);", "bool up(inout int n) { n++; return n > 0; }"
+    yield "short_circuit_global", "bool t = x < 0.0 && next() || y < 0.0 && next() && next(); t = t ^^ (x < y || next()); result = vec4(n, t, 0, 0);", "int n = 0; bool next() { n++; return n > 1; }"
+    yield "do_continue", "int k = 0; do { k++; if (k == (i & 3) + 1) continue; result.x += y; } while (k < (i & 3) + 1); result.y = float(k);", ""
     yield "shadowing", "float x2 = x; { float x2 = y; result.x = x2; } result.y = x2; for (int x2 = 0; x2 < 2; x2++) result.z += float(x2);", ""
     yield "dfdx", "result = vec4(dFdx(x * y), dFdy(x * x + y * y), fwidth(x * 0.5), dFdx(a2).y);", ""
     yield "dfdx_of_call", "result = vec4(dFdx(sin(x)), dFdy(floor(y * 2.0)), fwidth(a2));", ""
@@ -240,18 +240,104 @@ def textures():
         yield f"texture_{name}", f"result = {text};", "vec4 look(sampler2D s, vec2 at) { return texture(s, at + 0.1); }"
 
 
+def cubes():
+    """Looks at directions inside of faces: along their edges filters differ."""
+    inside = "vec2 p = (uv - 0.5) * 1.4;"
+    faces = ["vec3(1.0, p)", "vec3(-1.3, p * 1.2)", "vec3(p.x, 0.8, p.y * 0.7)", "vec3(p.x, -1.0, p.y)", "vec3(p, 2.0)", "vec3(p.yx, -0.9)"]
+    for i, face in enumerate(faces):
+        yield f"cube_{i}", f"{inside} result = texture(cube, {face});"
+    # The same face in the whole of a quad.
+    chosen = "int k = (j + 7) / 2 % 6; vec3 d = k == 0 ? vec3(1.0, p) : k == 1 ? vec3(-1.0, p) : k == 2 ? vec3(p.x, 1.0, p.y) : k == 3 ? vec3(p.x, -1.0, p.y) : k == 4 ? vec3(p, 1.0) : vec3(p, -1.0);"
+    yield "cube_level0", f"{inside} {chosen} result = textureLod(cube, d, 0.0);"
+    yield "cube_level15", f"{inside} {chosen} result = textureLod(cube, d * 0.1 + d, 1.5);"
+    yield "cube_bias", "result = texture(cube, vec3(uv - 0.5, -1.0), 1.5);"
+    yield "cube_grad", "vec2 p = (uv - 0.5); result = textureGrad(cube, vec3(p, 1.0), vec3(0.25, 0.0, 0.0), vec3(0.0, 0.2, 0.1));"
+    yield "cube_size", "result = vec4(textureSize(cube, 0), textureSize(cube, 2));"
+    yield "cube_called", f"{inside} result = look(cube, vec3(p, 1.0));"
+
+
+def gathers():
+    for c in range(4):
+        yield f"gather_{c}", f"result = textureGather(image, uv, {c});"
+    yield "gather_red", "result = textureGather(image, uv * 2.0 - 0.3);"
+    yield "gather_offset", "result = textureGatherOffset(image, uv, ivec2(2, -1)) + textureGatherOffset(image, uv, ivec2(-3, 0), 2);"
+    yield "gather_called", "result = look(image, uv.yx);"
+
+
 def programs():
-    """Name → (text, tolerance)."""
+    """Name → (text, tolerance, the numbers in double precision or None, whether OpenGL's are exact enough)."""
     all = {}
     for name, body, about in [*functions(), *operators(), *values()]:
-        tolerance = APPROXIMATE_TOLERANCE if about in APPROXIMATE else ANGLE_TOLERANCE if about in ANGLES else TOLERANCE
-        all[name] = (HEAD % ("", body), tolerance)
+        all[name] = (HEAD % ("", body), TOLERANCE, by_double(body) if about in BY_DOUBLE else None, about not in INEXACT)
     for name, body, before in flow():
-        all[name] = (HEAD % (before, body), TOLERANCE)
+        all[name] = (HEAD % (before, body), TOLERANCE, None, True)
     for name, body, before in textures():
-        level = name.removeprefix("texture_") in BY_LEVEL
-        all[name] = (HEAD % (before, body), LEVEL_TOLERANCE if level else TEXTURE_TOLERANCE)
+        short = name.removeprefix("texture_")
+        all[name] = (HEAD % (before, body), TEXTURE_TOLERANCE, by_levels(short) if short in BY_LEVEL else None, short not in BY_LEVEL)
+    for name, body in cubes():
+        before = "uniform samplerCube cube; vec4 look(samplerCube s, vec3 at) { return texture(s, at); }"
+        all[name] = (HEAD % (before, body), TEXTURE_TOLERANCE, None, True)
+    for name, body in gathers():
+        text = HEAD % ("vec4 look(sampler2D s, vec2 at) { const int g = 1; return textureGather(s, at, g); }", body)
+        all[name] = (text.replace("330", "400"), TEXTURE_TOLERANCE, None, True)
     return all
+
+
+def by_double(body):
+    """What `result = vec4(f(…), 0.0…);` is, f in double precision of arguments in single precision."""
+    call = body.removeprefix("result = vec4(").removesuffix(");")
+    while call.endswith(", 0.0"):
+        call = call.removesuffix(", 0.0")
+    row, column = np.mgrid[0:SIDE, 0:SIDE].astype("f4")
+    x, y = (column + np.float32(0.5) - 8) / 4, (row + np.float32(0.5) - 8) / 4
+    half, three_quarters = np.float32(0.5), np.full_like(x, 0.75)
+    names = {
+        "x": [x], "y": [y], "a2": [x, y], "a3": [x, y, x * half + y], "a4": [x, y, x - y, np.full_like(x, 1.5)],
+        "b2": [y - np.float32(0.25), x + half], "b3": [y, three_quarters, x], "b4": [y, three_quarters, x, x + y],
+    }
+    names = {name: np.stack(parts, axis=-1) for name, parts in names.items()}
+
+    def double(function):
+        return lambda *arguments: function(*(argument.astype("f8") for argument in arguments))
+
+    numpy_names = {"asin": "arcsin", "acos": "arccos", "asinh": "arcsinh", "acosh": "arccosh", "atanh": "arctanh", "pow": "power"}
+    for name in BY_DOUBLE - {"atan", "atan2"}:
+        names[name] = double(getattr(np, numpy_names.get(name, name)))
+    names["atan"] = lambda *arguments: double(np.arctan if len(arguments) == 1 else np.arctan2)(*arguments)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        value = eval(call, {"abs": np.abs}, names)
+    return np.concatenate([value, np.zeros((SIDE, SIDE, 4 - value.shape[-1]))], axis=-1)
+
+
+def by_levels(name):
+    """What a look into the texture is in double precision, each row of a quad with its own change (OpenGL 4.6, §8.14)."""
+    row, column = np.mgrid[0:SIDE, 0:SIDE]
+    uv = (np.stack([column, row], axis=-1) + 0.5) / SIDE
+    at = {"smaller": uv * 5.0, "warped": uv * uv * 3.0, "proj": uv / (0.5 + uv[..., :1]), "grad": uv}[name]
+    even, odd = (row // 2 * 2, row // 2 * 2 + 1), (column // 2 * 2, column // 2 * 2 + 1)
+    dx, dy = at[row, odd[1]] - at[row, odd[0]], at[even[1], column] - at[even[0], column]
+    if name == "grad":
+        dx, dy = np.broadcast_to([0.2, 0.0], at.shape), np.broadcast_to([0.0, 0.1], at.shape)
+    moved = np.maximum(np.hypot(*np.moveaxis(dx, -1, 0)), np.hypot(*np.moveaxis(dy, -1, 0))) * SIDE
+    levels = [texels().astype("i8")]
+    while len(levels[-1]) > 1:
+        last = levels[-1]
+        levels.append((last[::2, ::2] + last[1::2, ::2] + last[::2, 1::2] + last[1::2, 1::2] + 2) // 4)
+    level = np.clip(np.log2(moved), 0, len(levels) - 1)
+
+    def bilinear(texels):
+        side = len(texels)
+        place = at * side - 0.5
+        left = np.floor(place).astype("i8")
+        part = (place - left)[..., None]
+        texel = lambda i, j: texels[(left[..., 1] + j) % side, (left[..., 0] + i) % side] / 255
+        mix = lambda a, b, t: a + (b - a) * t
+        return mix(mix(texel(0, 0), texel(1, 0), part[..., 0, :]), mix(texel(0, 1), texel(1, 1), part[..., 0, :]), part[..., 1, :])
+
+    all = np.stack([bilinear(texels) for texels in levels + levels[-1:]])
+    fine = np.floor(level).astype("i8")
+    pick = lambda n: np.take_along_axis(all, n[None, ..., None], axis=0)[0]
+    return pick(fine) + (pick(fine + 1) - pick(fine)) * (level - fine)[..., None]
 
 
 def texels():
@@ -260,7 +346,16 @@ def texels():
     return np.stack([x * 15 + y, y * 15 + x, x * y % 200, 255 - x * 3 - y * 5], axis=-1).astype("u1")
 
 
+def faces():
+    """Of a cube map, by rows from t = 0; the same as in the example `oracle`."""
+    return np.stack([texels() // 2 + np.array([20 * face, 100 - 15 * face, 25 * face, 10], "u1") for face in range(6)])
+
+
 def by_opengl(context, texts):
+    cube = context.texture_cube((SIDE, SIDE), 4, faces().tobytes())
+    cube.build_mipmaps()
+    cube.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+    cube.use(1)
     image = context.texture((SIDE, SIDE), 4, texels().tobytes())
     image.build_mipmaps()
     image.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
@@ -268,8 +363,10 @@ def by_opengl(context, texts):
     image.use(0)
     target = context.framebuffer([context.texture((SIDE, SIDE), 4, dtype="f4")])
     target.use()
-    for name, (text, _) in texts.items():
+    for name, (text, *_) in texts.items():
         program = context.program(vertex_shader=VERTEX, fragment_shader=text)
+        if "cube" in program:
+            program["cube"] = 1
         context.vertex_array(program, []).render(moderngl.TRIANGLES, vertices=3)
         yield name, np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(SIDE, SIDE, 4)
 
@@ -277,7 +374,7 @@ def by_opengl(context, texts):
 def by_us(texts):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        for name, (text, _) in texts.items():
+        for name, (text, *_) in texts.items():
             (folder / f"{name}.frag").write_text(text)
         subprocess.run([os.environ["GLANZ_ORACLE"], folder], check=True)
         for name in texts:
@@ -292,7 +389,7 @@ def difference(ours, theirs, tolerance):
     """The greatest difference, 1 for the tolerance."""
     ours, theirs = ours.astype("f8"), theirs.astype("f8")
     same = (ours == theirs) | (np.isnan(ours) & np.isnan(theirs))
-    scale = np.ones_like(theirs) if tolerance in (TEXTURE_TOLERANCE, LEVEL_TOLERANCE) else np.maximum(np.abs(theirs), SMALL)
+    scale = np.ones_like(theirs) if tolerance == TEXTURE_TOLERANCE else np.maximum(np.abs(theirs), SMALL)
     with np.errstate(invalid="ignore"):
         part = np.abs(ours - theirs) / (scale * tolerance)
     return float(np.where(same, 0.0, np.where(np.isnan(part), np.inf, part)).max())
@@ -309,12 +406,20 @@ class Shaders(unittest.TestCase):
             if isinstance(ours, str):
                 wrong.extend([] if name in KNOWN else [f"{name}: {ours}"])
                 continue
-            worst = difference(ours, theirs[name], texts[name][1])
+            _, tolerance, exact, agrees = texts[name]
+            references = {"OpenGL": theirs[name]} if agrees else {}
+            references |= {} if exact is None else {"double precision": exact}
+            if exact is not None and "GLANZ_SHOW_EXACT" in os.environ:
+                errors = [difference(values, exact, tolerance) * tolerance for values in (ours, theirs[name])]
+                print(f"{name}: ours {errors[0]:.2g}, OpenGL's {errors[1]:.2g} from double precision")
+            worst = max(difference(ours, expected, tolerance) for expected in references.values())
             if name in KNOWN:
                 wrong.extend([f"{name} agrees now: take it off the list"] if worst <= 1.0 else [])
-            elif worst > 1.0:
-                at = np.unravel_index(np.argmax(np.nan_to_num(np.abs(ours - theirs[name]), nan=np.inf)), ours.shape)
-                wrong.append(f"{name}: {worst:.3g} tolerances, at {at}: {ours[at]!r} for {theirs[name][at]!r}")
+            for reference, expected in references.items() if name not in KNOWN else []:
+                worst = difference(ours, expected, tolerance)
+                if worst > 1.0:
+                    at = np.unravel_index(np.argmax(np.nan_to_num(np.abs(ours - expected), nan=np.inf)), ours.shape)
+                    wrong.append(f"{name}: {worst:.3g} tolerances, at {at}: {ours[at]!r} for {expected[at]!r} of {reference}")
         self.assertEqual([], wrong, "\n" + "\n".join(wrong))
 
 

@@ -17,7 +17,7 @@ use crate::devices::{Choice, DeviceInfo};
 use crate::mesh::Mesh;
 use crate::pipeline::Pipeline;
 use crate::target::Target;
-use crate::textures::Textures;
+use crate::textures::{Textures, is_there};
 
 /// Draws objects that have programs on a device; what is behind them comes from the CPU.
 ///
@@ -145,6 +145,12 @@ impl Gpu {
         for object in &prepared.objects {
             let Some((number, values)) = object.program.zip(uniforms.of(object)) else { continue };
             let program = &prepared.programs[number];
+            let mut pictures = values.vertex_textures.iter().chain(&values.fragment_textures).flatten();
+            if !pictures.all(is_there) {
+                let what =
+                    "the GPU takes cube maps as six square faces of one size, no panoramas or environments";
+                return Err(GpuError::unsupported(what));
+            }
             let pipeline = self.pipeline(program)?;
             let inputs = &program.pair.vertex.interface().inputs;
             let device = &self.device;

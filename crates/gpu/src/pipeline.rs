@@ -1,13 +1,14 @@
 //! A program as a pipeline of the device.
 
-use glanz_render::prepare::{Mipmap, PreparedProgram};
+use glanz_render::prepare::PreparedProgram;
+use glanz_render::view::program::ProgramPicture;
 use glanz_shader::gpu::{ENTRY, GpuAttribute, GpuBinding, GpuPair, GpuStage};
 use glanz_shader::{Scalar, Stage};
 use wgpu::ShaderStages;
 
 use crate::GpuError;
 use crate::device::Device;
-use crate::textures::Textures;
+use crate::textures::{Textures, dimension};
 
 /// Depths of pixels.
 pub(crate) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -51,16 +52,16 @@ impl Pipeline {
         device: &Device,
         stage: Stage,
         words: &wgpu::Buffer,
-        given: (&[Option<&Mipmap>], &mut Textures),
+        given: (&[Option<ProgramPicture>], &mut Textures),
     ) -> wgpu::BindGroup {
-        let (mipmaps, textures) = given;
+        let (pictures, textures) = given;
         let own = self.stage(stage);
         for binding in &own.bindings {
-            textures.make(device, mipmap_of(binding, mipmaps));
+            textures.make(device, picture_of(binding, pictures), binding.is_cube);
         }
         let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: words.as_entire_binding() }];
         for binding in &own.bindings {
-            let (view, sampler) = textures.get(mipmap_of(binding, mipmaps));
+            let (view, sampler) = textures.get(picture_of(binding, pictures), binding.is_cube);
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
                 resource: match binding.is_sampler {
@@ -83,8 +84,11 @@ impl Pipeline {
 }
 
 /// The picture of a texture or sampler; samplers of WGSL, which stand by themselves, filter as the first texture.
-fn mipmap_of<'a>(binding: &GpuBinding, mipmaps: &[Option<&'a Mipmap>]) -> Option<&'a Mipmap> {
-    mipmaps.get(binding.texture.unwrap_or(0)).copied().flatten()
+fn picture_of<'a>(
+    binding: &GpuBinding,
+    pictures: &[Option<ProgramPicture<'a>>],
+) -> Option<ProgramPicture<'a>> {
+    pictures.get(binding.texture.unwrap_or(0)).copied().flatten()
 }
 
 fn layout(entries: &[wgpu::BindGroupLayoutEntry]) -> wgpu::BindGroupLayoutDescriptor<'_> {
@@ -99,13 +103,14 @@ fn entries(own: &GpuStage, stage: Stage) -> Vec<wgpu::BindGroupLayoutEntry> {
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
     let ty = wgpu::BufferBindingType::Uniform;
     let words = wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let texture = wgpu::BindingType::Texture {
+    let texture = |is_cube| wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable: true },
-        view_dimension: wgpu::TextureViewDimension::D2,
+        view_dimension: dimension(is_cube),
         multisampled: false,
     };
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    let of = |own: &GpuBinding| entry(own.binding, if own.is_sampler { sampler } else { texture });
+    let of =
+        |own: &GpuBinding| entry(own.binding, if own.is_sampler { sampler } else { texture(own.is_cube) });
     core::iter::once(entry(0, words)).chain(own.bindings.iter().map(of)).collect()
 }
 

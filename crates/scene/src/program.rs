@@ -20,8 +20,42 @@ pub struct ProgramText {
 pub enum UniformValue {
     /// One number per component, column by column of a matrix; a truth value is 0 or 1.
     Numbers(Vec<f64>),
-    /// A texture: its index in [`Scene::textures`](crate::Scene::textures).
+    /// A texture: its index in [`Scene::textures`](crate::Scene::textures). Of a cube map's sampler it is a panorama in
+    /// equirectangular projection, as [`EnvironmentMap`](crate::EnvironmentMap).
     Texture(usize),
+    /// The faces of a cube map, +X, −X, +Y, −Y, +Z, −Z, each with its first row at t = 0 as in OpenGL: indices in
+    /// [`Scene::textures`](crate::Scene::textures).
+    Cube([usize; 6]),
+}
+
+impl UniformValue {
+    /// The textures that it names.
+    pub fn textures(&self) -> &[usize] {
+        match self {
+            Self::Numbers(_) => &[],
+            Self::Texture(texture) => std::slice::from_ref(texture),
+            Self::Cube(faces) => faces,
+        }
+    }
+}
+
+/// The names that the faces of a cube map may have in place of the `*` in a pattern such as `sky_*.png`, in OpenGL's order;
+/// nothing where there is no `*`.
+///
+/// ```
+/// let names = glanz_scene::cube_face_files("sky_*.png");
+/// assert_eq!((names[0][0].as_str(), names[1][5].as_str()), ("sky_px.png", "sky_negz.png"));
+/// assert!(glanz_scene::cube_face_files("sky.png").is_empty());
+/// ```
+pub fn cube_face_files(pattern: &str) -> Vec<[String; 6]> {
+    const NAMES: [[&str; 6]; 4] = [
+        ["px", "nx", "py", "ny", "pz", "nz"],
+        ["posx", "negx", "posy", "negy", "posz", "negz"],
+        ["right", "left", "top", "bottom", "front", "back"],
+        ["0", "1", "2", "3", "4", "5"],
+    ];
+    let Some((before, behind)) = pattern.split_once('*') else { return Vec::new() };
+    NAMES.map(|names| names.map(|name| format!("{before}{name}{behind}"))).to_vec()
 }
 
 /// Shaders that draw an object, or a whole scene. What is left out is as the material says: without a vertex shader

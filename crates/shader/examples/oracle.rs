@@ -29,8 +29,11 @@ fn drawn(path: &PathBuf) -> Result<Vec<u8>, Box<dyn Error>> {
     let program = Shader::fragment(std::fs::read_to_string(path)?).named(name(path)).compile()?;
     let mut uniforms = program.uniforms();
     let size = [SIDE; 2];
-    let texture = TexturePicture::new(SIDE, SIDE, &texels());
-    let pictures = Pictures(vec![Some(texture); program.interface().textures.len()]);
+    let picture = |dimension| match dimension {
+        "cube" => cube(),
+        _ => Some(TexturePicture::new(SIDE, SIDE, &texels())),
+    };
+    let pictures = Pictures(program.interface().textures.iter().map(|own| picture(own.dimension)).collect());
     Moment { size, ..Moment::default() }.fill(&program, &mut uniforms);
     let picture = Screen::new(&program, &uniforms, size)?.textures(&pictures).draw(&mut |_| {})?;
     let rows = picture.pixels.chunks(picture.width).rev();
@@ -50,4 +53,17 @@ fn texels() -> Vec<u8> {
         })
     })
     .collect()
+}
+
+/// A cube map, whose faces are by rows from t = 0. The same as in the Python test.
+fn cube() -> Option<TexturePicture> {
+    let from_bottom = texels();
+    let rows: Vec<&[u8]> = from_bottom.chunks(4 * SIDE as usize).rev().collect();
+    let face = |face: u8| {
+        let more = [20 * face, 100 - 15 * face, 25 * face, 10];
+        let codes = rows.concat().into_iter().zip(more.into_iter().cycle());
+        let codes: Vec<u8> = codes.map(|(code, more)| code / 2 + more).collect();
+        TexturePicture::new(SIDE, SIDE, &codes)
+    };
+    TexturePicture::cube([0, 1, 2, 3, 4, 5].map(face))
 }

@@ -32,6 +32,9 @@
 mod brdf;
 mod check;
 mod error;
+#[cfg(feature = "fuzz")]
+#[doc(hidden)]
+pub mod fuzz;
 pub mod gpu;
 mod intake;
 mod interface;
@@ -52,7 +55,7 @@ pub use error::{Place, RunError, ShaderError};
 pub use intake::Range;
 pub use interface::{Interface, Port, Uniform, UniformError, UniformValues};
 pub use lower::TextureInfo;
-pub use machine::{Lod, NoTextures, Row, TextureQuery, Textures};
+pub use machine::{CubePlace, Lod, NoTextures, Row, TextureQuery, Textures, panorama_place, turned};
 pub use names::{Role, Space, attribute_role, uniform_role, varying_role};
 pub use pair::{Pair, Source, Varying};
 pub use program::{Program, Shader};

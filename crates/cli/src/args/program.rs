@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueHint};
 use glanz_render::Moment;
 use glanz_scene::read::{ReadOptions, read_texture};
-use glanz_scene::{Program, ProgramText, Scene, UniformValue};
+use glanz_scene::{Program, ProgramText, Scene, Texture, UniformValue, cube_face_files};
 
 use crate::input::shader_text::{included, read};
 use crate::print::failure::{Failure, Report, without_number};
@@ -22,7 +22,8 @@ pub(crate) struct ProgramArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub fs: Option<PathBuf>,
 
-    /// Set a uniform of the program, such as exposure=1.5, tint=1,0.5,0 or picture=wood.png; may be repeated
+    /// Set a uniform of the program, such as exposure=1.5, tint=1,0.5,0, picture=wood.png or sky=sky_*.png (six faces);
+    /// may be repeated
     #[arg(long, value_name = "NAME=VALUE", value_parser = uniform)]
     pub uniform: Vec<(String, String)>,
 
@@ -89,19 +90,23 @@ impl ProgramArgs {
         if let Ok(numbers) = super::numbers(value) {
             return Ok(UniformValue::Numbers(numbers));
         }
-        let path = Path::new(value);
-        if !path.is_file() {
+        let mut add = |file: &str| {
+            scene.textures.push(texture(file)?);
+            Ok::<usize, Failure>(scene.textures.len() - 1)
+        };
+        if let Some(faces) = cube_faces(value) {
+            let mut indices = [0; 6];
+            for (index, file) in indices.iter_mut().zip(&faces) {
+                *index = add(file)?;
+            }
+            return Ok(UniformValue::Cube(indices));
+        }
+        if !Path::new(value).is_file() {
             let message =
                 format!("--uniform {name}: expected numbers between commas, or a picture, not '{value}'");
             return Err(Failure::Usage(message));
         }
-        let could_not =
-            |why: String| Failure::from(Report::new(format!("cannot read '{value}': {why}")).file(path));
-        let bytes = std::fs::read(path).map_err(|error| could_not(without_number(&error.to_string())))?;
-        let texture = read_texture(&bytes, value, &ReadOptions::default())
-            .map_err(|error| could_not(error.to_string()))?;
-        scene.textures.push(texture);
-        Ok(UniformValue::Texture(scene.textures.len() - 1))
+        Ok(UniformValue::Texture(add(value)?))
     }
 
     /// The files that the options name, with all that these may include.
@@ -122,6 +127,25 @@ pub(crate) fn text(file: &Path) -> Result<ProgramText, Failure> {
     let text = read(file)?;
     let mut found = |path: &str| included(file, path);
     Ok(ProgramText::with_includes(file.display().to_string(), text, &mut found))
+}
+
+/// The files of a cube map's faces: six between commas, or a pattern with '*' for their names.
+pub(crate) fn cube_faces(value: &str) -> Option<[String; 6]> {
+    let there = |names: &[String; 6]| Path::new(&names[0]).is_file();
+    let ways = cube_face_files(value);
+    let named = ways.iter().find(|names| there(names)).or(ways.first()).cloned();
+    named.or_else(|| {
+        let files: Vec<String> = value.split(',').map(|file| file.trim().to_owned()).collect();
+        files.try_into().ok()
+    })
+}
+
+fn texture(file: &str) -> Result<Texture, Failure> {
+    let path = Path::new(file);
+    let could_not =
+        |why: String| Failure::from(Report::new(format!("cannot read '{file}': {why}")).file(path));
+    let bytes = std::fs::read(path).map_err(|error| could_not(without_number(&error.to_string())))?;
+    read_texture(&bytes, file, &ReadOptions::default()).map_err(|error| could_not(error.to_string()))
 }
 
 /// `NAME=VALUE`.

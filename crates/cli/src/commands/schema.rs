@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, example, material, probe, shader};
+use super::{bsdf, check, color, compare, devices, example, material, probe, shader};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,10 +27,11 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 45] = [
+const SCHEMAS: [Named; 46] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
+    ("devices", schema::<devices::Document>),
     ("render-frames", schema::<film::Document>),
     ("sweep", schema::<SheetDocument>),
     ("shade-compare", schema::<shade_compare::Document>),

@@ -65,7 +65,8 @@ const COULD_NOT: [&[&str]; 47] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 18] = [
+const PRINTING: [&[&str]; 19] = [
+    &["devices"],
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
     &["bsdf", "albedo", "lambert"],

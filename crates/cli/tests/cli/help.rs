@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 50] = [
+pub(crate) const COMMANDS: [&[&str]; 51] = [
     &[],
     &["render"],
     &["sweep"],
@@ -13,6 +13,7 @@ pub(crate) const COMMANDS: [&[&str]; 50] = [
     &["relight"],
     &["info"],
     &["probe"],
+    &["devices"],
     &["bsdf"],
     &["bsdf", "list"],
     &["bsdf", "show"],

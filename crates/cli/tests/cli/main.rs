@@ -6,6 +6,7 @@ mod brdfs;
 mod bytes;
 mod color;
 mod comparisons;
+mod devices;
 mod errors;
 mod exits;
 mod first_hour;

@@ -6,7 +6,8 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 43] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 44] = [
+    ("devices", &[&["devices"]]),
     (
         "render",
         &[

@@ -89,6 +89,39 @@ fn a_texture_stands_upright_and_its_size_is_told() {
 }
 
 #[test]
+fn a_cube_map_is_a_panorama_six_files_or_a_pattern_of_their_names() {
+    let folder = folder();
+    for (number, face) in ["px", "nx", "py", "ny", "pz", "nz"].into_iter().enumerate() {
+        let text = format!("void main() {{ gl_FragColor = vec4({number}.0 / 5.0, 0.5, 1.0, 1.0); }}");
+        folder.write("face.frag", &text);
+        let file = format!("sky_{face}.png");
+        folder.glanz(&["shader", "run", "face.frag", "--size", "4x4", "-o", &file]).text();
+    }
+    folder.write(
+        "look.frag",
+        "uniform samplerCube sky; uniform vec3 d; void main() { gl_FragColor = textureCube(sky, d); }",
+    );
+    let red = |texture: &str, d: &str| {
+        let (texture, d) = (format!("sky={texture}"), format!("d={d}"));
+        let words = ["shader", "run", "look.frag", "--size", "1x1", "--texture", &texture, "--uniform", &d];
+        let run = folder.glanz(&[&words[..], &["-o", "look.png"]].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        pixels(&folder.read("look.png")).2[0][0]
+    };
+    assert_eq!([red("sky_*.png", "0,-1,0.2"), red("sky_*.png", "0,0.4,1")], [153, 204]);
+    let files = ["px", "nx", "py", "ny", "pz", "nz"].map(|face| format!("sky_{face}.png"));
+    assert_eq!(red(&files.join(","), "-1,0.3,0.3"), 51);
+    folder.write("band.frag", "void main() { gl_FragColor = vec4(gl_FragCoord.x / 8.0); }");
+    folder.glanz(&["shader", "run", "band.frag", "--size", "8x4", "-o", "band.png"]).text();
+    assert_eq!(red("band.png", "1,0,-1"), 159, "+X is to the right of -Z, which is in the middle");
+    folder.glanz(&["shader", "run", "band.frag", "--size", "8x8", "-o", "sky_px.png"]).text();
+    let words =
+        ["shader", "run", "look.frag", "--size", "1x1", "--texture", "sky=sky_*.png", "-o", "look.png"];
+    let run = folder.glanz(&words);
+    assert!(run.code == 2 && run.stderr.contains("squares of one size"), "{}", run.stderr);
+}
+
+#[test]
 fn what_is_odd_is_told() {
     let folder = folder();
     folder.write("k.frag", "uniform float k; uniform sampler2D u_buffer0; void main() { gl_FragColor = vec4(sqrt(k - gl_FragCoord.x + 2.0)); }");

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use glanz_scene::{DebugView, UniformValue};
-use glanz_shader::{Program, Role, Source};
+use glanz_scene::DebugView;
+use glanz_shader::{Program, Role, Source, TextureInfo};
 
 use super::{Remark, RemarkKind, Shot, ShotError};
 use crate::cpu::inspect_colors;
 use crate::prepare::PreparedProgram;
-use crate::view::program::has_map;
+use crate::view::program::{has_picture, is_cube, is_flat};
 
 impl Shot {
     /// Whether programs draw everything.
@@ -28,7 +28,7 @@ impl Shot {
                     continue;
                 };
                 let material = &self.prepared.materials[object.material];
-                texts.extend(unset(program, &|name| has_map(name, material)));
+                texts.extend(unset(program, &|texture| has_picture(texture, &self.prepared, material)));
                 texts.extend(self.unknown_lights(program));
             }
         }
@@ -76,14 +76,18 @@ impl Shot {
 }
 
 /// Uniforms and pictures that neither the user nor the host sets.
-fn unset(program: &PreparedProgram, has_map: &dyn Fn(&str) -> bool) -> Vec<String> {
+fn unset(program: &PreparedProgram, has_picture: &dyn Fn(&TextureInfo) -> bool) -> Vec<String> {
     let pair = &program.pair;
     let stages = [(&pair.vertex, pair.vertex_source), (&pair.fragment, pair.fragment_source)];
     let own = stages.into_iter().filter(|(_, source)| *source == Source::Own);
-    own.flat_map(|(stage, _)| unset_of(stage, program, has_map)).collect()
+    own.flat_map(|(stage, _)| unset_of(stage, program, has_picture)).collect()
 }
 
-fn unset_of(stage: &Program, program: &PreparedProgram, has_map: &dyn Fn(&str) -> bool) -> Vec<String> {
+fn unset_of(
+    stage: &Program,
+    program: &PreparedProgram,
+    has_picture: &dyn Fn(&TextureInfo) -> bool,
+) -> Vec<String> {
     let set = &program.source.uniforms;
     let is_set = |name: &str| {
         set.keys()
@@ -100,12 +104,20 @@ fn unset_of(stage: &Program, program: &PreparedProgram, has_map: &dyn Fn(&str) -
     }
     for texture in &stage.interface().textures {
         let name = &texture.name;
-        let is_picture = matches!(set.get(name), Some(UniformValue::Texture(_)));
-        if !is_picture && !has_map(name) {
-            texts.push(format!(
-                "nobody gives the sampler '{name}' a picture, so it is black: --uniform {name}=FILE does"
-            ));
+        let is_set = set.get(name).is_some_and(|value| !value.textures().is_empty());
+        if is_set || has_picture(texture) {
+            continue;
         }
+        texts.push(if is_cube(texture) {
+            format!(
+                "nobody gives the sampler '{name}' a cube map, so it is black: --uniform {name}=FILE does, with a panorama, \
+                 or {name}=sky_*.png with six faces"
+            )
+        } else if is_flat(texture) {
+            format!("nobody gives the sampler '{name}' a picture, so it is black: --uniform {name}=FILE does")
+        } else {
+            format!("the sampler '{name}' is black: only sampler2D and samplerCube are given pictures")
+        });
     }
     texts
 }

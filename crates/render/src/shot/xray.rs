@@ -126,7 +126,9 @@ impl Shot {
     /// If the program does not compile, or there is no such object.
     pub fn uniforms_of(&self, program: &Program, object: usize) -> Result<Vec<UniformFill>, ShotError> {
         let own = self.prepared.objects.get(object).ok_or(ShotError::NoProgram)?;
-        let compiled = compiled_program(program, self.prepared.textures.len())?;
+        let sizes = self.prepared.textures.iter().map(|own| [own.levels[0].width, own.levels[0].height]);
+        let sizes: Vec<_> = sizes.map(|size| size.map(|side| side as u32)).collect();
+        let compiled = compiled_program(program, &sizes)?;
         let told = FrameUniforms::new(&self.prepared, &self.sight.view, self.sight.draw.moment);
         let values = told.values(own, &compiled);
         let pair = &compiled.pair;

@@ -55,6 +55,8 @@ pub struct GpuBinding {
     pub texture: Option<usize>,
     /// Whether it is a sampler.
     pub is_sampler: bool,
+    /// Whether it is a cube map.
+    pub is_cube: bool,
 }
 
 /// A stage as WGSL.

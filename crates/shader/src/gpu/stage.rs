@@ -289,8 +289,9 @@ fn is_block(space: AddressSpace) -> bool {
 type Bound = (Vec<GpuBinding>, Vec<Handle<GlobalVariable>>);
 
 fn rebind(module: &mut Module, program: &Program, group: u32) -> Result<Bound, ShaderError> {
-    let (mut all, mut blocks, mut textures) = (Vec::<GpuBinding>::new(), Vec::new(), 0);
-    let name_of = |texture: usize| program.interface().textures.get(texture).map(|info| info.name.as_str());
+    let (mut all, mut blocks) = (Vec::<GpuBinding>::new(), Vec::new());
+    // What the names of textures and of their samplers have in common.
+    let mut stems = Vec::<String>::new();
     for (handle, global) in module.global_variables.iter_mut() {
         if is_block(global.space) {
             blocks.push(handle);
@@ -302,27 +303,25 @@ fn rebind(module: &mut Module, program: &Program, group: u32) -> Result<Bound, S
         }
         let binding = 1 + all.len() as u32;
         global.binding = Some(ResourceBinding { group, binding });
-        let is_sampler = matches!(module.types[global.ty].inner, TypeInner::Sampler { .. });
+        let inner = &module.types[global.ty].inner;
+        let is_sampler = matches!(inner, TypeInner::Sampler { .. });
+        let is_cube = matches!(inner, TypeInner::Image { dim: naga::ImageDimension::Cube, .. });
         let name = global.name.as_deref().unwrap_or("");
         let texture = match is_sampler {
-            true => (0..textures).find(|n| name.strip_suffix(SAMPLER_SUFFIX) == name_of(*n)),
+            true => stems.iter().position(|stem| name.strip_suffix(SAMPLER_SUFFIX) == Some(stem)),
             false => {
-                debug_assert!(
-                    name.strip_suffix(TEXTURE_SUFFIX).unwrap_or(name) == name_of(textures).unwrap_or(name)
-                );
-                textures += 1;
-                Some(textures - 1)
+                stems.push(name.strip_suffix(TEXTURE_SUFFIX).unwrap_or(name).to_owned());
+                Some(stems.len() - 1)
             }
         };
-        all.push(GpuBinding { binding, texture, is_sampler });
+        all.push(GpuBinding { binding, texture, is_sampler, is_cube });
     }
-    let two_dimensional = program
-        .interface()
-        .textures
-        .iter()
-        .all(|info| info.dimension == "2d" && !info.layered && !info.compared);
-    match two_dimensional {
+    debug_assert_eq!(stems.len(), program.interface().textures.len(), "they have the same order");
+    let plain = |info: &crate::TextureInfo| {
+        matches!(info.dimension, "2d" | "cube") && !info.layered && !info.compared
+    };
+    match program.interface().textures.iter().all(plain) {
         true => Ok((all, blocks)),
-        false => Err(refused("textures other than plain 2D ones are not drawn by the GPU")),
+        false => Err(refused("textures other than plain pictures and cube maps are not there on the GPU")),
     }
 }

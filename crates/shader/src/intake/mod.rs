@@ -15,12 +15,16 @@ mod preprocess;
 mod remarks;
 mod rewrite;
 mod source;
+#[cfg(feature = "fuzz")]
+mod steps;
 mod token;
 
 pub use brdf::Range;
 pub(crate) use brdf::is_brdf_file;
 pub(crate) use front::{Front, origin_of, read};
 pub(crate) use source::{Map, Origin, Sources};
+#[cfg(feature = "fuzz")]
+pub(crate) use steps::{expand, rewrite_text};
 
 /// Texture `x` of a sampler `x` is called so in the IR.
 pub(crate) const TEXTURE_SUFFIX: &str = "_glanz_texture";

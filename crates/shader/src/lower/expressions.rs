@@ -25,6 +25,11 @@ impl<'a> Lowering<'a> {
     ) -> Result<Vec<Reg>, Refused> {
         match self.item(frame, e)? {
             Item::Value(regs) if !regs.is_empty() => Ok(regs),
+            // A part of a constant array, which is read where it is needed.
+            Item::Uniform { word, dynamic } if !self.is_pointer(frame, e) => {
+                let n = self.size(&self.inner(frame, e));
+                Ok(self.load_uniform(word, n, dynamic))
+            }
             _ => Err(Refused::new("a value is needed here", frame.function.expressions.get_span(e))),
         }
     }
@@ -113,9 +118,10 @@ impl<'a> Lowering<'a> {
             Expression::FunctionArgument(i) => {
                 frame.arguments.get(*i as usize).cloned().unwrap_or(Item::Nothing)
             }
-            Expression::LocalVariable(local) => {
-                Item::Place { var: frame.locals[local], offset: 0, dynamic: None }
-            }
+            Expression::LocalVariable(local) => match frame.pooled.get(local) {
+                Some(item) => item.clone(),
+                None => Item::Place { var: frame.locals[local], offset: 0, dynamic: None },
+            },
             Expression::GlobalVariable(global) => self.globals.get(global).cloned().unwrap_or(Item::Nothing),
             Expression::AccessIndex { base, index } => {
                 let (inner, item) = (self.inner(frame, *base), self.item(frame, *base)?);
@@ -123,7 +129,11 @@ impl<'a> Lowering<'a> {
             }
             Expression::Access { base, index } => {
                 let i = self.value(frame, *index)?[0];
-                let (inner, item) = (self.inner(frame, *base), self.item(frame, *base)?);
+                let inner = self.inner(frame, *base);
+                let item = match self.pooled(frame, *base, span)? {
+                    Some(item) => item,
+                    None => self.item(frame, *base)?,
+                };
                 self.access(&item, &inner, 0, Some(i), span)?
             }
             Expression::Load { pointer } => Item::Value(self.load_from(frame, *pointer, span)?),

@@ -54,7 +54,7 @@ pub struct TextureInfo {
 pub(crate) struct Layout {
     /// With the word where it lies as `offset`.
     pub(crate) uniforms: Vec<Leaf>,
-    /// All words of the uniforms as the source initialises them.
+    /// All words of the uniforms as the source initialises them, and those of long constant arrays.
     pub(crate) defaults: Vec<u32>,
     pub(crate) inputs: Vec<Slot<u16>>,
     pub(crate) outputs: Vec<Slot<u16>>,
@@ -163,7 +163,11 @@ impl Lowering<'_> {
                     ImageDimension::D3 => "3d",
                     ImageDimension::Cube => "cube",
                 };
-                let name = name.strip_suffix(crate::intake::TEXTURE_SUFFIX).unwrap_or(name).to_owned();
+                let name = name.strip_suffix(crate::intake::TEXTURE_SUFFIX).unwrap_or(name);
+                let name = match (self.roles)(name) {
+                    Some(Purpose::Uniform(path)) => path,
+                    _ => name.to_owned(),
+                };
                 self.layout.textures.push(TextureInfo { name, dimension, layered: arrayed, compared });
                 Ok(Item::Texture(self.layout.textures.len() - 1))
             }
@@ -182,13 +186,18 @@ impl Lowering<'_> {
             }
         }
         self.layout.defaults.extend(words);
-        if self.layout.defaults.len() > 1 << 16 {
-            return Err(Refused::new("there are too many uniforms", span));
-        }
+        self.check_uniforms(span)?;
         let mut leaves = Vec::new();
         self.leaves(name, global.ty, word, &mut leaves);
         self.layout.uniforms.extend(leaves);
         Ok(Item::Uniform { word, dynamic: None })
+    }
+
+    pub(super) fn check_uniforms(&self, span: Span) -> Result<(), Refused> {
+        match self.layout.defaults.len() > 1 << 16 {
+            true => Err(Refused::new("there are too many uniforms", span)),
+            false => Ok(()),
+        }
     }
 
     /// The scalars, vectors and matrices in a type.

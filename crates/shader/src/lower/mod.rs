@@ -11,10 +11,12 @@ mod arithmetic;
 mod emit;
 mod expressions;
 mod flow;
+mod gather;
 mod layout;
 mod loops;
 mod math;
 mod matrices;
+mod pool;
 mod statements;
 mod textures;
 mod types;
@@ -142,6 +144,8 @@ struct Frame<'a> {
     info: &'a FunctionInfo,
     items: HashMap<Handle<Expression>, Item>,
     locals: HashMap<Handle<naga::LocalVariable>, usize>,
+    /// Locals that are constants in the memory of the uniforms.
+    pooled: HashMap<Handle<naga::LocalVariable>, Item>,
     /// How often each local is named in the whole function.
     uses: HashMap<Handle<naga::LocalVariable>, usize>,
     arguments: Vec<Item>,
@@ -208,6 +212,8 @@ struct Lowering<'a> {
     depth: usize,
     trace: bool,
     layout: Layout,
+    /// Words of constants that lie in the memory of the uniforms → the first of them there.
+    pool: HashMap<Vec<u32>, usize>,
 }
 
 /// Lowers the entry point of the module's only stage. `roles` tells what a private global stands for.
@@ -237,6 +243,7 @@ pub(crate) fn lower(
         depth: 0,
         trace,
         layout: Layout::default(),
+        pool: HashMap::new(),
     };
     lowering.program()
 }

@@ -6,6 +6,7 @@ use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, Handle, Span, Statement};
 
 use super::loops::Parts;
+use super::pool::read_by_index;
 use super::uses::count_uses;
 use super::{Choice, Event, EventKind, Frame, Item, Lowering, Refused, Reg, VirtualOp};
 use crate::machine::Code;
@@ -150,9 +151,15 @@ impl<'a> Lowering<'a> {
         if self.depth >= MOST_CALLS {
             return Err(Refused::new(format!("more than {MOST_CALLS} calls inside each other"), span));
         }
-        self.depth += 1;
-        let value = self.inline(called, info, arguments)?;
-        self.depth -= 1;
+        let value = match self.gather_call(called, &arguments, span)? {
+            Some(texels) => Some(texels),
+            None => {
+                self.depth += 1;
+                let value = self.inline(called, info, arguments)?;
+                self.depth -= 1;
+                value
+            }
+        };
         if let (Some(result), Some(value)) = (result, value) {
             frame.items.insert(result, Item::Value(value));
         }
@@ -185,6 +192,7 @@ impl<'a> Lowering<'a> {
             info,
             items: HashMap::new(),
             locals: HashMap::new(),
+            pooled: HashMap::new(),
             uses: HashMap::new(),
             arguments,
             result,
@@ -203,7 +211,14 @@ impl<'a> Lowering<'a> {
 
     fn locals(&mut self, frame: &mut Frame<'a>) -> Result<(), Refused> {
         let function = frame.function;
+        let read_by_index = read_by_index(function);
         for (handle, local) in function.local_variables.iter() {
+            if read_by_index.contains(&handle)
+                && let Some(item) = self.pooled_local(frame, handle)?
+            {
+                frame.pooled.insert(handle, item);
+                continue;
+            }
             let span = function.local_variables.get_span(handle);
             let n = self.register_size(local.ty, span)?;
             let regs = match local.init {

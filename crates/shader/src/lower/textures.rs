@@ -13,18 +13,29 @@ impl<'a> Lowering<'a> {
         span: Span,
     ) -> Result<Item, Refused> {
         match &frame.function.expressions[e] {
-            Expression::ImageSample { gather: Some(_), .. } => {
-                Err(Refused::new("textureGather is not there", span))
-            }
-            Expression::ImageSample { image, coordinate, array_index, offset, level, depth_ref, .. } => {
+            Expression::ImageSample {
+                image,
+                gather,
+                coordinate,
+                array_index,
+                offset,
+                level,
+                depth_ref,
+                ..
+            } => {
                 let coordinates = self.value(frame, *coordinate)?;
+                let texture = self.image(frame, *image)?;
+                let lod = match gather {
+                    Some(component) => self.gathered(texture, *component, depth_ref.is_some(), span)?,
+                    None => self.level(frame, level)?,
+                };
                 let look = Look {
-                    texture: self.image(frame, *image)?,
+                    texture,
                     coordinates,
                     layer: self.optional(frame, *array_index)?,
                     offset: self.offset(*offset, frame, span)?,
                     compare: self.optional(frame, *depth_ref)?,
-                    lod: self.level(frame, level)?,
+                    lod,
                 };
                 let n = if depth_ref.is_some() { 1 } else { self.texel_size(frame, e) };
                 Ok(Item::Value(self.look(look, n, false)))
@@ -105,17 +116,22 @@ impl<'a> Lowering<'a> {
     ) -> Result<[i32; 3], Refused> {
         let Some(e) = offset else { return Ok([0; 3]) };
         let regs = self.value(frame, e)?;
+        self.constants(&regs, "the offset", span)
+    }
+
+    /// Up to three whole numbers that must be constants.
+    pub(super) fn constants(&self, regs: &[Reg], what: &str, span: Span) -> Result<[i32; 3], Refused> {
         let mut out = [0; 3];
-        for (out, r) in out.iter_mut().zip(&regs) {
+        for (out, r) in out.iter_mut().zip(regs) {
             let known = self.state.prologue.iter().find(|op| op.d == *r && op.code == Code::Imm);
-            let known = known.ok_or_else(|| Refused::new("the offset must be a constant", span))?;
+            let known = known.ok_or_else(|| Refused::new(format!("{what} must be a constant"), span))?;
             *out = known.imm as i32;
         }
         Ok(out)
     }
 
     /// Sizes are the same for the whole draw if their level is, but other looks are done where they stand.
-    fn look(&mut self, look: Look<Reg>, n: usize, is_query: bool) -> Vec<Reg> {
+    pub(super) fn look(&mut self, look: Look<Reg>, n: usize, is_query: bool) -> Vec<Reg> {
         let reads = look.reads();
         let hoist = is_query && self.is_hoisted(&reads);
         let even = self.is_even(&reads) && !matches!(look.lod, LookLod::Auto | LookLod::Bias(_));

@@ -53,7 +53,8 @@ pub(super) fn count_uses(
     }
 }
 
-fn local_of(function: &Function, mut e: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+/// The local that a pointer points into.
+pub(super) fn local_of(function: &Function, mut e: Handle<Expression>) -> Option<Handle<LocalVariable>> {
     loop {
         match function.expressions[e] {
             Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => e = base,

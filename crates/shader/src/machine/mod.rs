@@ -4,12 +4,14 @@
 //! file and are computed once per draw, by the same loop. Control flow is masks, which are values like all others, and
 //! jumps where no lane goes a way. All numbers are `glanz_math`'s, so every SIMD level gives the same bits.
 
+mod cube;
 mod file;
 mod numbers;
 mod op;
 mod run;
 mod textures;
 
+pub use cube::{CubePlace, panorama_place, turned};
 pub use file::Row;
 pub(crate) use file::{ROWS, RegisterFile};
 pub(crate) use op::{Code, Op};

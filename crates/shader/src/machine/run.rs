@@ -153,6 +153,7 @@ fn answer<const G: usize>(
         LookLod::Bias(bias) => gradient(rows(&look.coordinates), row(*bias)),
         LookLod::Level(level) => Lod::Level(row(*level)),
         LookLod::Gradient(dx, dy) => Lod::Gradient { dx: rows(dx), dy: rows(dy), bias: [0.0; 16] },
+        LookLod::Gather(component) => Lod::Gather(*component),
         LookLod::Texel(level) => Lod::Texel(ints(level)),
         LookLod::Size(level) => {
             let levels = ints(level);

@@ -19,6 +19,9 @@ pub enum Lod {
     },
     /// This level (`textureLod`); 0 in vertex shaders.
     Level([f32; 16]),
+    /// This component of the 2×2 texels of the finest level that a linear filter would mix: those at the left and right
+    /// with the greater v, then at the right and left with the lesser (`textureGather`).
+    Gather(usize),
     /// No filter: the coordinates are the bits of whole numbers, the level too (`texelFetch`).
     Texel([i32; 16]),
 }
@@ -28,8 +31,8 @@ pub enum Lod {
 pub struct TextureQuery {
     /// Which texture: its index in [`Interface::textures`](crate::Interface::textures).
     pub texture: usize,
-    /// Coordinates, one row each; the third is the depth of 3D textures and of cube directions. For [`Lod::Texel`] they
-    /// are whole numbers.
+    /// Coordinates, one row each; three of 3D textures and of cube maps, which are looked into by a direction (see
+    /// [`CubePlace`](crate::CubePlace)). For [`Lod::Texel`] they are whole numbers.
     pub coordinates: [[f32; 16]; 3],
     /// Layer of an array texture.
     pub layer: Option<[f32; 16]>,
@@ -75,6 +78,8 @@ pub(crate) enum LookLod<R> {
     Bias(R),
     Level(R),
     Gradient(Vec<R>, Vec<R>),
+    /// This component of four texels.
+    Gather(usize),
     Texel(Option<R>),
     /// Not a look at texels: the size of a level.
     Size(Option<R>),
@@ -108,6 +113,7 @@ impl<R: Copy> Look<R> {
                 LookLod::Bias(r) => LookLod::Bias(f(*r)),
                 LookLod::Level(r) => LookLod::Level(f(*r)),
                 LookLod::Gradient(x, y) => LookLod::Gradient(all(x), all(y)),
+                LookLod::Gather(component) => LookLod::Gather(*component),
                 LookLod::Texel(r) => LookLod::Texel(r.map(&f)),
                 LookLod::Size(r) => LookLod::Size(r.map(&f)),
                 LookLod::Levels => LookLod::Levels,
@@ -120,7 +126,7 @@ impl<R: Copy> Look<R> {
         let mut all = self.coordinates.clone();
         all.extend(self.layer.iter().chain(&self.compare).copied());
         match &self.lod {
-            LookLod::Auto | LookLod::Levels => {}
+            LookLod::Auto | LookLod::Levels | LookLod::Gather(_) => {}
             LookLod::Bias(r) | LookLod::Level(r) => all.push(*r),
             LookLod::Gradient(x, y) => all.extend(x.iter().chain(y).copied()),
             LookLod::Texel(r) | LookLod::Size(r) => all.extend(r.iter().copied()),

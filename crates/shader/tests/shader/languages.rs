@@ -176,7 +176,7 @@ fn what_is_not_there_is_refused_by_name_and_line() {
             "recursion",
             2,
         ),
-        ("uniform sampler2D maps[4];\nvoid main() {}", "arrays of samplers", 1),
+        ("uniform sampler2D maps[4][2];\nvoid main() {}", "arrays of arrays of samplers", 1),
         ("out vec4 c;\nvoid main() {\n float a[100000];\n a[0] = 1.0; c = vec4(a[0]); }", "too large", 3),
     ] {
         let error = error(text);

@@ -1,6 +1,7 @@
 //! Tests of the shader crate as a whole.
 
 mod brdfs;
+mod circuit;
 mod common;
 mod flow;
 mod gpu;
@@ -9,6 +10,7 @@ mod mutated;
 mod numbers;
 mod phong;
 mod places;
+mod samplers;
 mod trace;
 mod twins;
 mod warnings;

@@ -162,6 +162,7 @@ impl Textures for Told {
         match &query.lod {
             Lod::Gradient { dx, bias, .. } => (texels[2], texels[3]) = (dx[0], *bias),
             Lod::Level(level) => texels[2] = *level,
+            Lod::Gather(_) => unreachable!("nothing is gathered here"),
             Lod::Texel(level) => texels[2] = level.map(|l| l as f32),
         }
     }
@@ -183,7 +184,7 @@ fn textures_are_asked_with_coordinates_and_gradients() {
         }";
     let program = fragment(text);
     let names: Vec<&str> = program.interface().textures.iter().map(|t| t.name.as_str()).collect();
-    assert_eq!(names, ["first", "material_diffuse", "sky"]);
+    assert_eq!(names, ["first", "material.diffuse", "sky"]);
     let uniforms = program.uniforms();
     let mut machine = Machine::<1>::new(&program, &uniforms, &Told, SimdLevel::best());
     let uv = program.interface().input("uv").unwrap();
@@ -235,5 +236,43 @@ fn all_levels_give_the_same_bits() {
             .collect();
         assert!(results.iter().all(|r| *r == results[0]), "{text}");
         assert!(results[0].iter().any(|row| row.iter().any(|x| *x != row[0])), "the lanes differ");
+    }
+}
+
+/// A constant array of lights, and a sum over all by the index `i + k`.
+fn with_many_lights(count: usize) -> String {
+    let light = |i: usize| format!("Light(vec3({i}.0, 0.5, -{i}.25), {i}.5, {i})");
+    let lights: Vec<String> = (0..count).map(light).collect();
+    format!(
+        "#version 330\nstruct Light {{ vec3 at; float power; int number; }}; flat in int k; out vec4 c;
+         const Light lights[{count}] = Light[{count}]({});
+         float twice(Light light) {{ return 2.0 * light.at.z; }}
+         void main() {{
+            vec4 sum = vec4(0.0);
+            for (int i = 0; i < {count} - 16; i++) {{
+                Light light = lights[i + k];
+                sum += vec4(light.at.x, lights[i + k].power, lights[i + k].at[1 + k % 2], light.number);
+            }}
+            c = sum + twice(lights[k]);
+         }}",
+        lights.join(", ")
+    )
+}
+
+#[test]
+fn long_constant_arrays_need_no_registers() {
+    for count in [18, 64, 85] {
+        let program = fragment(&with_many_lights(count));
+        assert!(program.size().2 < 120, "{count} lights take {} registers", program.size().2);
+        let got = outputs(&program, &|_, _, lane| lane as f32);
+        for k in 0..16 {
+            let mut expected = [-2.0 * (k as f32 + 0.25); 4];
+            for i in k..k + count - 16 {
+                let z = if k % 2 == 0 { 0.5 } else { -(i as f32 + 0.25) };
+                let light = [i as f32, i as f32 + 0.5, z, i as f32];
+                expected.iter_mut().zip(light).for_each(|(sum, value)| *sum += value);
+            }
+            assert_eq!([0, 1, 2, 3].map(|c| got[c][k]), expected, "{count} lights, lane {k}");
+        }
     }
 }

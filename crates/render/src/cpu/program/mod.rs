@@ -22,7 +22,7 @@ use glanz_shader::{Interpolation, Machine, Pair, Port, RunError, Source, Stage};
 
 use crate::cpu::threads;
 use crate::prepare::{Prepared, PreparedProgram};
-use crate::view::program::{FrameUniforms, MeshAttributes, StageValues};
+use crate::view::program::{FrameUniforms, MeshAttributes, ProgramPicture, StageValues};
 use crate::view::{DebugView, DrawOptions, View};
 use inspect::{Findings, Inspection, Wanted};
 use pool::Pool;
@@ -146,7 +146,7 @@ impl<'a> ObjectProgram<'a> {
         values: StageValues<'a>,
         object: &crate::prepare::PreparedObject,
     ) -> Option<Self> {
-        let textures = |list: &[Option<&'a crate::prepare::Mipmap>]| ProgramTextures(list.to_vec());
+        let textures = |list: &[Option<ProgramPicture<'a>>]| ProgramTextures(list.to_vec());
         Some(Self {
             pair: &program.pair,
             number,

@@ -33,15 +33,19 @@ pub(crate) fn programs(
         let what = "a program gives colours and no spectra, which mode 'reference' adds up; choose 'rgb' or 'spectral'";
         return Err(PrepareError::Scene { what: what.to_owned() });
     }
+    let sizes: Vec<_> = scene.textures.iter().map(|own| [own.width, own.height]).collect();
     let of = |program: &Program| match known.iter().find(|own| own.source == *program) {
         Some(own) => Ok(Arc::clone(own)),
-        None => compiled(program, scene.textures.len()),
+        None => compiled(program, &sizes),
     };
     scene.programs.iter().map(of).collect()
 }
 
-/// A program with its stages compiled and its uniforms checked.
-pub(crate) fn compiled(program: &Program, textures: usize) -> Result<Arc<PreparedProgram>, PrepareError> {
+/// A program with its stages compiled and its uniforms checked. `textures`: how large those of the scene are.
+pub(crate) fn compiled(
+    program: &Program,
+    textures: &[[u32; 2]],
+) -> Result<Arc<PreparedProgram>, PrepareError> {
     let wrong =
         |error: ShaderError| PrepareError::from(Box::new(ProgramError { error, texts: texts(program) }));
     let pair = pair(program, false).map_err(wrong)?;
@@ -99,24 +103,13 @@ fn texts(program: &Program) -> BTreeMap<String, String> {
 }
 
 /// That a value can be given to a uniform of the program.
-fn check(pair: &Pair, name: &str, value: &UniformValue, textures: usize) -> Result<(), ShaderError> {
+fn check(pair: &Pair, name: &str, value: &UniformValue, textures: &[[u32; 2]]) -> Result<(), ShaderError> {
     let stages = [&pair.vertex, &pair.fragment];
     let invalid =
         |message: String, place: Option<Place>| ShaderError::Invalid { message, place, hints: vec![] };
     match value {
-        UniformValue::Texture(texture) => {
-            if *texture >= textures {
-                return Err(invalid(format!("the texture of '{name}' is not there"), None));
-            }
-            let samplers =
-                || stages.iter().flat_map(|own| &own.interface().textures).map(|own| own.name.as_str());
-            match samplers().any(|own| own == name) {
-                true => Ok(()),
-                false => {
-                    let hint = glanz_math::names::did_you_mean(name, samplers());
-                    Err(invalid(format!("there is no sampler '{name}' in the program{hint}"), None))
-                }
-            }
+        UniformValue::Texture(_) | UniformValue::Cube(_) => {
+            check_pictures(&stages, name, value, textures).map_err(|message| invalid(message, None))
         }
         UniformValue::Numbers(numbers) => {
             let mut error = None;
@@ -136,5 +129,38 @@ fn check(pair: &Pair, name: &str, value: &UniformValue, textures: usize) -> Resu
             let place = stages.iter().find_map(|own| own.interface().uniform(name)?.place.clone());
             Err(invalid(error.to_string(), place))
         }
+    }
+}
+
+/// That a sampler of this name can look into the pictures.
+fn check_pictures(
+    stages: &[&glanz_shader::Program],
+    name: &str,
+    value: &UniformValue,
+    textures: &[[u32; 2]],
+) -> Result<(), String> {
+    let indices = value.textures();
+    if indices.iter().any(|index| *index >= textures.len()) {
+        return Err(format!("the texture of '{name}' is not there"));
+    }
+    let samplers = || stages.iter().flat_map(|own| &own.interface().textures);
+    let Some(sampler) = samplers().find(|own| own.name == name) else {
+        let hint = glanz_math::names::did_you_mean(name, samplers().map(|own| own.name.as_str()));
+        return Err(format!("there is no sampler '{name}' in the program{hint}"));
+    };
+    let is_cube = matches!(value, UniformValue::Cube(_));
+    if sampler.layered || !matches!(sampler.dimension, "2d" | "cube") {
+        return Err(format!("the sampler '{name}' takes no picture: only sampler2D and samplerCube do"));
+    }
+    if is_cube && sampler.dimension != "cube" {
+        return Err(format!("the sampler '{name}' takes one picture: six are the faces of a samplerCube"));
+    }
+    let size = |index: &usize| textures[*index];
+    let is_odd = |[width, height]: &[u32; 2]| width != height || [*width, *height] != size(&indices[0]);
+    match indices.iter().map(size).find(is_odd) {
+        Some([width, height]) if is_cube => Err(format!(
+            "the faces of the cube map '{name}' must be squares of one size: one has {width}×{height} texels"
+        )),
+        _ => Ok(()),
     }
 }

@@ -1,7 +1,13 @@
 //! Environments as pictures that the pixel loop looks up: the picture itself, what a lobe makes of it, and
 //! what a matte surface gets of it.
 
+use core::fmt;
+use std::sync::OnceLock;
+
 use glanz_math::{PI, Real, Vec3};
+
+/// The coarsest of the levels that programs see has so many rows.
+const FEWEST_ROWS: usize = 2;
 
 /// An equirectangular picture, as [`EnvironmentMap`].
 #[derive(Clone, Debug, PartialEq)]
@@ -12,11 +18,35 @@ pub struct EnvironmentMap {
     pub height: usize,
     /// By rows from the top.
     pub pixels: Vec<[f32; 3]>,
+    /// The same, ever coarser, made when a program first looks.
+    halves: Halves,
+}
+
+/// What follows from a map, so it is no part of what the map is.
+#[derive(Default)]
+struct Halves(OnceLock<Vec<EnvironmentMap>>);
+
+impl Clone for Halves {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for Halves {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl fmt::Debug for Halves {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Halves")
+    }
 }
 
 impl From<&glanz_scene::EnvironmentMap> for EnvironmentMap {
     fn from(map: &glanz_scene::EnvironmentMap) -> Self {
-        Self { width: map.width, height: map.height, pixels: map.pixels.clone() }
+        Self { width: map.width, height: map.height, pixels: map.pixels.clone(), halves: Halves::default() }
     }
 }
 
@@ -29,7 +59,12 @@ impl EnvironmentMap {
                 glanz_scene::EnvironmentMap::direction(column / width as f64, row / height as f64).to_array(),
             )
         };
-        Self { width, height, pixels: crate::parallel::collect(width * height, at) }
+        Self {
+            width,
+            height,
+            pixels: crate::parallel::collect(width * height, at),
+            halves: Halves::default(),
+        }
     }
 
     /// Rows and columns.
@@ -72,7 +107,30 @@ impl EnvironmentMap {
             }
             sum.map(|sum| (sum / weight) as f32)
         };
-        Self { width, height, pixels: (0..width * height).map(mean).collect() }
+        let pixels = (0..width * height).map(mean).collect();
+        Self { width, height, pixels, halves: Halves::default() }
+    }
+
+    /// This map and ever coarser ones, each half as fine as the one before.
+    pub(crate) fn level(&self, level: usize) -> &Self {
+        let halves = self.halves();
+        level.min(halves.len()).checked_sub(1).map_or(self, |level| &halves[level])
+    }
+
+    /// How many levels there are.
+    pub(crate) fn level_count(&self) -> usize {
+        1 + self.halves().len()
+    }
+
+    fn halves(&self) -> &[Self] {
+        self.halves.0.get_or_init(|| {
+            let mut halves: Vec<Self> = Vec::new();
+            while halves.last().unwrap_or(self).height > FEWEST_ROWS {
+                let next = halves.last().unwrap_or(self).halved();
+                halves.push(next);
+            }
+            halves
+        })
     }
 
     /// The value in the direction of a unit vector, linear between the centres of pixels.

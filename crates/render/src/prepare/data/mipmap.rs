@@ -51,6 +51,11 @@ impl Mipmap {
     /// The value at texture coordinates `uv`, where a pixel covers `footprint` of them along the
     /// longer axis.
     pub fn sample(&self, uv: [f32; 2], footprint: f32) -> [f32; 4] {
+        self.sample_within(uv, footprint, self.wrap)
+    }
+
+    /// The same with borders of one's own.
+    pub(crate) fn sample_within(&self, uv: [f32; 2], footprint: f32, wrap: [Wrap; 2]) -> [f32; 4] {
         if !(uv[0].is_finite() && uv[1].is_finite()) {
             return [0.0; 4];
         }
@@ -58,18 +63,18 @@ impl Mipmap {
             let level = &self.levels[0];
             let x = (uv[0] * level.width as f32).floor() as i64;
             let y = (uv[1] * level.height as f32).floor() as i64;
-            return self.texel(level, x, y);
+            return self.texel(level, x, y, wrap);
         }
         let finest = &self.levels[0];
         let texels = footprint * finest.width.max(finest.height) as f32;
         let level = if texels > 1.0 { glanz_math::Real::log2(texels) } else { 0.0 };
         let level = level.min((self.levels.len() - 1) as f32);
         let lower = level.floor();
-        let fine = self.bilinear(&self.levels[lower as usize], uv);
+        let fine = self.bilinear(&self.levels[lower as usize], uv, wrap);
         if level == lower {
             return fine;
         }
-        let coarse = self.bilinear(&self.levels[lower as usize + 1], uv);
+        let coarse = self.bilinear(&self.levels[lower as usize + 1], uv, wrap);
         mix(fine, coarse, level - lower)
     }
 
@@ -78,24 +83,37 @@ impl Mipmap {
         let level = &self.levels[level];
         let inside = |at: i32, size: usize| usize::try_from(at).is_ok_and(|at| at < size);
         match inside(x, level.width) && inside(y, level.height) {
-            true => self.texel(level, x.into(), y.into()),
+            true => self.texel(level, x.into(), y.into(), self.wrap),
             false => [0.0; 4],
         }
     }
 
-    fn bilinear(&self, level: &MipLevel, uv: [f32; 2]) -> [f32; 4] {
+    /// A component of the four texels around a place: left and right with the greater v, right and left with the lesser.
+    pub(crate) fn gather(&self, uv: [f32; 2], component: usize, offset: [i32; 3]) -> [f32; 4] {
+        if !(uv[0].is_finite() && uv[1].is_finite()) {
+            return [0.0; 4];
+        }
+        let level = &self.levels[0];
+        let left = (uv[0] * level.width as f32 - 0.5).floor() as i64 + i64::from(offset[0]);
+        let top = (uv[1] * level.height as f32 - 0.5).floor() as i64 + i64::from(offset[1]);
+        let places = [(left, top + 1), (left + 1, top + 1), (left + 1, top), (left, top)];
+        places.map(|(x, y)| self.texel(level, x, y, self.wrap)[component & 3])
+    }
+
+    fn bilinear(&self, level: &MipLevel, uv: [f32; 2], wrap: [Wrap; 2]) -> [f32; 4] {
         let x = uv[0] * level.width as f32 - 0.5;
         let y = uv[1] * level.height as f32 - 0.5;
         let (left, top) = (x.floor(), y.floor());
         let (column, row) = (left as i64, top as i64);
-        let upper = mix(self.texel(level, column, row), self.texel(level, column + 1, row), x - left);
-        let below = mix(self.texel(level, column, row + 1), self.texel(level, column + 1, row + 1), x - left);
+        let texel = |x: i64, y: i64| self.texel(level, column + x, row + y, wrap);
+        let upper = mix(texel(0, 0), texel(1, 0), x - left);
+        let below = mix(texel(0, 1), texel(1, 1), x - left);
         mix(upper, below, y - top)
     }
 
-    fn texel(&self, level: &MipLevel, x: i64, y: i64) -> [f32; 4] {
-        let column = wrapped(x, level.width, self.wrap[0]);
-        let row = wrapped(y, level.height, self.wrap[1]);
+    fn texel(&self, level: &MipLevel, x: i64, y: i64, wrap: [Wrap; 2]) -> [f32; 4] {
+        let column = wrapped(x, level.width, wrap[0]);
+        let row = wrapped(y, level.height, wrap[1]);
         let [r, g, b, a] = level.rgba[row * level.width + column];
         let color = |code: u8| self.decode[code as usize];
         [color(r), color(g), color(b), f32::from(a) / 255.0]

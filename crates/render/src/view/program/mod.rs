@@ -6,17 +6,20 @@ mod attributes;
 mod lights;
 mod material;
 mod matrices;
+mod pictures;
 
 use glanz_scene::UniformValue;
 use glanz_shader::{Program, Role, Uniform, UniformValues};
 
-use crate::prepare::{Mipmap, Prepared, PreparedObject, PreparedProgram, program_values};
+use crate::prepare::{Prepared, PreparedObject, PreparedProgram, program_values};
 use crate::view::camera::ViewCamera;
 use crate::view::{Moment, View};
 pub use attributes::MeshAttributes;
 use lights::ProgramLights;
 pub use matrices::DepthRange;
 use matrices::Matrices;
+pub use pictures::{EnvironmentPicture, ProgramPicture};
+pub(crate) use pictures::{has_picture, is_cube, is_flat};
 
 /// Everything about a frame that uniforms can stand for: for a back end to ask what each object's program is given.
 ///
@@ -55,9 +58,9 @@ pub struct StageValues<'a> {
     /// Uniforms of the fragment shader.
     pub fragment: UniformValues,
     /// Of each texture of the vertex shader; none is opaque black.
-    pub vertex_textures: Vec<Option<&'a Mipmap>>,
+    pub vertex_textures: Vec<Option<ProgramPicture<'a>>>,
     /// The same of the fragment shader.
-    pub fragment_textures: Vec<Option<&'a Mipmap>>,
+    pub fragment_textures: Vec<Option<ProgramPicture<'a>>>,
 }
 
 impl<'a> FrameUniforms<'a> {
@@ -77,7 +80,10 @@ impl<'a> FrameUniforms<'a> {
     pub(crate) fn values(&self, object: &PreparedObject, program: &PreparedProgram) -> StageValues<'a> {
         let matrices = Matrices::new(self.view, &self.range, object);
         let stage = |stage: &Program| self.of_stage(stage, program, object, &matrices);
-        let textures = |stage: &Program| self.textures(stage, program, object);
+        let material = &self.prepared.materials[object.material];
+        let textures = |stage: &Program| {
+            pictures::of_stage(&stage.interface().textures, program, self.prepared, material, self.view)
+        };
         let pair = &program.pair;
         StageValues {
             vertex: stage(&pair.vertex),
@@ -146,29 +152,6 @@ impl<'a> FrameUniforms<'a> {
             }
         })
     }
-
-    /// The pictures of a stage's samplers: what the user sets, or the material's map that the name says.
-    fn textures(
-        &self,
-        stage: &Program,
-        program: &PreparedProgram,
-        object: &PreparedObject,
-    ) -> Vec<Option<&'a Mipmap>> {
-        let all = &self.prepared.textures;
-        let of = |name: &str| match program.source.uniforms.get(name) {
-            Some(UniformValue::Texture(texture)) => all.get(*texture).map(|own| &**own),
-            _ => {
-                let map = material::map(name, &self.prepared.materials[object.material])?;
-                all.get(map).map(|own| &**own)
-            }
-        };
-        stage.interface().textures.iter().map(|texture| of(&texture.name)).collect()
-    }
-}
-
-/// Whether the material has a map that a sampler's name stands for.
-pub(crate) fn has_map(name: &str, material: &crate::prepare::PreparedMaterial) -> bool {
-    material::map(name, material).is_some()
 }
 
 /// As many numbers as the type has: of matrices the upper left part, of vectors the first ones, a fourth being 1.

@@ -1,5 +1,6 @@
 //! Shaders in place of materials.
 
+use std::ops::Range;
 use std::path::Path;
 
 use super::builder::Builder;
@@ -7,7 +8,7 @@ use crate::file::error::Problem;
 use crate::file::tables::program::{ProgramTable, UniformEntry};
 use crate::file::tables::values::At;
 use crate::read::{FolderFiles, Resolver};
-use crate::{Program, ProgramText, UniformValue};
+use crate::{Program, ProgramText, UniformValue, cube_face_files};
 
 /// A file of a shader is no longer than this.
 const MOST_BYTES: usize = 1 << 20;
@@ -26,7 +27,11 @@ impl Builder {
         for (name, entry) in &table.uniforms {
             let value = match &entry.value {
                 UniformEntry::Numbers(numbers) => UniformValue::Numbers(numbers.clone()),
+                UniformEntry::Picture(name) if name.contains('*') => {
+                    self.cube_by_pattern(name, &entry.span)?
+                }
                 UniformEntry::Picture(name) => UniformValue::Texture(self.picture(name, &entry.span)?),
+                UniformEntry::Cube(names) => UniformValue::Cube(self.faces(names, &entry.span)?),
             };
             program.uniforms.insert(name.clone(), value);
         }
@@ -35,6 +40,28 @@ impl Builder {
         }
         self.scene.programs.push(program);
         Ok(self.scene.programs.len() - 1)
+    }
+
+    /// The textures of six faces.
+    fn faces(&mut self, names: &[String; 6], span: &Range<usize>) -> Result<[usize; 6], Problem> {
+        let mut faces = [0; 6];
+        for (face, name) in faces.iter_mut().zip(names) {
+            *face = self.picture(name, span)?;
+        }
+        Ok(faces)
+    }
+
+    /// Six faces by the pattern of their names; the first of the ways to name them whose first file is there.
+    fn cube_by_pattern(&mut self, pattern: &str, span: &Range<usize>) -> Result<UniformValue, Problem> {
+        let ways = cube_face_files(pattern);
+        let Some(way) = ways.iter().find(|names| self.picture(&names[0], span).is_ok()) else {
+            let first: Vec<String> = ways.iter().map(|names| format!("'{}'", names[0])).collect();
+            let message = format!("'{pattern}': none of {} can be read", first.join(", "));
+            return Err(
+                Problem::at(span, message).help("the faces of a cube map are named so in place of '*'")
+            );
+        };
+        Ok(UniformValue::Cube(self.faces(way, span)?))
     }
 
     /// A file of a shader and what it includes, all of its folder.

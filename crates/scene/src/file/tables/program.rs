@@ -20,7 +20,8 @@ pub(crate) struct ProgramTable {
     /// A fragment shader: such a file.
     pub fragment: Option<At<String>>,
     /// What uniforms are set to, by their names: a number, true or false, a list of numbers (a matrix column by column),
-    /// or a picture: the name of a texture of the scene, or of a file.
+    /// or a picture: the name of a texture of the scene, or of a file. A samplerCube takes one in equirectangular projection,
+    /// a list of six faces in OpenGL's order, or a pattern of their names such as "sky_*.png".
     #[serde(default)]
     pub uniforms: BTreeMap<String, At<UniformEntry>>,
 }
@@ -30,6 +31,8 @@ pub(crate) struct ProgramTable {
 pub(crate) enum UniformEntry {
     Numbers(Vec<f64>),
     Picture(String),
+    /// Six faces.
+    Cube(Box<[String; 6]>),
 }
 
 impl<'de> Deserialize<'de> for UniformEntry {
@@ -43,7 +46,7 @@ struct EntryVisitor;
 impl<'de> Visitor<'de> for EntryVisitor {
     type Value = UniformEntry;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, a list of numbers, true, false, or the name of a picture")
+        f.write_str("a number, a list of numbers, true, false, the name of a picture, or those of six faces")
     }
     fn visit_bool<E: Error>(self, value: bool) -> Result<UniformEntry, E> {
         Ok(UniformEntry::Numbers(vec![f64::from(u8::from(value))]))
@@ -64,17 +67,28 @@ impl<'de> Visitor<'de> for EntryVisitor {
         Ok(UniformEntry::Picture(name.to_owned()))
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<UniformEntry, A::Error> {
-        let mut numbers = Vec::new();
+        let (mut numbers, mut faces) = (Vec::new(), Vec::new());
         // A list of lists is a matrix or an array of vectors.
         while let Some(entry) = seq.next_element::<UniformEntry>()? {
             match entry {
                 UniformEntry::Numbers(some) => numbers.extend(some),
+                UniformEntry::Picture(name) if numbers.is_empty() => faces.push(name),
                 UniformEntry::Picture(name) => {
                     return Err(A::Error::custom(format!("expected a number, found \"{name}\"")));
                 }
+                UniformEntry::Cube(_) => return Err(A::Error::custom("expected a picture, found a list")),
             }
         }
-        Ok(UniformEntry::Numbers(numbers))
+        if faces.is_empty() {
+            return Ok(UniformEntry::Numbers(numbers));
+        }
+        if !numbers.is_empty() {
+            return Err(A::Error::custom("expected a picture, found a number"));
+        }
+        let found = faces.len();
+        let wrong =
+            |_| A::Error::custom(format!("expected the six faces of a cube map, found {found} pictures"));
+        Ok(UniformEntry::Cube(Box::new(faces.try_into().map_err(wrong)?)))
     }
 }
 
@@ -83,7 +97,7 @@ impl JsonSchema for UniformEntry {
         "UniformValue".into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let numbers = json_schema!({ "type": "array", "items": { "type": ["number", "array"] } });
+        let numbers = json_schema!({ "type": "array", "items": { "type": ["number", "array", "string"] } });
         json_schema!({ "anyOf": [{ "type": ["number", "boolean", "string"] }, numbers] })
     }
 }

@@ -178,11 +178,9 @@ fn check(scene: &Scene) -> Result<(), WriteError> {
             within("texture", map.texture, scene.textures.len())?;
         }
     }
-    let textures = scene.programs.iter().flat_map(|program| program.uniforms.values());
-    for value in textures {
-        if let UniformValue::Texture(texture) = value {
-            within("texture", *texture, scene.textures.len())?;
-        }
+    let values = scene.programs.iter().flat_map(|program| program.uniforms.values());
+    for texture in values.flat_map(UniformValue::textures) {
+        within("texture", *texture, scene.textures.len())?;
     }
     for program in scene.objects.iter().map(|object| object.program).chain([scene.program]).flatten() {
         within("program", program, scene.programs.len())?;

@@ -18,6 +18,9 @@ pub(super) fn value(program: &Program, names: &Names, files: &mut SideFiles) -> 
         let value = match value {
             UniformValue::Numbers(values) => numbers(values),
             UniformValue::Texture(texture) => string(&names.textures[*texture]),
+            UniformValue::Cube(faces) => {
+                format!("[{}]", faces.map(|face| string(&names.textures[face])).join(", "))
+            }
         };
         uniforms.put(name, value);
     }

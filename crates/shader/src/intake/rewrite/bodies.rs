@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 
 use super::Rewriter;
+use super::circuit::shortened;
 use super::legacy::modern_function;
+use super::loops::with_conditions;
 use crate::intake::items::is_precision;
 use crate::intake::token::{Kind, Token};
 use crate::intake::{Complaint, SAMPLER_SUFFIX, TEXTURE_SUFFIX};
@@ -84,6 +86,12 @@ impl Rewriter {
         let name = self.safe_name(name);
         self.out.push(Token { spaced: true, ..name });
         let samplers = self.parameters(parameters)?;
+        let conditioned = with_conditions(body)?;
+        let body = conditioned.as_deref().unwrap_or(body);
+        let written_out = self.written_out(body)?;
+        let body = written_out.as_deref().unwrap_or(body);
+        let shortened = shortened(body, &self.effects);
+        let body = shortened.as_deref().unwrap_or(body);
         let Some((close, inside)) = body.split_last().filter(|_| may_fall_through(head, body)) else {
             return self.body(body, &samplers);
         };
@@ -115,7 +123,9 @@ impl Rewriter {
                 Some(name) => {
                     at += 1;
                     if tokens.get(at).is_some_and(|t| t.is("[")) {
-                        return Err(Complaint::unsupported("arrays of samplers are not there", name.origin));
+                        let message =
+                            "arrays of samplers as parameters are not there: pass one, or name the uniform";
+                        return Err(Complaint::unsupported(message, name.origin));
                     }
                     samplers.insert(name.text.to_string(), token.text.to_string());
                     let text =
@@ -143,7 +153,7 @@ impl Rewriter {
             if token.kind != Kind::Identifier {
                 if token.is("(") {
                     let before = at.checked_sub(2).and_then(|i| tokens.get(i));
-                    calls.push(before.is_some_and(|t| self.functions.contains(&*t.text)));
+                    calls.push(before.is_some_and(|t| self.takes_halves(&t.text)));
                 } else if token.is(")") {
                     calls.pop();
                 }
@@ -178,31 +188,15 @@ impl Rewriter {
         Ok(())
     }
 
-    /// What stands for a sampler, and how many of the tokens behind belong to it.
-    fn sampler_use(
-        &self,
-        token: &Token,
-        behind: &[Token],
-        local: &HashMap<String, String>,
-        to_function: bool,
-    ) -> Option<(String, usize)> {
-        // `material.diffuse` where the member is a sampler.
-        if let Some(holder) = self.holders.get(&*token.text)
-            && let [dot, member, ..] = behind
-            && dot.is(".")
-        {
-            let members = self.struct_samplers.get(holder)?;
-            let (_, ty) = members.iter().find(|m| m.0 == *member.text)?;
-            let name = format!("{}_{}", token.text, member.text);
-            return Some((sampler_text(&name, ty, to_function), 2));
-        }
-        // A sampler may be called `texture`, as the function is.
-        let is_call = behind.first().is_some_and(|t| t.is("("));
-        let ty = local.get(&*token.text).or_else(|| self.samplers.get(&*token.text)).filter(|_| !is_call)?;
-        Some((sampler_text(&token.text, ty, to_function), 0))
+    /// Whether samplers go to the function in two halves.
+    fn takes_halves(&self, function: &str) -> bool {
+        self.functions.contains(function) || self.gathers.contains(function)
     }
 
     fn replacement(&mut self, token: &Token, is_call: bool) -> Token {
+        if self.gathers.contains(&*token.text) {
+            return token.renamed(&format!("glanz_{}", token.text));
+        }
         if self.functions.contains(&*token.text) {
             return self.safe_name(token);
         }
@@ -218,9 +212,4 @@ impl Rewriter {
             None => self.safe_name(token),
         }
     }
-}
-
-fn sampler_text(name: &str, ty: &str, to_function: bool) -> String {
-    let halves = format!("{name}{TEXTURE_SUFFIX}, {name}{SAMPLER_SUFFIX}");
-    if to_function { halves } else { format!("{ty}({halves})") }
 }

@@ -1,11 +1,11 @@
 //! Variables, structs and blocks.
 
-use super::bodies::{is_sampler_type, sampler_type, texture_type};
+use super::bodies::is_sampler_type;
 use super::{PortInfo, Rewriter};
+use crate::intake::Complaint;
 use crate::intake::items::{Declarator, Member, Qualifiers, is_precision};
 use crate::intake::source::Origin;
 use crate::intake::token::Token;
-use crate::intake::{Complaint, SAMPLER_SUFFIX, TEXTURE_SUFFIX};
 use crate::lower::Purpose;
 use crate::{Interpolation, Stage};
 
@@ -110,14 +110,7 @@ impl Rewriter {
         let Some(name) = ty.first() else { return Ok(()) };
         if is_sampler_type(&name.text) {
             for variable in variables {
-                if !variable.dimensions.is_empty() {
-                    return Err(Complaint::unsupported(
-                        "arrays of samplers are not there",
-                        variable.name.origin,
-                    ));
-                }
-                self.given.declared.insert(variable.name.text.to_string(), variable.name.origin);
-                self.declare_sampler(&name.text, &variable.name.text, variable.name.origin);
+                self.declare_samplers(&name.text, &variable.name.text, variable, variable.name.origin)?;
             }
             return Ok(());
         }
@@ -134,37 +127,11 @@ impl Rewriter {
             self.generated(";", variable.name.origin);
             let own = self.safe_name(&variable.name).text.to_string();
             self.give(&own, &variable.name.text, storage, qualifiers, variable.name.origin);
-            self.hold(&name.text, variable, storage)?;
+            if storage == Storage::Uniform {
+                self.hold(&name.text, variable)?;
+            }
         }
         Ok(())
-    }
-
-    /// A uniform that is a struct with samplers: those stand beside it.
-    fn hold(&mut self, ty: &str, variable: &Declarator, storage: Storage) -> Result<(), Complaint> {
-        let Some(members) = self.struct_samplers.get(ty).cloned().filter(|_| storage == Storage::Uniform)
-        else {
-            return Ok(());
-        };
-        if !variable.dimensions.is_empty() {
-            return Err(Complaint::unsupported("arrays of samplers are not there", variable.name.origin));
-        }
-        for (member, sampler) in members {
-            self.declare_sampler(&sampler, &format!("{}_{member}", variable.name.text), variable.name.origin);
-        }
-        self.holders.insert(variable.name.text.to_string(), ty.to_owned());
-        Ok(())
-    }
-
-    pub(super) fn declare_sampler(&mut self, ty: &str, name: &str, origin: Origin) {
-        let (texture, sampler, binding) = (texture_type(ty), sampler_type(ty), self.bindings);
-        self.bindings += 2;
-        let text = format!(
-            "layout(set=0, binding={binding}) uniform {texture} {name}{TEXTURE_SUFFIX}; \
-             layout(set=0, binding={}) uniform {sampler} {name}{SAMPLER_SUFFIX};",
-            binding + 1
-        );
-        self.generated(&text, origin);
-        self.samplers.insert(name.to_owned(), ty.to_owned());
     }
 
     pub(super) fn structure(
@@ -193,7 +160,7 @@ impl Rewriter {
             let Some(ty) = member.ty.first() else { continue };
             for declarator in &member.declarators {
                 if is_sampler_type(&ty.text) {
-                    samplers.push((declarator.name.text.to_string(), ty.text.to_string()));
+                    samplers.push((declarator.clone(), ty.text.to_string()));
                     continue;
                 }
                 plain += 1;

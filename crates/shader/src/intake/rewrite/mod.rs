@@ -1,18 +1,22 @@
 //! Top-level items to what naga reads.
 
 mod bodies;
+mod circuit;
 mod declarations;
+mod effects;
 mod entry;
 mod legacy;
+mod loops;
 mod prelude;
 mod refused;
+mod samplers;
 mod sizes;
 mod writer;
 
 use std::collections::{HashMap, HashSet};
 
 use super::Complaint;
-use super::items::{Item, Reader};
+use super::items::{Declarator, Item, Reader};
 use super::nesting::check_nesting;
 use super::preprocess::Version;
 use super::source::{Map, Origin};
@@ -54,12 +58,20 @@ struct Rewriter {
     given: Given,
     /// Names of samplers → their types, of the whole text.
     samplers: HashMap<String, String>,
+    /// Arrays of samplers → how many there are.
+    sampler_arrays: HashMap<String, usize>,
     /// Structs → their members that are samplers, with their types.
-    struct_samplers: HashMap<String, Vec<(String, String)>>,
-    /// Uniforms that are structs with samplers → their structs.
-    holders: HashMap<String, String>,
+    struct_samplers: HashMap<String, Vec<(Declarator, String)>>,
+    /// Uniforms that are structs with samplers.
+    holders: HashMap<String, samplers::Holder>,
+    /// Whole constants of the text.
+    constants: HashMap<String, i64>,
     /// Names of functions that the text defines.
     functions: HashSet<String>,
+    /// Those whose call is more than its value.
+    effects: HashSet<String>,
+    /// Functions of GLSL's that gather texels and that functions of ours stand for.
+    gathers: HashSet<String>,
     used: HashSet<String>,
     bindings: u32,
 }
@@ -82,9 +94,13 @@ pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Resul
         out: Vec::new(),
         given: Given::default(),
         samplers: HashMap::new(),
+        sampler_arrays: HashMap::new(),
         struct_samplers: HashMap::new(),
         holders: HashMap::new(),
+        constants: samplers::constants(&items),
         functions: functions.collect(),
+        effects: effects::of_functions(&items),
+        gathers: HashSet::new(),
         used,
         bindings: 0,
     };
@@ -131,7 +147,7 @@ impl Rewriter {
     }
 
     /// Adds a declared name with array sizes and initial value.
-    fn declarator(&mut self, declarator: &super::items::Declarator) -> Result<(), Complaint> {
+    fn declarator(&mut self, declarator: &Declarator) -> Result<(), Complaint> {
         let name = self.safe_name(&declarator.name);
         self.out.push(Token { spaced: true, ..name });
         self.body(&declarator.dimensions, &HashMap::new())?;

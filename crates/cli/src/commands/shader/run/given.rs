@@ -7,6 +7,7 @@ use glanz_scene::read::{ReadOptions, read_texture};
 use glanz_shader::{Pictures, Program, TextureInfo, TexturePicture};
 
 use super::RunArgs;
+use crate::args::cube_faces;
 use crate::args::numbers;
 use crate::print::failure::{Failure, Report, without_number};
 
@@ -27,36 +28,51 @@ pub(super) fn pictures(args: &RunArgs, program: &Program) -> Result<Pictures, Fa
                 names.join("' or '")
             ))
         })?;
-        pictures[index] = Some(picture(file, &textures[index])?);
+        pictures[index] = Some(picture(&file.to_string_lossy(), &textures[index])?);
     }
     for (name, file) in &args.texture {
         let index = textures.iter().position(|own| own.name == *name).ok_or_else(|| {
             let hint = did_you_mean(name, textures.iter().map(|own| own.name.as_str()));
             Failure::Usage(format!("--texture: the shader looks into no texture '{name}'{hint}"))
         })?;
-        pictures[index] = Some(picture(Path::new(file), &textures[index])?);
+        pictures[index] = Some(picture(file, &textures[index])?);
     }
     Ok(Pictures(pictures))
 }
 
-fn picture(file: &Path, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
-    if texture.dimension != "2d" || texture.layered || texture.compared {
+fn picture(file: &str, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
+    let name = &texture.name;
+    if texture.layered || texture.compared || !matches!(texture.dimension, "2d" | "cube") {
         let message =
-            format!("a picture fills a sampler2D, and '{}' is another kind of texture", texture.name);
+            format!("a picture fills a sampler2D or a samplerCube, and '{name}' is another kind of texture");
         return Err(Failure::Usage(message));
     }
-    let could_not = |why: &str| {
-        Failure::from(Report::new(format_args!("cannot read '{}': {why}", file.display())).file(file))
-    };
+    if texture.dimension == "2d" {
+        return read(file);
+    }
+    let Some(faces) = cube_faces(file) else { return Ok(read(file)?.panorama()) };
+    let mut pictures = Vec::with_capacity(6);
+    for face in &faces {
+        pictures.push(read(face)?);
+    }
+    let cube = pictures.try_into().ok().and_then(TexturePicture::cube);
+    cube.ok_or_else(|| {
+        Failure::Usage(format!("the faces of the cube map '{name}' must be squares of one size"))
+    })
+}
+
+fn read(file: &str) -> Result<TexturePicture, Failure> {
+    let path = Path::new(file);
+    let could_not =
+        |why: &str| Failure::from(Report::new(format_args!("cannot read '{file}': {why}")).file(path));
     let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(file).map_err(io)?.len();
+    let length = std::fs::metadata(path).map_err(io)?.len();
     if length > MOST_BYTES {
         return Err(could_not(&format!("a picture of {length} bytes is more than {MOST_BYTES}")));
     }
-    let bytes = std::fs::read(file).map_err(io)?;
-    let name = file.display().to_string();
-    let texture = read_texture(&bytes, &name, &ReadOptions::default())
-        .map_err(|error| Failure::from(Report::new(error).file(file)))?;
+    let bytes = std::fs::read(path).map_err(io)?;
+    let texture = read_texture(&bytes, file, &ReadOptions::default())
+        .map_err(|error| Failure::from(Report::new(error).file(path)))?;
     Ok(TexturePicture::new(texture.width, texture.height, &texture.rgba))
 }
 

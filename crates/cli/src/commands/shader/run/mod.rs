@@ -80,7 +80,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "NAME=V[,V…]", value_parser = assignment, help_heading = "Program")]
     pub(super) uniform: Vec<(String, String)>,
 
-    /// A PNG or JPEG picture for the texture of this name; may be repeated
+    /// A PNG or JPEG picture for the texture of this name; of a samplerCube a panorama, six pictures between commas, or a
+    /// pattern of their names such as sky_*.png; may be repeated
     #[arg(long, value_name = "NAME=FILE", value_parser = assignment, help_heading = "Program")]
     pub(super) texture: Vec<(String, String)>,
 
