@@ -61,13 +61,14 @@ impl DevicesArgs {
 fn facts() -> Vec<DeviceFacts> {
     let gpus = glanz_gpu::devices();
     let of = |gpu: &glanz_gpu::DeviceInfo| {
-        let twins = gpus.iter().filter(|other| other.name == gpu.name).count();
+        let all = format!("{} {}", gpu.name, gpu.api);
+        let words = [gpu.api, &gpu.name, &all];
+        let is_unique = |words: &&&str| gpus.iter().filter(|other| other.matches(words)).count() == 1;
         DeviceFacts {
             name: gpu.name.clone(),
-            device: match (gpus.len(), twins) {
-                (1, _) => "gpu".to_owned(),
-                (_, 1) => format!("gpu:{}", gpu.name),
-                _ => format!("gpu:{} {}", gpu.name, gpu.api),
+            device: match gpus.len() {
+                1 => "gpu".to_owned(),
+                _ => format!("gpu:{}", words.iter().find(is_unique).unwrap_or(&all.as_str())),
             },
             api: Some(gpu.api),
             kind: gpu.kind.name(),

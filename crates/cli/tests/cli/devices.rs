@@ -42,7 +42,7 @@ fn every_device_that_is_listed_draws_programs() {
         assert!(run.stderr.contains("note: drawn by "), "{}", run.stderr);
         let run = folder.glanz(&["compare", "cpu.png", "gpu.png", "--format", "json"]);
         let document: Value = serde_json::from_slice(&run.stdout).unwrap();
-        let worst = document["de2000"]["max"].as_f64().unwrap();
+        let worst = document["metrics"]["de2000"]["max"].as_f64().unwrap();
         assert!(worst < 1.0, "{device}: {document}");
     }
 }

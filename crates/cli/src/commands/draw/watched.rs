@@ -1,14 +1,18 @@
 //! The files that a picture is made of, and whether they change.
 //!
-//! They are asked for their time and size a few times a second: that works on every file system, network folders
-//! included, and costs nothing that could be measured for the few files of a scene.
+//! The system tells when a file of their folders was written to its end. Where it does not, on network folders for
+//! instance, the files are asked for their time and size a few times a second, which costs nothing that could be measured.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::sleep;
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
-/// How often the files are looked at.
+use notify::event::{AccessKind, AccessMode, Event, EventKind, ModifyKind, RenameMode};
+use notify::{RecommendedWatcher, RecursiveMode, Watcher};
+
+/// How often the files are looked at without being told.
 const INTERVAL: Duration = Duration::from_millis(150);
 /// The most files of a model's folder that are looked at.
 const MOST_FILES: usize = 256;
@@ -24,16 +28,24 @@ pub(super) struct Watched<'a> {
     /// Files that the command line names, which may name more.
     more: &'a dyn Fn() -> Vec<PathBuf>,
     stamps: BTreeMap<PathBuf, Stamp>,
+    /// What tells of changes; none where the system cannot.
+    watcher: Option<RecommendedWatcher>,
+    events: Receiver<notify::Result<Event>>,
+    folders: BTreeSet<PathBuf>,
 }
 
 impl<'a> Watched<'a> {
     /// The files of `scene`, and `more`; `target` is the picture.
     pub(super) fn new(scene: &Path, target: Option<&Path>, more: &'a dyn Fn() -> Vec<PathBuf>) -> Self {
+        let (tell, events) = mpsc::channel();
         let mut watched = Self {
             scene: scene.to_owned(),
             target: target.map(Path::to_owned),
             more,
             stamps: BTreeMap::new(),
+            watcher: notify::recommended_watcher(tell).ok(),
+            events,
+            folders: BTreeSet::new(),
         };
         watched.look();
         watched
@@ -49,13 +61,44 @@ impl<'a> Watched<'a> {
         let files = files_of(&self.scene).into_iter().chain((self.more)());
         let is_other = |path: &PathBuf| self.target.as_ref() != Some(path);
         self.stamps = files.filter(is_other).map(|path| (path.clone(), stamp(&path))).collect();
+        for folder in self.stamps.keys().map(|path| parent(path).to_owned()).collect::<Vec<_>>() {
+            if let Some(watcher) = &mut self.watcher
+                && self.folders.insert(folder.clone())
+            {
+                // Folders that cannot be watched are asked.
+                let _ = watcher.watch(&folder, RecursiveMode::NonRecursive);
+            }
+        }
     }
 
     /// Waits until one of the files is another than when they were looked at, and is not being written any more.
     pub(super) fn wait(&self) {
-        while self.stamps.iter().all(|(path, before)| stamp(path) == *before) {
-            sleep(INTERVAL);
+        let mut asked = Instant::now();
+        loop {
+            match self.events.recv_timeout(INTERVAL) {
+                Ok(Ok(event)) if is_whole(&event) && self.is_changed() && stamp(&self.scene).is_some() => {
+                    return;
+                }
+                Err(RecvTimeoutError::Disconnected) => sleep(INTERVAL),
+                _ => {}
+            }
+            // What goes on beside the files must not keep them from being asked.
+            if asked.elapsed() >= INTERVAL {
+                if self.is_changed() {
+                    return self.settle();
+                }
+                asked = Instant::now();
+            }
         }
+    }
+
+    /// Whether one of the files is another than when they were looked at.
+    fn is_changed(&self) -> bool {
+        self.stamps.iter().any(|(path, before)| stamp(path) != *before)
+    }
+
+    /// Waits until no file changes any more.
+    fn settle(&self) {
         let now = || self.stamps.keys().map(|path| stamp(path)).collect::<Vec<_>>();
         let mut last = now();
         loop {
@@ -68,6 +111,20 @@ impl<'a> Watched<'a> {
             last = next;
         }
     }
+}
+
+/// Whether a file was written to its end, or put in its place as a whole.
+fn is_whole(event: &Event) -> bool {
+    matches!(
+        event.kind,
+        EventKind::Access(AccessKind::Close(AccessMode::Write))
+            | EventKind::Modify(ModifyKind::Name(RenameMode::To | RenameMode::Both))
+    )
+}
+
+/// The folder that a file is in.
+fn parent(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 fn stamp(path: &Path) -> Stamp {
@@ -106,8 +163,7 @@ fn names_files(path: &Path) -> bool {
 
 /// The files of the folder that a file is in.
 fn folder_of(path: &Path) -> Vec<PathBuf> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_FILES);
+    let entries = std::fs::read_dir(parent(path)).into_iter().flatten().flatten().take(MOST_FILES);
     entries.map(|entry| entry.path()).filter(|path| path.is_file()).collect()
 }
 
