@@ -17,7 +17,7 @@ pub(crate) use input::InputArgs;
 pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
 pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
-pub(crate) use program::ProgramArgs;
+pub(crate) use program::{ProgramArgs, cube_faces};
 pub(crate) use target::{Target, TargetArgs, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};
 
