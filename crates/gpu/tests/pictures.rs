@@ -78,12 +78,14 @@ fn all() -> Vec<Choice> {
 /// pixels differ by more than that at the borders of surfaces.
 fn compare(scene: &Scene, choice: &Choice) -> (u8, usize) {
     let shot = || Shot::new(scene).unwrap_or_else(|error| panic!("{error}"));
-    let cpu = shot().rgba8().unwrap();
-    let gpu = Gpu::open(choice).unwrap();
+    let cpu = shot().rgba8().expect("the CPU draws it");
+    let gpu = Gpu::open(choice).expect("it was listed");
     let gpu = shot().on(Box::new(gpu)).rgba8().unwrap_or_else(|error| panic!("{error}"));
     let (width, height) = (shot().view().width as usize, shot().view().height as usize);
-    let objects =
-        shot().frame_in_steps(Aovs { object: true, ..Aovs::default() }, &mut |_| ()).unwrap().object;
+    let objects = shot()
+        .frame_in_steps(Aovs { object: true, ..Aovs::default() }, &mut |_| ())
+        .expect("the CPU draws it")
+        .object;
     let at = |x: usize, y: usize| objects[y * width + x];
     let (mut most, mut beyond) = (0, 0);
     for y in 0..height {

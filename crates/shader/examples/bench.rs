@@ -1,5 +1,6 @@
 //! How many fragments in a second the lane machine makes of shaders, on one core: a line of JSON for each shader and SIMD
-//! level. With `--turn` one number, of the best level with 64 lanes, for a measurement in turn with others.
+//! level, and how long the trace of a block takes. A word that names no file is a default program, whose lights are five of
+//! all kinds. With `--turn` one number, of the best level with 64 lanes, for a measurement in turn with others.
 //!
 //!     cargo run --release -p glanz-shader --example bench -- [--turn] FILE…
 
@@ -9,7 +10,7 @@ use std::error::Error;
 use std::time::Instant;
 
 use glanz_math::SimdLevel;
-use glanz_shader::{Machine, NoTextures, Program, Row, Shader, UniformValues};
+use glanz_shader::{DefaultProgram, Machine, NoTextures, Program, Row, Shader, Stage, UniformValues};
 
 /// Fragments of one measurement, and measurements, of which the median counts.
 const FRAGMENTS: usize = 1 << 20;
@@ -51,13 +52,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     let is_turn = files.first().is_some_and(|word| word == "--turn");
     files.drain(..usize::from(is_turn));
     for file in files {
-        let program = Shader::fragment(std::fs::read_to_string(&file)?).named(&file).compile()?;
+        let text = match DefaultProgram::named(&file) {
+            Some(own) => own.text(Stage::Fragment),
+            None => std::fs::read_to_string(&file)?,
+        };
+        let shader = Shader::fragment(text).named(&file);
+        let program = shader.compile()?;
         let uniforms = uniforms(&program)?;
         if is_turn {
             println!("{}", speed!(4, &program, &uniforms, SimdLevel::best()));
             continue;
         }
         let name = file.rsplit('/').next().unwrap_or(&file);
+        let micros = trace(&shader.clone().traced().compile()?, &uniforms);
+        println!(
+            "{{\"table\":\"X-ray of a block of 16 fragments, one core\",\"name\":\"{name}\",\"µs\":{micros:.1}}}"
+        );
         for (level, simd) in SimdLevel::available() {
             let (narrow, wide) = (speed!(1, &program, &uniforms, simd), speed!(4, &program, &uniforms, simd));
             println!(
@@ -74,12 +84,48 @@ fn values(seed: usize) -> Row {
     Row(std::array::from_fn(|lane| ((seed * 7 + lane * 5) % 17) as f32 * 0.1 - 0.6))
 }
 
+/// Microseconds of the trace of a block: what happened at every line, for all 16 lanes.
+fn trace(program: &Program, uniforms: &UniformValues) -> f64 {
+    let mut machine = Machine::<1>::new(program, uniforms, &NoTextures, SimdLevel::best());
+    let mut times = Vec::new();
+    for _ in 0..101 {
+        for (i, port) in program.interface().inputs.iter().enumerate() {
+            (0..port.ty.scalars()).for_each(|k| machine.input(i, k)[0] = values(i + k));
+        }
+        let start = Instant::now();
+        std::hint::black_box(machine.trace());
+        times.push(start.elapsed().as_secs_f64() * 1e6);
+    }
+    times.sort_by(f64::total_cmp);
+    times[50]
+}
+
 /// All lights on; the same numbers as `xtask/peers/shaders.py` sets.
 fn uniforms(program: &Program) -> Result<UniformValues, Box<dyn Error>> {
     let mut uniforms = program.uniforms();
     for uniform in &program.interface().uniforms {
-        let value = if uniform.name == "nLights" { 3.0 } else { 0.5 };
-        uniforms.set(&uniform.name, &vec![value; uniform.ty.scalars()])?;
+        let value = match uniform.name.as_str() {
+            "nLights" => 3.0,
+            "lights.nbrLights" => 5.0,
+            _ => 0.5,
+        };
+        let mut values = vec![value; uniform.ty.scalars()];
+        // Of a default program's lights one is directional, two are points and two are spots.
+        if let Some((number, member)) = light(&uniform.name) {
+            match member {
+                "posDir" => values[3] = if number == 0 { 0.0 } else { 1.0 },
+                "spotCutoff" => values[0] = if number < 3 { 180.0 } else { 60.0 },
+                "spotDirection" => values = vec![-0.6, 0.0, -0.8],
+                _ => {}
+            }
+        }
+        uniforms.set(&uniform.name, &values)?;
     }
     Ok(uniforms)
+}
+
+/// Number and member of `lights.source[2].posDir`.
+fn light(name: &str) -> Option<(usize, &str)> {
+    let (number, member) = name.strip_prefix("lights.source[")?.split_once("].")?;
+    Some((number.parse().ok()?, member))
 }

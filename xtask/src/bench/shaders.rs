@@ -10,10 +10,13 @@ use crate::workspace::{Workspace, run};
 const FILES: [&str; 2] =
     ["crates/shader/tests/shader/texts/specular.frag", "crates/shader/tests/shader/texts/loops.frag"];
 
+/// The course's program with a loop over all kinds of lights in its fragment stage.
+const COURSE: &str = "phong-330";
+
 /// Every SIMD level, 16 and 64 lanes.
 pub(super) fn run_all(workspace: &Workspace) -> Result<Vec<Value>> {
     let mut cargo = workspace.cargo("run --release --quiet --package glanz-shader --example bench --");
-    measured(cargo.args(FILES))
+    measured(cargo.args(FILES).arg(COURSE))
 }
 
 /// The best level and llvmpipe, alternating in one run.

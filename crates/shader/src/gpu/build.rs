@@ -11,6 +11,9 @@ use crate::ShaderError;
 
 type Value = Handle<Expression>;
 
+/// Gives the next scalar, vector or matrix of a type.
+pub(super) type Leaf<'a> = dyn FnMut(&mut Build, Handle<Type>) -> Result<Value, ShaderError> + 'a;
+
 /// A function in the making, in its module.
 pub(super) struct Build {
     pub(super) module: Module,
@@ -120,11 +123,11 @@ impl Build {
         let row = self.member(block, word / 4);
         let place = self.member(row, word % 4);
         let bits = self.load(place);
-        self.from_bits(bits, scalar.kind)
+        self.meant_by(bits, scalar.kind)
     }
 
     /// Bits of a word, or a vector of them, as what they mean; truth values are not 0.
-    pub(super) fn from_bits(&mut self, bits: Value, kind: ScalarKind) -> Value {
+    pub(super) fn meant_by(&mut self, bits: Value, kind: ScalarKind) -> Value {
         match kind {
             ScalarKind::Uint => bits,
             ScalarKind::Bool => {
@@ -136,11 +139,7 @@ impl Build {
     }
 
     /// A value of a type out of its scalars, vectors and matrices, which `leaf` gives in their order.
-    pub(super) fn out_of(
-        &mut self,
-        ty: Handle<Type>,
-        leaf: &mut dyn FnMut(&mut Self, Handle<Type>) -> Result<Value, ShaderError>,
-    ) -> Result<Value, ShaderError> {
+    pub(super) fn out_of(&mut self, ty: Handle<Type>, leaf: &mut Leaf<'_>) -> Result<Value, ShaderError> {
         let parts: Vec<Handle<Type>> = match &self.module.types[ty].inner {
             TypeInner::Struct { members, .. } => members.iter().map(|member| member.ty).collect(),
             TypeInner::Array { base, size, .. } => vec![*base; count(*size)?],

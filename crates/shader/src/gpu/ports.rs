@@ -133,7 +133,7 @@ impl Build {
     /// What is carried as what it means.
     fn truth(&mut self, value: Value, columns: Columns) -> Result<Value, ShaderError> {
         match (columns.scalar.kind, columns.rows) {
-            (ScalarKind::Bool, 1) => Ok(self.from_bits(value, ScalarKind::Bool)),
+            (ScalarKind::Bool, 1) => Ok(self.meant_by(value, ScalarKind::Bool)),
             (ScalarKind::Bool, _) => {
                 let ty = columns.column(self, Scalar::U32);
                 let zero = self.zero(ty);

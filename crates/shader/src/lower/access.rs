@@ -38,6 +38,12 @@ impl Lowering<'_> {
         dynamic: Option<Reg>,
         span: Span,
     ) -> Result<Item, Refused> {
+        if let Some(known) = dynamic.and_then(|r| self.constant_word(r))
+            && (known as usize) < self.part(inner, 0).count
+        {
+            self.indexed = true;
+            return self.access(item, inner, known as usize, None, span);
+        }
         let part = self.part(inner, index);
         if dynamic.is_some() && part.count == 0 {
             return Err(Refused::new("arrays whose length only the host knows are not there", span));

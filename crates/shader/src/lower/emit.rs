@@ -78,7 +78,34 @@ impl Lowering<'_> {
         let r = self.fresh(1);
         self.push(true, VirtualOp { n: 1, d: r[0], ..VirtualOp::plain(Code::Imm, word) });
         self.state.known.insert(key, r.clone());
+        self.state.constants.insert(r[0], word);
         r[0]
+    }
+
+    /// The word of a register, if it is known.
+    pub(super) fn constant_word(&self, r: Reg) -> Option<u32> {
+        self.state.constants.get(&r).copied()
+    }
+
+    /// What is known of counters, so that loops over lights need not run to be known.
+    fn folded(&mut self, code: Code, args: &[&[Reg]]) -> Option<Reg> {
+        let [[a], [b]] = args else { return None };
+        let (a, b) = (self.constant_word(*a)?, self.constant_word(*b)?);
+        let (x, y) = (a as i32, b as i32);
+        let truth = |is: bool| if is { u32::MAX } else { 0 };
+        let word = match code {
+            Code::IAdd => a.wrapping_add(b),
+            Code::ISub => a.wrapping_sub(b),
+            Code::IMul => a.wrapping_mul(b),
+            Code::ILt => truth(x < y),
+            Code::ILe => truth(x <= y),
+            Code::IGt => truth(x > y),
+            Code::IGe => truth(x >= y),
+            Code::IEq => truth(x == y),
+            Code::INe => truth(x != y),
+            _ => return None,
+        };
+        Some(self.word(word))
     }
 
     pub(super) fn float(&mut self, x: f32) -> Vec<Reg> {
@@ -118,6 +145,11 @@ impl Lowering<'_> {
 
     /// `n` results, component by component, from operands of 1 or `n` registers.
     pub(super) fn op(&mut self, code: Code, n: usize, args: &[&[Reg]]) -> Vec<Reg> {
+        if n == 1
+            && let Some(known) = self.folded(code, args)
+        {
+            return vec![known];
+        }
         let packed: Vec<Vec<Reg>> = args
             .iter()
             .map(|r| {

@@ -106,6 +106,9 @@ impl<'a> Lowering<'a> {
     ) -> Result<(), Refused> {
         let c = self.value(frame, condition)?[0];
         self.note_branch(frame.function.expressions.get_span(condition), c);
+        if let Some(known) = self.constant_word(c) {
+            return self.block(frame, if known == 0 { reject } else { accept });
+        }
         if self.mask.is_none() && self.state.even[c as usize] && self.stays(frame, accept, reject) {
             return self.even_if(frame, c, accept, reject);
         }
@@ -178,7 +181,7 @@ impl<'a> Lowering<'a> {
             self.apart |= cases.iter().any(|case| has_continue(&case.body));
         }
         let outer = self.mask;
-        self.enclosing.push(Enclosing { broken, continued, together: None });
+        self.enclosing.push(Enclosing { broken, continued, together: None, exits: vec![] });
         let (matches, default) = self.matches(&selected, cases);
         let mut falls: Option<Reg> = None;
         for (case, m) in cases.iter().zip(matches) {
@@ -232,6 +235,8 @@ impl<'a> Lowering<'a> {
             return Ok(());
         }
         self.apart |= masked;
+        let exits = self.enclosing.last().map(|l| l.exits.clone()).unwrap_or_default();
+        self.leave_by(&exits);
         let jump = self.jump(Code::Jump, 0);
         if let Some((breaks, nexts)) = self.enclosing.last_mut().and_then(|l| l.together.as_mut()) {
             if continues { nexts.push(jump) } else { breaks.push(jump) }
@@ -242,7 +247,7 @@ impl<'a> Lowering<'a> {
 }
 
 /// Whether a `continue` of the loop around stands in a block.
-fn has_continue(block: &Block) -> bool {
+pub(super) fn has_continue(block: &Block) -> bool {
     block.iter().any(|statement| match statement {
         naga::Statement::Continue => true,
         naga::Statement::Loop { .. } => false,

@@ -22,7 +22,7 @@ pub(super) struct Parts<'a> {
 
 impl<'a> Lowering<'a> {
     pub(super) fn repeat(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<(), Refused> {
-        if self.together(frame, parts)? {
+        if self.unrolled(frame, parts)? || self.together(frame, parts)? {
             return Ok(());
         }
         self.masked_loop(frame, parts)
@@ -38,7 +38,7 @@ impl<'a> Lowering<'a> {
     /// Lanes leave one by one: masks of those that live, have broken out and go on with the next turn.
     fn masked_loop(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<(), Refused> {
         let (broken, continued) = (self.no_lanes(), self.no_lanes());
-        self.enclosing.push(Enclosing { broken, continued, together: None });
+        self.enclosing.push(Enclosing { broken, continued, together: None, exits: vec![] });
         let outer = self.mask;
         let all = self.word(u32::MAX);
         let live = self.variable("", vec![outer.unwrap_or(all)]);
@@ -75,7 +75,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// A loop that all lanes run and leave together, without masks; `false` where they do not.
-    fn together(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<bool, Refused> {
+    pub(super) fn together(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<bool, Refused> {
         let mut vars = BTreeSet::new();
         self.changed(frame, parts.body, &mut vars);
         self.changed(frame, parts.continuing, &mut vars);
@@ -121,6 +121,7 @@ impl<'a> Lowering<'a> {
             broken: unused,
             continued: unused,
             together: Some((vec![], vec![])),
+            exits: vec![],
         });
         let start = self.count_turn(parts.span);
         self.block(frame, parts.body)?;

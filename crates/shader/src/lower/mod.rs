@@ -20,6 +20,7 @@ mod pool;
 mod statements;
 mod textures;
 mod types;
+mod unroll;
 mod uses;
 mod variables;
 
@@ -42,11 +43,18 @@ pub(crate) type Reg = u32;
 pub(crate) struct Refused {
     pub(crate) message: String,
     pub(crate) span: Span,
+    /// Whether it is only too much at a time.
+    lacks_registers: bool,
 }
 
 impl Refused {
     fn new(message: impl Into<String>, span: Span) -> Self {
-        Self { message: message.into(), span }
+        Self { message: message.into(), span, lacks_registers: false }
+    }
+
+    fn for_lack_of_registers() -> Self {
+        let message = format!("the shader needs more than {} numbers at a time", crate::machine::ROWS);
+        Self { lacks_registers: true, ..Self::new(message, Span::UNDEFINED) }
     }
 }
 
@@ -159,6 +167,8 @@ struct Enclosing {
     continued: usize,
     /// Jumps to the end and to the continuing block, where all lanes go together.
     together: Option<(Vec<usize>, Vec<usize>)>,
+    /// Where variables must be where the loop is left, if its turns are written out.
+    exits: Vec<(usize, Vec<Reg>)>,
 }
 
 /// Of an instruction of the prologue: code, constant, operands, components, strides.
@@ -176,6 +186,8 @@ struct State {
     /// The same in all lanes.
     even: Vec<bool>,
     known: HashMap<Key, Vec<Reg>>,
+    /// Registers whose word is known here.
+    constants: HashMap<Reg, u32>,
     variables: Vec<Variable>,
     loops: Vec<(usize, usize)>,
     counts: Vec<(usize, Span)>,
@@ -211,6 +223,10 @@ struct Lowering<'a> {
     work: usize,
     depth: usize,
     trace: bool,
+    /// How many turns of loops are written out.
+    turns: usize,
+    /// Whether something was picked by an index that is known here.
+    indexed: bool,
     layout: Layout,
     /// Words of constants that lie in the memory of the uniforms → the first of them there.
     pool: HashMap<Vec<u32>, usize>,
@@ -223,6 +239,23 @@ pub(crate) fn lower(
     stage: Stage,
     roles: &dyn Fn(&str) -> Option<Purpose>,
     trace: bool,
+) -> Result<Lowered, Refused> {
+    // Loops that are written out may need more registers than there are.
+    for turns in unroll::TURNS {
+        match lower_with(module, info, stage, roles, (trace, turns)) {
+            Err(refused) if refused.lacks_registers => {}
+            done => return done,
+        }
+    }
+    lower_with(module, info, stage, roles, (trace, 0))
+}
+
+fn lower_with(
+    module: &Module,
+    info: &ModuleInfo,
+    stage: Stage,
+    roles: &dyn Fn(&str) -> Option<Purpose>,
+    (trace, turns): (bool, usize),
 ) -> Result<Lowered, Refused> {
     let lowering = Lowering {
         module,
@@ -242,6 +275,8 @@ pub(crate) fn lower(
         work: 0,
         depth: 0,
         trace,
+        turns,
+        indexed: false,
         layout: Layout::default(),
         pool: HashMap::new(),
     };

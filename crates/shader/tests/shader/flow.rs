@@ -226,3 +226,67 @@ fn sixty_four_lanes_give_the_bits_of_four_times_sixteen() {
         }
     }
 }
+
+/// Loops over elements of uniforms and arrays, which are written out as far as their turns are known.
+const INDEXED: &str = "#version 330
+in float x; in float y; out vec4 c;
+struct Light { vec3 color; float power; bool on; };
+uniform Light lights[6]; uniform int count; uniform int first; uniform float steps[20];
+const float table[4] = float[4](0.5, 0.25, 2.0, 1.0);
+float look(int i, float at) { if (at < 0.2) return lights[i].power; return lights[i].power * at + table[i % 4]; }
+void main() {
+    vec3 sum = vec3(0.0);
+    int last = -1;
+    for (int i = first; i < count; i++) {
+        if (!lights[i].on) { if (lights[i].power > 3.0) break; sum.x += 0.5; }
+        for (int k = 0; k < 3; k++) { sum += lights[i].color * look(i, x + float(k)); if (steps[k] > 1.5) break; }
+        float own[3] = float[3](x, y, 1.0);
+        for (int k = 2; k >= 0; k--) own[k] += steps[i + k];
+        sum.y += own[0] * own[2];
+        last = i;
+    }
+    int at = 0;
+    for (int i = 0; i < 20; i++) { if (steps[i] > sum.x) at = i; }
+    c = vec4(sum, float(last) + 100.0 * float(at));
+}";
+
+/// The same program as a trace runs it: loops are loops there.
+#[test]
+fn loops_that_are_written_out_give_the_same_bits_as_loops() {
+    let shader = glanz_shader::Shader::fragment(INDEXED);
+    let [plain, looped] = [shader.clone(), shader.traced()].map(|shader| shader.compile().unwrap());
+    let results = |program: &Program, count: i32, first: i32, seed: usize| {
+        let mut uniforms = program.uniforms();
+        for uniform in &program.interface().uniforms {
+            let of = |k: usize| ((uniform.name.len() * 7 + k * 5 + seed * 3) % 11) as f32 * 0.4;
+            let values: Vec<f32> = match uniform.name.as_str() {
+                "count" => vec![count as f32],
+                "first" => vec![first as f32],
+                name => {
+                    let digits = name.bytes().map(usize::from).sum::<usize>();
+                    (0..uniform.ty.scalars())
+                        .map(|k| if name.ends_with("on") { of(digits) - 1.3 } else { of(digits + k) })
+                        .map(|v| v.max(0.0))
+                        .collect()
+                }
+            };
+            uniforms.set(&uniform.name, &values).unwrap();
+        }
+        let mut machine = Machine::<1>::new(program, &uniforms, &NoTextures, SimdLevel::best());
+        for port in 0..2 {
+            machine.input(port, 0)[0] =
+                Row(std::array::from_fn(|lane| (lane * (port + 2)) as f32 * 0.07 - 0.3));
+        }
+        machine.run().unwrap();
+        (0..4).flat_map(|k| machine.output(0, k)[0].0.map(f32::to_bits)).collect::<Vec<_>>()
+    };
+    assert!(plain.size().0 > looped.size().0, "it is written out: {:?} {:?}", plain.size(), looped.size());
+    for count in -1..9 {
+        for first in 0..3 {
+            for seed in 0..4 {
+                let (a, b) = (results(&plain, count, first, seed), results(&looped, count, first, seed));
+                assert_eq!(a, b, "from {first} to {count}, {seed}");
+            }
+        }
+    }
+}

@@ -265,14 +265,15 @@ fn long_constant_arrays_need_no_registers() {
         let program = fragment(&with_many_lights(count));
         assert!(program.size().2 < 120, "{count} lights take {} registers", program.size().2);
         let got = outputs(&program, &|_, _, lane| lane as f32);
-        for k in 0..16 {
+        let lanes = |k: usize| [0, 1, 2, 3].map(|c: usize| got[c][k]);
+        for (k, values) in (0..16).map(lanes).enumerate() {
             let mut expected = [-2.0 * (k as f32 + 0.25); 4];
             for i in k..k + count - 16 {
                 let z = if k % 2 == 0 { 0.5 } else { -(i as f32 + 0.25) };
                 let light = [i as f32, i as f32 + 0.5, z, i as f32];
                 expected.iter_mut().zip(light).for_each(|(sum, value)| *sum += value);
             }
-            assert_eq!([0, 1, 2, 3].map(|c| got[c][k]), expected, "{count} lights, lane {k}");
+            assert_eq!(values, expected, "{count} lights, lane {k}");
         }
     }
 }

@@ -37,7 +37,7 @@ fn a_cube_map_is_a_panorama_six_files_or_a_pattern() {
     assert_eq!(reds(list), faces);
     // It can be written, and the names of its textures read again.
     let scene = read(list).expect("it is right").scene;
-    let written = crate::file::write(&scene, "data").expect("it can be written");
+    let written = write(&scene, "data").expect("it can be written");
     assert!(written.text.contains("sky = [\""), "{}", written.text);
 }
 

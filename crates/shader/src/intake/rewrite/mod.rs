@@ -1,6 +1,7 @@
 //! Top-level items to what naga reads.
 
 mod bodies;
+mod choices;
 mod circuit;
 mod declarations;
 mod effects;

@@ -1,11 +1,11 @@
 //! Samplers in arrays and structs: each becomes one of its own, under the name that OpenGL has for it, `maps[1]` or
 //! `material.diffuse`.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::Rewriter;
 use super::bodies::{sampler_type, texture_type};
-use super::circuit::{group, has_effect};
+use super::circuit::group;
 use crate::intake::items::{Declarator, Item};
 use crate::intake::source::Origin;
 use crate::intake::token::{Kind, Token};
@@ -15,20 +15,17 @@ use crate::lower::Purpose;
 /// Elements of an array of samplers.
 const MOST_ELEMENTS: usize = 64;
 
-/// Tokens of a function in which indices that are no constants are written out.
-const MOST_TOKENS: usize = 100_000;
-
 /// A uniform that is a struct with samplers, or an array of such.
 #[derive(Clone, Debug)]
 pub(super) struct Holder {
     /// Its struct.
     structure: String,
     /// How many there are, if it is an array.
-    count: Option<usize>,
+    pub(super) count: Option<usize>,
 }
 
 /// A sampler that the text names.
-struct Named {
+pub(super) struct Named {
     /// Its name in OpenGL.
     path: String,
     ty: String,
@@ -37,7 +34,7 @@ struct Named {
 }
 
 /// What a name with what is behind it says.
-enum Found {
+pub(super) enum Found {
     Nothing,
     Sampler(Named),
     /// An index, from the first token to the last, that is no constant, and how many elements there are.
@@ -46,6 +43,27 @@ enum Found {
         to: usize,
         count: usize,
     },
+}
+
+/// A sampler's name as far as it is read.
+struct Path {
+    text: String,
+    taken: usize,
+    dynamic: Option<Found>,
+}
+
+impl Path {
+    /// Takes an index among `count`, if one comes next; one that is no constant stands for 0.
+    fn take_index(&mut self, behind: &[Token], count: usize, constants: &HashMap<String, i64>) {
+        let Some(inside) = index(&behind[self.taken..]) else { return };
+        let number = whole_number(inside, constants).filter(|i| (0..count as i64).contains(i));
+        if number.is_none() && self.dynamic.is_none() {
+            let (from, to) = (self.taken, self.taken + inside.len() + 1);
+            self.dynamic = Some(Found::Dynamic { from, to, count });
+        }
+        self.text = format!("{}[{}]", self.text, number.unwrap_or(0));
+        self.taken += inside.len() + 2;
+    }
 }
 
 /// Whole constants of the text, by name.
@@ -172,47 +190,42 @@ impl Rewriter {
     }
 
     /// The sampler that a name with the tokens behind it says. `local`: those among the function's parameters.
-    fn find_sampler(&self, token: &Token, behind: &[Token], local: &HashMap<String, String>) -> Found {
+    pub(super) fn find_sampler(
+        &self,
+        token: &Token,
+        behind: &[Token],
+        local: &HashMap<String, String>,
+    ) -> Found {
         if let Some(ty) = local.get(&*token.text) {
             return Found::Sampler(Named { path: token.text.to_string(), ty: ty.clone(), taken: 0 });
         }
-        let (mut path, mut at) = (token.text.to_string(), 0);
-        let holder = self.holders.get(&path);
-        let is_known =
-            holder.is_some() || self.sampler_arrays.contains_key(&path) || self.samplers.contains_key(&path);
-        if !is_known {
+        let mut path = Path { text: token.text.to_string(), taken: 0, dynamic: None };
+        let holder = self.holders.get(&path.text);
+        let is_sampler =
+            self.sampler_arrays.contains_key(&path.text) || self.samplers.contains_key(&path.text);
+        if holder.is_none() && !is_sampler {
             return Found::Nothing;
         }
-        let mut dynamic = None;
-        let mut take_index = |path: &mut String, at: &mut usize, count: usize| {
-            let Some(inside) = index(&behind[*at..]) else { return };
-            let number = whole_number(inside, &self.constants).filter(|i| (0..count as i64).contains(i));
-            if number.is_none() && dynamic.is_none() {
-                dynamic = Some(Found::Dynamic { from: *at, to: *at + inside.len() + 1, count });
-            }
-            *path = format!("{path}[{}]", number.unwrap_or(0));
-            *at += inside.len() + 2;
-        };
         if let Some(holder) = holder {
             if let Some(count) = holder.count {
-                take_index(&mut path, &mut at, count);
+                path.take_index(behind, count, &self.constants);
             }
-            let [dot, member, ..] = &behind[at..] else { return Found::Nothing };
-            let samplers = self.struct_samplers.get(&holder.structure);
+            let [dot, member, ..] = &behind[path.taken..] else { return Found::Nothing };
+            let members = self.struct_samplers.get(&holder.structure);
             let is_sampler =
-                samplers.is_some_and(|all| all.iter().any(|(own, _)| own.name.text == member.text));
+                members.is_some_and(|all| all.iter().any(|(own, _)| own.name.text == member.text));
             if !dot.is(".") || !is_sampler {
                 return Found::Nothing;
             }
-            path = format!("{path}.{}", member.text);
-            at += 2;
+            path.text = format!("{}.{}", path.text, member.text);
+            path.taken += 2;
         }
-        if let Some(count) = self.sampler_arrays.get(&path) {
-            take_index(&mut path, &mut at, *count);
+        if let Some(count) = self.sampler_arrays.get(&path.text) {
+            path.take_index(behind, *count, &self.constants);
         }
-        match (dynamic, self.samplers.get(&path)) {
+        match (path.dynamic, self.samplers.get(&path.text)) {
             (Some(dynamic), _) => dynamic,
-            (None, Some(ty)) => Found::Sampler(Named { path, ty: ty.clone(), taken: at }),
+            (None, Some(ty)) => Found::Sampler(Named { path: path.text, ty: ty.clone(), taken: path.taken }),
             (None, None) => Found::Nothing,
         }
     }
@@ -236,104 +249,6 @@ impl Rewriter {
         let halves = format!("{name}{TEXTURE_SUFFIX}, {name}{SAMPLER_SUFFIX}");
         Some((if to_function { halves } else { format!("{ty}({halves})") }, taken))
     }
-
-    /// The tokens of a function's body, in which calls with samplers of indices that are no constants are written out for
-    /// each: `texture(maps[i], uv)` becomes `(i == 0 ? texture(maps[0], uv) : texture(maps[1], uv))`. `None` where there
-    /// are none.
-    pub(super) fn written_out(&self, body: &[Token]) -> Result<Option<Vec<Token>>, Complaint> {
-        if self.sampler_arrays.is_empty() && self.holders.values().all(|holder| holder.count.is_none()) {
-            return Ok(None);
-        }
-        let (mut tokens, mut at, mut is_changed) = (body.to_vec(), 0, false);
-        while let Some(token) = tokens.get(at) {
-            let is_member = at > 0 && tokens[at - 1].is(".");
-            if !token.is_identifier() || is_member {
-                at += 1;
-                continue;
-            }
-            let is_whole = self.sampler_arrays.contains_key(&*token.text)
-                && !tokens.get(at + 1).is_some_and(|t| t.is("["));
-            if is_whole {
-                let message =
-                    format!("'{0}' is an array of samplers, of which one is needed here: {0}[0]", token.text);
-                return Err(Complaint::unsupported(message, token.origin));
-            }
-            let Found::Dynamic { from, to, count } =
-                self.find_sampler(token, &tokens[at + 1..], &HashMap::new())
-            else {
-                at += 1;
-                continue;
-            };
-            let (start, new) = choice(&tokens, at, [at + 1 + from, at + 1 + to], count, &self.effects)?;
-            let end = start + group(&tokens[start + 1..]).unwrap_or(0) + 1;
-            tokens.splice(start..end, new);
-            // The call may have more of them, and so may the index.
-            (at, is_changed) = (start, true);
-            if tokens.len() > MOST_TOKENS {
-                let message = "too many samplers are chosen by indices: write constants";
-                return Err(Complaint::unsupported(message, tokens[at].origin));
-            }
-        }
-        Ok(is_changed.then_some(tokens))
-    }
-}
-
-/// Where the call begins whose argument at `at` has a sampler by the index `[`…`]`, and what stands for it.
-fn choice(
-    tokens: &[Token],
-    at: usize,
-    [open, close]: [usize; 2],
-    count: usize,
-    effects: &HashSet<String>,
-) -> Result<(usize, Vec<Token>), Complaint> {
-    let name = &tokens[at];
-    let refused = |why: &str| {
-        let message = format!(
-            "'{0}' is an array of samplers, whose index must be a constant here, such as {0}[1]{why}",
-            name.text
-        );
-        Err(Complaint::unsupported(message, name.origin))
-    };
-    let is_argument = at > 1 && (tokens[at - 1].is("(") || tokens[at - 1].is(","));
-    let Some(start) = call_around(tokens, at).filter(|_| is_argument) else { return refused("") };
-    let Some(length) = group(&tokens[start + 1..]) else { return refused("") };
-    let call = &tokens[start..start + 1 + length];
-    if has_effect(call, effects) {
-        return refused(": the call does more than give a value, so it cannot be written out for each");
-    }
-    let generated = |text: &str| Token { spaced: true, first: false, ..name.renamed(text) };
-    let mut out = vec![generated("(")];
-    for i in 0..count {
-        if i + 1 < count {
-            out.push(generated("int("));
-            out.extend_from_slice(&tokens[open + 1..close]);
-            out.push(generated(&format!(") == {i} ?")));
-        }
-        out.extend_from_slice(&tokens[start..=open]);
-        out.push(Token { kind: Kind::Number, ..generated(&i.to_string()) });
-        out.extend_from_slice(&tokens[close..start + 1 + length]);
-        out.push(generated(if i + 1 < count { ":" } else { ")" }));
-    }
-    Ok((start, out))
-}
-
-/// The name of the function in whose parentheses a token stands.
-fn call_around(tokens: &[Token], at: usize) -> Option<usize> {
-    let mut depth = 0usize;
-    for i in (1..at).rev() {
-        match &*tokens[i].text {
-            ")" | "]" => depth += 1,
-            "(" | "[" if depth > 0 => depth -= 1,
-            "(" => {
-                let name = &tokens[i - 1];
-                let is_word = matches!(&*name.text, "if" | "for" | "while" | "switch" | "return");
-                return (name.is_identifier() && !is_word).then_some(i - 1);
-            }
-            ";" | "{" | "}" | "[" => return None,
-            _ => {}
-        }
-    }
-    None
 }
 
 /// The name of the variable of a sampler.

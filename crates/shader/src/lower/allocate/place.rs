@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use naga::Span;
-
 use crate::lower::{Lowering, Refused, Reg};
 use crate::machine::ROWS;
 
@@ -27,10 +25,7 @@ impl Lowering<'_> {
         for (runs_each_time, from, g, to) in order {
             let n = self.state.groups[g as usize].1 as usize;
             let Some(at) = first_fit(&free_from, n, from) else {
-                return Err(Refused::new(
-                    format!("the shader needs more than {ROWS} numbers at a time"),
-                    Span::UNDEFINED,
-                ));
+                return Err(Refused::for_lack_of_registers());
             };
             free_from[at..at + n].fill(if runs_each_time { to + 1 } else { usize::MAX });
             high = high.max(at + n);

@@ -7,8 +7,7 @@ use glanz_scene::read::{ReadOptions, read_texture};
 use glanz_shader::{Pictures, Program, TextureInfo, TexturePicture};
 
 use super::RunArgs;
-use crate::args::cube_faces;
-use crate::args::numbers;
+use crate::args::{cube_faces, numbers};
 use crate::print::failure::{Failure, Report, without_number};
 
 /// A file of a picture is no longer than this.
