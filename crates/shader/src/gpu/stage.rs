@@ -9,7 +9,7 @@ use super::build::Build;
 use super::ports::{Columns, location};
 use super::{ENTRY, GpuAttribute, GpuBinding, refused};
 use crate::intake::{SAMPLER_SUFFIX, TEXTURE_SUFFIX};
-use crate::lower::Purpose;
+use crate::lower::{Purpose, is_stand_in};
 use crate::{Interpolation, Pair, Port, Program, ShaderError, Stage, ValueType};
 
 type Value = Handle<Expression>;
@@ -84,6 +84,9 @@ impl Wrapped {
 impl<'a> Wrapper<'a> {
     fn new(pair: &'a Pair, program: &'a Program) -> Result<Self, ShaderError> {
         let mut module = (*program.kept.module).clone();
+        if module.functions.iter().any(|(_, own)| own.name.as_deref().is_some_and(is_stand_in)) {
+            return Err(refused("textureGather is not there on the GPU"));
+        }
         let inner = inner(&mut module)?;
         let group = u32::from(program.stage() == Stage::Fragment);
         let (bindings, blocks) = rebind(&mut module, program, group)?;

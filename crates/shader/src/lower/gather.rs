@@ -30,11 +30,8 @@ impl Lowering<'_> {
         arguments: &[Item],
         span: Span,
     ) -> Result<Option<Vec<Reg>>, Refused> {
-        let has_offset = match function.name.as_deref() {
-            Some("glanz_textureGather") => false,
-            Some("glanz_textureGatherOffset") => true,
-            _ => return Ok(None),
-        };
+        let Some(name) = function.name.as_deref().filter(|name| is_stand_in(name)) else { return Ok(None) };
+        let has_offset = name.ends_with("Offset");
         let [Item::Texture(texture), Item::Nothing, Item::Value(coordinates), rest @ ..] = arguments else {
             return Ok(None);
         };
@@ -54,4 +51,9 @@ impl Lowering<'_> {
         };
         Ok(Some(self.look(look, 4, false)))
     }
+}
+
+/// Whether a function stands for one that the front end lacks; its body is of no meaning.
+pub(crate) fn is_stand_in(name: &str) -> bool {
+    matches!(name, "glanz_textureGather" | "glanz_textureGatherOffset")
 }

@@ -31,6 +31,7 @@ use naga::{Expression, Function, Handle, Module, Span};
 
 use crate::Stage;
 use crate::machine::{Code, Look, Op};
+pub(crate) use gather::is_stand_in;
 pub use layout::TextureInfo;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
 pub(crate) use uses::inner_blocks;
