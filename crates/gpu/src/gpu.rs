@@ -1,13 +1,13 @@
 //! The back end.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glanz_render::cpu::Renderer;
 use glanz_render::prepare::{Prepared, PreparedProgram};
 use glanz_render::view::program::{FrameUniforms, StageValues};
 use glanz_render::view::samples::{SUBPIXEL, positions};
 use glanz_render::{Aovs, Backend, BackendError, DebugView, DrawOptions, Frame, View};
-use glanz_scene::AlphaMode;
+use glanz_scene::{AlphaMode, Program};
 use glanz_shader::Stage;
 use glanz_shader::gpu::GpuStage;
 
@@ -42,11 +42,17 @@ use crate::textures::{Textures, is_there};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Gpu {
-    device: Device,
+    device: Arc<Device>,
     cpu: Renderer,
-    programs: Vec<(Arc<PreparedProgram>, Arc<Pipeline>)>,
+    programs: Compiled,
     failed: Option<BackendError>,
 }
+
+/// Programs as pipelines, the latest at the end.
+type Compiled = Arc<Mutex<Vec<(Program, Arc<Pipeline>)>>>;
+
+/// Most programs that are kept compiled.
+const MOST_PROGRAMS: usize = 32;
 
 /// An object, ready to be drawn.
 struct Drawn {
@@ -63,8 +69,15 @@ impl Gpu {
     /// # Errors
     /// If there is none, or its driver fails.
     pub fn open(choice: &Choice) -> Result<Self, GpuError> {
-        let device = Device::open(choice)?;
-        Ok(Self { device, cpu: Renderer::new(), programs: Vec::new(), failed: None })
+        let device = Arc::new(Device::open(choice)?);
+        Ok(Self { device, cpu: Renderer::new(), programs: Compiled::default(), failed: None })
+    }
+
+    /// Another back end on the same device, which shares what is compiled.
+    #[must_use]
+    pub fn again(&self) -> Self {
+        let (device, programs) = (Arc::clone(&self.device), Arc::clone(&self.programs));
+        Self { device, cpu: Renderer::new(), programs, failed: None }
     }
 
     /// The device.
@@ -110,7 +123,7 @@ impl Gpu {
         }
         let mut frame = self.cpu.background(prepared, view, options);
         let objects = self.objects(prepared, view, options)?;
-        let device = &self.device;
+        let device = &*self.device;
         let (size, samples) = ([view.width, view.height], positions(options.samples));
         let target = device.checked(|| Target::new(device, size))?;
         let mut sums = vec![[0.0f32; 4]; size[0] as usize * size[1] as usize];
@@ -133,12 +146,11 @@ impl Gpu {
     }
 
     fn objects(
-        &mut self,
+        &self,
         prepared: &Prepared,
         view: &View,
         options: &DrawOptions,
     ) -> Result<Vec<Drawn>, GpuError> {
-        self.programs.retain(|(known, _)| prepared.programs.iter().any(|own| Arc::ptr_eq(own, known)));
         let uniforms = FrameUniforms::new(prepared, view, options.moment);
         let mut textures = Textures::default();
         let mut all = Vec::new();
@@ -153,7 +165,7 @@ impl Gpu {
             }
             let pipeline = self.pipeline(program)?;
             let inputs = &program.pair.vertex.interface().inputs;
-            let device = &self.device;
+            let device = &*self.device;
             let drawn = device.checked(|| {
                 let attributes = &pipeline.pair.vertex.attributes;
                 let mesh = Mesh::new(device, &prepared.geometry, object, attributes, inputs);
@@ -164,12 +176,18 @@ impl Gpu {
         Ok(all)
     }
 
-    fn pipeline(&mut self, program: &Arc<PreparedProgram>) -> Result<Arc<Pipeline>, GpuError> {
-        if let Some((_, known)) = self.programs.iter().find(|(known, _)| Arc::ptr_eq(known, program)) {
+    fn pipeline(&self, program: &PreparedProgram) -> Result<Arc<Pipeline>, GpuError> {
+        // What uniforms are set to is no part of what is compiled.
+        let source = Program { uniforms: Default::default(), ..program.source.clone() };
+        let mut programs = self.programs.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = programs.iter().find(|(known, _)| *known == source) {
             return Ok(Arc::clone(known));
         }
         let made = Arc::new(Pipeline::new(&self.device, program)?);
-        self.programs.push((Arc::clone(program), Arc::clone(&made)));
+        if programs.len() == MOST_PROGRAMS {
+            programs.remove(0);
+        }
+        programs.push((source, Arc::clone(&made)));
         Ok(made)
     }
 }
@@ -266,6 +284,25 @@ mod tests {
         assert_eq!(shift([128, 128], [64, 32]), [0.0, 0.0]);
         // A quarter of a pixel right and down: left by it, and up.
         assert_eq!(shift([192, 192], [64, 32]), [-0.25 * 2.0 / 64.0, 0.25 * 2.0 / 32.0]);
+    }
+
+    #[test]
+    fn a_lost_device_is_an_error_and_no_panic() {
+        let Ok(gpu) = Gpu::open(&Choice::Best) else {
+            eprintln!("!!! SKIPPED: there is no GPU here");
+            return;
+        };
+        let text = "#version 330\nout vec4 c; void main() { c = vec4(1.0); }";
+        let mut scene = glanz_scene::Scene::new()
+            .with_mesh(glanz_scene::Mesh::builtin("cube").unwrap(), glanz_scene::Material::default_gray())
+            .with_size(8, 8);
+        scene.set_program(Program::of_fragment(glanz_scene::ProgramText::new("own.frag", text)));
+        let shot = |gpu: &Gpu| glanz_render::Shot::new(&scene).unwrap().on(Box::new(gpu.again()));
+        assert_eq!(shot(&gpu).rgba8().unwrap().len(), 4 * 8 * 8);
+        assert_eq!(gpu.programs.lock().unwrap().len(), 1, "what is compiled is shared");
+        gpu.device.device.destroy();
+        let error = shot(&gpu).rgba8().unwrap_err();
+        assert!(error.to_string().starts_with("the device "), "{error}");
     }
 
     #[test]

@@ -126,13 +126,7 @@ fn made(
     device.checked(|| {
         let (vertex, fragment) =
             (module(&pair.vertex.text, "vertex"), module(&pair.fragment.text, "fragment"));
-        let bind_group_layouts = [Some(&groups[0]), Some(&groups[1])];
-        let layout = wgpu::PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &bind_group_layouts,
-            immediate_size: 0,
-        };
-        let layout = device.device.create_pipeline_layout(&layout);
+        let layout = pipeline_layout(device, groups);
         let attributes: Vec<_> = pair.vertex.attributes.iter().zip(offsets(pair)).map(attribute).collect();
         let array_stride = stride(pair) as u64;
         let step_mode = wgpu::VertexStepMode::Vertex;
@@ -153,13 +147,7 @@ fn made(
             },
             // The picture is upside down, and so is which way round triangles go.
             primitive: wgpu::PrimitiveState { front_face: wgpu::FrontFace::Cw, ..Default::default() },
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Less),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
+            depth_stencil: Some(nearest()),
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
                 module: &fragment,
@@ -171,6 +159,25 @@ fn made(
             cache: None,
         })
     })
+}
+
+fn pipeline_layout(device: &Device, groups: &[wgpu::BindGroupLayout; 2]) -> wgpu::PipelineLayout {
+    device.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: &[Some(&groups[0]), Some(&groups[1])],
+        immediate_size: 0,
+    })
+}
+
+/// What is nearest is seen; of what is equally near, what comes first.
+fn nearest() -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(wgpu::CompareFunction::Less),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
 }
 
 /// The first byte of each attribute of a vertex.

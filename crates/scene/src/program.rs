@@ -16,6 +16,13 @@ pub struct ProgramText {
 }
 
 /// What a uniform of a program is set to.
+///
+/// ```
+/// use glanz_scene::{Program, UniformValue};
+///
+/// let program = Program::default().with_uniform("tint", &[1.0, 0.5, 0.0]);
+/// assert_eq!(program.uniforms["tint"], UniformValue::Numbers(vec![1.0, 0.5, 0.0]));
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum UniformValue {
     /// One number per component, column by column of a matrix; a truth value is 0 or 1.

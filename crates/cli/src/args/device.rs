@@ -1,5 +1,7 @@
 //! What draws: the CPU or a GPU.
 
+use std::cell::{Cell, RefCell};
+
 use clap::Args;
 use glanz_gpu::{Choice, Gpu};
 use glanz_render::Shot;
@@ -68,34 +70,45 @@ impl DeviceArgs {
         }
     }
 
-    /// The picture, drawn by the device; and what to tell of that, if it is not the CPU.
+    /// The picture, drawn by the device; and what to tell of that the first time, if it is not the CPU as a matter of course.
     pub(crate) fn apply(&self, shot: Shot) -> Result<(Shot, Option<String>), Failure> {
-        let gpu = match &self.device {
+        let choice = match &self.device {
             Device::Cpu => return Ok((shot, None)),
-            Device::Auto => {
-                let able = Gpu::check(shot.prepared(), shot.draw_options());
-                let gpu = able.and_then(|()| Gpu::open(&Choice::Hardware));
-                match gpu {
-                    Ok(gpu) => gpu,
-                    Err(error) => {
-                        let why = error.to_string();
-                        let why = why.trim_end_matches("; --device cpu draws it").to_owned();
-                        return Ok((shot, Some(format!("drawn by the CPU: {why}"))));
-                    }
-                }
-            }
-            Device::Gpu(choice) => {
-                Gpu::check(shot.prepared(), shot.draw_options()).map_err(failure)?;
-                Gpu::open(choice).map_err(failure)?
-            }
+            Device::Auto => &Choice::Hardware,
+            Device::Gpu(choice) => choice,
         };
-        let told = format!("drawn by {}", gpu.info());
-        Ok((shot.on(Box::new(gpu)), Some(told)))
+        let is_first = !TOLD.replace(true);
+        let opened = Gpu::check(shot.prepared(), shot.draw_options()).and_then(|()| opened(choice));
+        match opened {
+            Ok(gpu) => {
+                let told = is_first.then(|| format!("drawn by {}", gpu.info()));
+                Ok((shot.on(Box::new(gpu)), told))
+            }
+            Err(error) if self.device == Device::Auto => {
+                let why = error.to_string();
+                let why = why.trim_end_matches("; --device cpu draws it");
+                Ok((shot, is_first.then(|| format!("drawn by the CPU: {why}"))))
+            }
+            Err(error) => Err(Report::new(format_args!("--device: {error}")).into()),
+        }
     }
 }
 
-fn failure(error: glanz_gpu::GpuError) -> Failure {
-    Report::new(format_args!("--device: {error}")).into()
+/// The device, which a film opens once.
+fn opened(choice: &Choice) -> Result<Gpu, glanz_gpu::GpuError> {
+    if let Some(gpu) = OPEN.with_borrow(|open| open.as_ref().map(Gpu::again)) {
+        return Ok(gpu);
+    }
+    let gpu = Gpu::open(choice)?;
+    OPEN.set(Some(gpu.again()));
+    Ok(gpu)
+}
+
+thread_local! {
+    /// The device of the pictures before.
+    static OPEN: RefCell<Option<Gpu>> = const { RefCell::new(None) };
+    /// Whether it was told what draws.
+    static TOLD: Cell<bool> = const { Cell::new(false) };
 }
 
 #[cfg(test)]

@@ -180,3 +180,17 @@ fn wrong_options_are_refused() {
     let run = folder.glanz(&["shader", "run", "toy.frag", "-o", "a.exr"]);
     assert!(run.code == 2 && run.stderr.contains("not light"), "{}", run.stderr);
 }
+
+#[test]
+fn the_example_without_a_scene_is_drawn() {
+    let folder = Folder::new();
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/shaders/toy.frag");
+    folder.write("toy.frag", std::fs::read(file).unwrap());
+    let run = folder.glanz(&["shader", "run", "toy.frag", "--size", "64x36", "-o", "toy.png"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let (width, _, pixels) = pixels(&folder.read("toy.png"));
+    let [ball, sky, floor] = [[32, 18], [32, 0], [8, 34]].map(|[x, y]| pixels[y * width as usize + x]);
+    assert!(ball[0] > ball[2] + 40, "the ball is red: {ball:?}");
+    assert!(sky[2] > sky[0] + 20, "the sky is blue: {sky:?}");
+    assert!(floor[0].abs_diff(floor[2]) < 10, "the floor is grey: {floor:?}");
+}

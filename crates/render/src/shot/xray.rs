@@ -32,6 +32,19 @@ pub struct Xray {
 }
 
 /// What a uniform is.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Mesh, Program, ProgramText, Scene, library};
+///
+/// let scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(8, 8);
+/// let text = "uniform float time; uniform float wear; out vec4 c; void main() { c = vec4(time + wear); }";
+/// let program = Program::of_fragment(ProgramText::new("own.frag", text));
+/// let fills = Shot::new(&scene)?.uniforms_of(&program, 0)?;
+/// let is_filled = |name: &str| fills.iter().any(|fill| fill.name == name && fill.filled);
+/// assert!(is_filled("time") && !is_filled("wear"), "nothing stands for wear: the user sets it");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct UniformFill {
     /// As the source names it.
@@ -45,6 +58,18 @@ pub struct UniformFill {
 }
 
 /// A value of a program at all pixels.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::{Mesh, Program, ProgramText, Scene, library};
+///
+/// let text = "in vec3 normal; out vec4 color; void main() { float up = normal.y; color = vec4(up); }";
+/// let mut scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?).with_size(9, 9);
+/// scene.set_program(Program::of_fragment(ProgramText::new("up.frag", text)));
+/// let up = Shot::new(&scene)?.value_frame("up", None)?;
+/// assert!(up.frame.pixel(4, 4)[0].abs() < 0.5, "the middle of the ball looks at the camera");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct ValueFrame {
     /// Its numbers in place of red, green and blue, one number three times; [`NOT_REACHED`] where the program did not come to

@@ -96,10 +96,10 @@ impl<'a> Wrapper<'a> {
         Ok(Self { build, pair, program, inner, block, input: 0, attributes: vec![], bindings, blocks })
     }
 
-    /// Gives the user's entry point what it takes and runs it: the values of the outputs, by number.
-    fn outputs(&mut self) -> Result<Vec<(Value, Handle<Type>)>, ShaderError> {
+    /// Fills the variables that the host and the stage before fill; gives those that are outputs.
+    fn fill(&mut self) -> Result<Vec<Handle<GlobalVariable>>, ShaderError> {
         let globals: Vec<_> = self.build.module.global_variables.iter().map(|(handle, _)| handle).collect();
-        let (mut word, mut written) = (4, Vec::new());
+        let (mut word, mut outputs) = (4, Vec::new());
         for global in globals {
             let variable = self.build.module.global_variables[global].clone();
             let role = self.program.kept.roles.get(variable.name.as_deref().unwrap_or(""));
@@ -110,7 +110,7 @@ impl<'a> Wrapper<'a> {
                 }
                 (AddressSpace::Private, Some(Purpose::Input(_))) => self.inputs(variable.ty)?,
                 (AddressSpace::Private, Some(Purpose::Output(_))) => {
-                    written.push((global, variable.ty));
+                    outputs.push(global);
                     continue;
                 }
                 _ => continue,
@@ -118,6 +118,12 @@ impl<'a> Wrapper<'a> {
             let pointer = self.build.global(global);
             self.build.statement(Statement::Store { pointer, value });
         }
+        Ok(outputs)
+    }
+
+    /// Gives the user's entry point what it takes and runs it: the values of the outputs, by number.
+    fn outputs(&mut self) -> Result<Vec<(Value, Handle<Type>)>, ShaderError> {
+        let written = self.fill()?;
         let mut arguments = Vec::new();
         for (ty, binding) in self.inner.arguments.clone() {
             arguments.push(self.argument(ty, binding.is_some())?);
@@ -127,7 +133,8 @@ impl<'a> Wrapper<'a> {
         if let Some((value, (ty, _))) = result.zip(self.inner.result.clone()) {
             self.build.leaves(value, ty, &mut all)?;
         }
-        for (global, ty) in written {
+        for global in written {
+            let ty = self.build.module.global_variables[global].ty;
             let pointer = self.build.global(global);
             let value = self.build.load(pointer);
             self.build.leaves(value, ty, &mut all)?;
