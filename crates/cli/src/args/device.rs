@@ -70,6 +70,11 @@ impl DeviceArgs {
         }
     }
 
+    /// After all is drawn: drivers do not bear to be left to the end of the process.
+    pub(crate) fn end(&self) {
+        OPEN.take();
+    }
+
     /// The picture, drawn by the device; and what to tell of that the first time, if it is not the CPU as a matter of course.
     pub(crate) fn apply(&self, shot: Shot) -> Result<(Shot, Option<String>), Failure> {
         let choice = match &self.device {

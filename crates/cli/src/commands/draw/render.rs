@@ -132,6 +132,12 @@ impl RenderArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.device.begin();
+        let done = self.draw_all();
+        self.device.end();
+        done
+    }
+
+    fn draw_all(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         match &self.frames {
             Some(range) => self.film(range.clone()),
