@@ -237,7 +237,8 @@ float look(int i, float at) { if (at < 0.2) return lights[i].power; return light
 void main() {
     vec3 sum = vec3(0.0);
     int last = -1;
-    for (int i = first; i < count; i++) {
+    for (int i = 0; i < count; i++) {
+        if (i < first) sum.z += 0.25;
         if (!lights[i].on) { if (lights[i].power > 3.0) break; sum.x += 0.5; }
         for (int k = 0; k < 3; k++) { sum += lights[i].color * look(i, x + float(k)); if (steps[k] > 1.5) break; }
         float own[3] = float[3](x, y, 1.0);
