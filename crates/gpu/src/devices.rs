@@ -39,6 +39,20 @@ impl fmt::Display for DeviceKind {
 }
 
 /// A device as its driver describes it.
+///
+/// ```
+/// use glanz_gpu::{DeviceInfo, DeviceKind};
+///
+/// let info = DeviceInfo {
+///     name: "Example 9000".to_owned(),
+///     api: "vulkan",
+///     kind: DeviceKind::Discrete,
+///     driver: String::new(),
+///     max_size: 16_384,
+/// };
+/// assert_eq!(info.to_string(), "Example 9000 (vulkan, discrete)");
+/// assert!(info.matches("example VULKAN") && !info.matches("opengl"));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DeviceInfo {
     /// Its name.
@@ -93,6 +107,13 @@ impl fmt::Display for DeviceInfo {
 }
 
 /// Which device is to draw.
+///
+/// ```
+/// use glanz_gpu::{Choice, Gpu};
+///
+/// let error = Gpu::open(&Choice::Named("warp drive".to_owned())).err().expect("there is none");
+/// assert!(!error.to_string().is_empty(), "it names those that there are");
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Choice {
     /// The fastest.

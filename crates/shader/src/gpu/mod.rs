@@ -63,6 +63,21 @@ pub struct GpuBinding {
 ///
 /// Its resources are in group 0 (vertex) or 1 (fragment). Binding 0 is a uniform block of rows of four words: the host's
 /// own row ([`GpuStage::host_row`]), and then [`UniformValues::words`](crate::UniformValues::words).
+///
+/// ```
+/// use glanz_shader::gpu::{ENTRY, GpuStage};
+/// use glanz_shader::{Pair, Shader};
+///
+/// let text = "in vec2 uv; uniform sampler2D image; uniform vec3 tint; out vec4 c;
+///     void main() { c = vec4(tint, 1.0) * texture(image, uv); }";
+/// let stage = Pair::new(None, Some(&Shader::fragment(text)))?.to_gpu(0)?.fragment;
+/// assert!(stage.text.contains(ENTRY));
+/// assert_eq!(stage.rows, 2, "the host's and one of three words for the tint");
+/// let kinds: Vec<_> = stage.bindings.iter().map(|own| (own.binding, own.texture, own.is_sampler)).collect();
+/// assert_eq!(kinds, [(1, Some(0), false), (2, Some(0), true)]);
+/// assert_eq!(GpuStage::host_row([0.0, 0.0]), [0; 4]);
+/// # Ok::<(), glanz_shader::ShaderError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GpuStage {
     /// The text; its entry point is [`ENTRY`].
