@@ -36,12 +36,13 @@ def vertex(inputs):
 def prepare(context, text):
     inputs = re.findall(r"^in (\w+) (\w+);", text, re.M)
     program = context.program(vertex_shader=vertex(inputs), fragment_shader=text)
-    for name in program:
+    for number, name in enumerate(program):
         member = program[name]
         if isinstance(member, moderngl.Uniform):
             count = member.dimension * member.array_length
-            value = 3 if name == "nLights" else 0.5
-            member.write(struct.pack("=" + ("i" if name == "nLights" else "f") * count, *[value] * count))
+            # Each with numbers of its own, as the other one has them.
+            values = [3] if name == "nLights" else [0.4 + 0.01 * ((number * 7 + k * 3) % 31) for k in range(count)]
+            member.write(struct.pack("=" + ("i" if name == "nLights" else "f") * count, *values))
     return context.vertex_array(program, [])
 
 

@@ -100,16 +100,16 @@ fn trace(program: &Program, uniforms: &UniformValues) -> f64 {
     times[50]
 }
 
-/// All lights on; the same numbers as `xtask/peers/shaders.py` sets.
+/// All lights on, each with numbers of its own: what is the same of two lights would be computed once.
 fn uniforms(program: &Program) -> Result<UniformValues, Box<dyn Error>> {
     let mut uniforms = program.uniforms();
-    for uniform in &program.interface().uniforms {
-        let value = match uniform.name.as_str() {
-            "nLights" => 3.0,
-            "lights.nbrLights" => 5.0,
-            _ => 0.5,
+    for (number, uniform) in program.interface().uniforms.iter().enumerate() {
+        let own = |k: usize| 0.4 + 0.01 * ((number * 7 + k * 3) % 31) as f32;
+        let mut values: Vec<f32> = match uniform.name.as_str() {
+            "nLights" => vec![3.0],
+            "lights.nbrLights" => vec![5.0],
+            _ => (0..uniform.ty.scalars()).map(own).collect(),
         };
-        let mut values = vec![value; uniform.ty.scalars()];
         // Of a default program's lights one is directional, two are points and two are spots.
         if let Some((number, member)) = light(&uniform.name) {
             match member {

@@ -46,6 +46,7 @@ mod program;
 mod programs;
 mod run;
 mod screen;
+mod specialize;
 mod stage;
 mod trace;
 
@@ -62,5 +63,6 @@ pub use program::{Program, Shader};
 pub use programs::DefaultProgram;
 pub use run::Machine;
 pub use screen::{Moment, Pictures, Screen, ScreenError, ScreenPicture, TexturePicture, is_of_a_pass};
+pub use specialize::Specialized;
 pub use stage::{Interpolation, Language, Scalar, Stage, ValueType};
 pub use trace::{Record, RecordKind, Trace};

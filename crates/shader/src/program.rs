@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use naga::Span;
+
 use crate::gpu::Kept;
 use crate::intake::{self, Complaint, Front, Sources};
 use crate::interface::{Interface, Port, Uniform, UniformValues};
 use crate::lower::{self, Lowered, Slot};
 use crate::names::{attribute_role, uniform_role};
-use crate::{Language, Place, ShaderError, Stage, Warning, check};
+use crate::{Specialized, Language, Place, ShaderError, Stage, Warning, check};
 
 /// Stack of the thread that compiles: the front end's grows with the nesting of the text, which is limited to what this
 /// holds.
@@ -138,15 +140,15 @@ pub struct Program {
     pub(crate) kept: Kept,
     /// Of each event of the trace.
     pub(crate) event_places: Vec<Option<Place>>,
-    /// Instruction → place of the loop.
-    pub(crate) loop_places: Vec<(usize, Place)>,
+    /// Where loops are.
+    pub(crate) loop_places: Arc<[(Span, Place)]>,
 }
 
 impl Program {
     fn new(shader: &Shader<'_>, sources: &Sources, front: Front, lowered: Lowered) -> Self {
         let place = |span| intake::origin_of(span, &front.map).map(|origin| sources.place(origin));
-        let event_places = lowered.events.iter().map(|event| place(event.span)).collect();
-        let loop_places = lowered.loops.iter().filter_map(|(at, span)| Some((*at, place(*span)?))).collect();
+        let event_places = lowered.placed.events.iter().map(|event| place(event.span)).collect();
+        let loop_places = lowered.placed.loops.values().filter_map(|span| Some((*span, place(*span)?))).collect();
         let interface = interface(shader.stage, sources, &front, &lowered);
         let warnings = check::warnings(&front, shader.stage, sources);
         let kept = Kept { module: Arc::new(front.module), roles: Arc::new(front.given.roles) };
@@ -168,6 +170,11 @@ impl Program {
         UniformValues::new(&self.interface.uniforms, &self.lowered.layout.defaults)
     }
 
+    /// The program with these values of its uniforms, for a draw.
+    pub fn specialize(&self, uniforms: &UniformValues) -> Specialized {
+        Specialized::new(self, uniforms)
+    }
+
     /// What is right but probably not meant.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
@@ -175,17 +182,17 @@ impl Program {
 
     /// How many instructions run for each fragment (loops once) and once per draw, and how many registers they take.
     pub fn size(&self) -> (usize, usize, usize) {
-        (self.lowered.ops.len(), self.lowered.prologue.len(), self.lowered.registers)
+        (self.lowered.placed.ops.len(), self.lowered.placed.prologue.len(), self.lowered.placed.registers)
     }
 
     /// Whether it looks into the texture of this number, or asks for its size; others are declared only.
     pub fn looks_into(&self, texture: usize) -> bool {
-        self.lowered.looks.iter().any(|look| look.texture == texture)
+        self.lowered.placed.looks.iter().any(|look| look.texture == texture)
     }
 
     /// Whether fragments may be discarded.
     pub fn discards(&self) -> bool {
-        self.lowered.discarded.is_some()
+        self.lowered.placed.discarded.is_some()
     }
 }
 

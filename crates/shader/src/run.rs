@@ -1,11 +1,16 @@
 //! Running a program.
 
+use std::sync::Arc;
+
 use glanz_math::{SimdLevel, at_level};
+use naga::Span;
 
 use crate::machine::{
     Host, NoTextures, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute,
 };
-use crate::{Program, RunError, Trace, UniformValues};
+use crate::lower::Placed;
+use crate::specialize::Inner;
+use crate::{Place, Program, RunError, Specialized, Trace, UniformValues};
 
 /// Turns of loops in one run. A shader that takes more is taken for endless.
 const FUEL: u32 = 1 << 20;
@@ -15,8 +20,7 @@ const FUEL: u32 = 1 << 20;
 /// In a fragment shader 16 lanes are 4×4 pixels, row by row, so that derivatives are differences in the quads of 2×2;
 /// with `G` = 4 each row of the register is such a block.
 pub struct Machine<'a, const G: usize> {
-    program: &'a Program,
-    uniforms: &'a UniformValues,
+    code: Arc<Inner>,
     textures: &'a dyn Textures,
     level: SimdLevel,
     file: RegisterFile<G>,
@@ -28,7 +32,7 @@ pub struct Machine<'a, const G: usize> {
 macro_rules! executors {
     ($($name:ident $g:literal),*) => {$(
         #[inline(never)]
-        fn $name(
+        pub(crate) fn $name(
             level: SimdLevel,
             ops: &[Op],
             file: &mut RegisterFile<$g>,
@@ -41,17 +45,23 @@ macro_rules! executors {
         impl<'a> Machine<'a, $g> {
             /// A machine for a draw: what is the same for all fragments is computed here.
             pub fn new(
-                program: &'a Program,
-                uniforms: &'a UniformValues,
+                program: &Program,
+                uniforms: &UniformValues,
                 textures: &'a dyn Textures,
                 level: SimdLevel,
             ) -> Self {
+                Self::of(&program.specialize(uniforms), textures, level)
+            }
+
+            /// A machine for a draw that several machines do together.
+            pub fn of(specialized: &Specialized, textures: &'a dyn Textures, level: SimdLevel) -> Self {
+                let code = Arc::clone(&specialized.0);
                 let mut file = RegisterFile::<$g>::new();
-                let looks = &program.lowered.looks;
-                let host = Host { uniforms: &uniforms.words, textures, looks, fuel: FUEL, down: false };
+                let (uniforms, looks) = (&code.words[..], &code.placed.looks[..]);
+                let host = Host { uniforms, textures, looks, fuel: FUEL, down: false };
                 // The prologue has no loops, so its fuel lasts.
-                let _ = $name(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
-                Self { program, uniforms, textures, level, file, fuel: FUEL, down: false }
+                let _ = $name(level, &code.placed.prologue, &mut file, &host, &mut Silent);
+                Self { code, textures, level, file, fuel: FUEL, down: false }
             }
 
             /// Runs the program for what the inputs hold. Inputs must be written anew for each run.
@@ -60,11 +70,11 @@ macro_rules! executors {
             }
 
             fn run_with(&mut self, recorder: &mut dyn Recorder) -> Result<(), RunError> {
-                let lowered = &self.program.lowered;
-                let (words, looks) = (&self.uniforms.words, &lowered.looks);
+                let (words, placed) = (&self.code.words[..], &self.code.placed);
+                let looks = &placed.looks[..];
                 let host = Host { uniforms: words, textures: self.textures, looks, fuel: self.fuel, down: self.down };
-                let done = $name(self.level, &lowered.ops, &mut self.file, &host, recorder);
-                done.map_err(|stopped| self.endless(stopped))
+                let done = $name(self.level, &placed.ops, &mut self.file, &host, recorder);
+                done.map_err(|stopped| self.code.endless(stopped, self.fuel))
             }
         }
     )*};
@@ -74,15 +84,11 @@ executors!(execute_16 1, execute_64 4);
 /// Registers after the prologue, for runs by [`proceed`]: a machine's, without the borrows.
 pub(crate) fn begin(level: SimdLevel, program: &Program, uniforms: &UniformValues) -> RegisterFile<1> {
     let mut file = RegisterFile::<1>::new();
-    let host = Host {
-        uniforms: &uniforms.words,
-        textures: &NoTextures,
-        looks: &program.lowered.looks,
-        fuel: FUEL,
-        down: false,
-    };
+    let placed = &program.lowered.placed;
+    let (uniforms, looks) = (&uniforms.words[..], &placed.looks[..]);
+    let host = Host { uniforms, textures: &NoTextures, looks, fuel: FUEL, down: false };
     // The prologue has no loops, so its fuel lasts.
-    let _ = execute_16(level, &program.lowered.prologue, &mut file, &host, &mut Silent);
+    let _ = execute_16(level, &placed.prologue, &mut file, &host, &mut Silent);
     file
 }
 
@@ -94,19 +100,22 @@ pub(crate) fn proceed(
     file: &mut RegisterFile<1>,
     fuel: u32,
 ) -> Result<(), RunError> {
-    let host = Host {
-        uniforms: &uniforms.words,
-        textures: &NoTextures,
-        looks: &program.lowered.looks,
-        fuel,
-        down: false,
-    };
-    let done = execute_16(level, &program.lowered.ops, file, &host, &mut Silent);
-    done.map_err(|stopped| endless(program, stopped, fuel))
+    let placed = &program.lowered.placed;
+    let (uniforms, looks) = (&uniforms.words[..], &placed.looks[..]);
+    let host = Host { uniforms, textures: &NoTextures, looks, fuel, down: false };
+    let done = execute_16(level, &placed.ops, file, &host, &mut Silent);
+    done.map_err(|stopped| endless(placed, &program.loop_places, stopped, fuel))
 }
 
-fn endless(program: &Program, stopped: OutOfFuel, turns: u32) -> RunError {
-    let place = program.loop_places.iter().find(|(at, _)| *at == stopped.at);
+/// The error of a run that was stopped.
+pub(crate) fn endless(
+    placed: &Placed,
+    places: &[(Span, Place)],
+    stopped: OutOfFuel,
+    turns: u32,
+) -> RunError {
+    let span = placed.loops.get(&stopped.at);
+    let place = span.and_then(|span| places.iter().find(|(own, _)| own == span));
     RunError::EndlessLoop { place: place.map(|(_, place)| place.clone()), turns }
 }
 
@@ -123,17 +132,13 @@ impl<const G: usize> Machine<'_, G> {
         self.fuel = turns;
     }
 
-    fn endless(&self, stopped: OutOfFuel) -> RunError {
-        endless(self.program, stopped, self.fuel)
-    }
-
     /// The lanes of a component of an input, to be written. Whole numbers are their bits.
     ///
     /// # Panics
     ///
     /// If there is no such input or component.
     pub fn input(&mut self, input: usize, component: usize) -> &mut [Row; G] {
-        self.file.get_mut(self.program.lowered.layout.inputs[input].registers[component])
+        self.file.get_mut(self.code.placed.inputs[input][component])
     }
 
     /// The lanes of a component of an output.
@@ -142,12 +147,12 @@ impl<const G: usize> Machine<'_, G> {
     ///
     /// If there is no such output or component.
     pub fn output(&self, output: usize, component: usize) -> &[Row; G] {
-        self.file.get(self.program.lowered.layout.outputs[output].registers[component])
+        self.file.get(self.code.placed.outputs[output][component])
     }
 
     /// Which lanes were discarded: bit i of element g is lane i of row g.
     pub fn discarded(&self) -> [u16; G] {
-        let Some(register) = self.program.lowered.discarded else { return [0; G] };
+        let Some(register) = self.code.placed.discarded else { return [0; G] };
         self.file.get(register).map(|row| {
             let bit = |(lane, x): (usize, &f32)| u16::from(x.to_bits() != 0) << lane;
             row.0.iter().enumerate().map(bit).fold(0, |all, bit| all | bit)
@@ -160,7 +165,7 @@ impl Machine<'_, 1> {
     ///
     /// The trace of an endless loop ends where it was stopped.
     pub fn trace(&mut self) -> Trace {
-        let mut trace = Trace::new(self.program);
+        let mut trace = Trace::new(&self.code);
         let end = self.run_with(&mut trace.recorder());
         trace.ended(end);
         trace

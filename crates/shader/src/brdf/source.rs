@@ -169,7 +169,7 @@ fn check(program: &Program) -> Result<(), ShaderError> {
     if !interface.textures.is_empty() {
         return Err(invalid("a BRDF has no textures"));
     }
-    let derives = program.lowered.ops.iter().any(|op| matches!(op.code, OpCode::DdX | OpCode::DdY));
+    let derives = program.lowered.placed.ops.iter().any(|op| matches!(op.code, OpCode::DdX | OpCode::DdY));
     match derives || program.discards() {
         true => Err(invalid("a BRDF has neither derivatives nor 'discard': it knows no pixels")),
         false => Ok(()),

@@ -5,28 +5,28 @@ use crate::machine::Code;
 
 impl VirtualOp {
     /// An instruction without operands.
-    pub(super) fn plain(code: Code, imm: u32) -> Self {
+    pub(crate) fn plain(code: Code, imm: u32) -> Self {
         Self { code, s: 0, n: 0, d: 0, a: 0, b: 0, c: 0, imm }
     }
 
-    fn copy(d: Reg, a: Reg) -> Self {
+    pub(crate) fn copy(d: Reg, a: Reg) -> Self {
         Self { code: Code::Mov, s: 0, n: 1, d, a, b: 0, c: 0, imm: 0 }
     }
 
     /// The registers that it reads, by a, b and c, and whether they move on with the component.
-    pub(super) fn operands(&self) -> impl Iterator<Item = (Reg, bool)> {
+    pub(crate) fn operands(&self) -> impl Iterator<Item = (Reg, bool)> {
         let all = [(self.a, self.s & 1 != 0), (self.b, self.s & 2 != 0), (self.c, self.s & 4 != 0)];
         all.into_iter().take(self.code.operands())
     }
 
     /// All registers that it reads by its operands.
-    pub(super) fn reads(&self) -> impl Iterator<Item = Reg> {
+    pub(crate) fn reads(&self) -> impl Iterator<Item = Reg> {
         let n = Reg::from(self.n.max(1));
         self.operands().flat_map(move |(r, moves)| (0..if moves { n } else { 1 }).map(move |k| r + k))
     }
 
     /// How many registers it writes.
-    pub(super) fn written(&self) -> Reg {
+    pub(crate) fn written(&self) -> Reg {
         match self.code {
             Code::Dot | Code::Length => 1,
             Code::Cross => 3,

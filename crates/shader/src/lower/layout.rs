@@ -36,6 +36,14 @@ pub(crate) struct Slot<R> {
     pub(crate) registers: Vec<R>,
 }
 
+impl<R> Slot<R> {
+    /// The same with other numbers of registers.
+    pub(super) fn with_registers<T>(self, f: impl Fn(R) -> T) -> Slot<T> {
+        let Self { name, builtin, ty, location, registers } = self;
+        Slot { name, builtin, ty, location, registers: registers.into_iter().map(f).collect() }
+    }
+}
+
 /// A texture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextureInfo {

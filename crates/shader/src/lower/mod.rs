@@ -24,13 +24,14 @@ mod unroll;
 mod uses;
 mod variables;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Expression, Function, Handle, Module, Span};
 
 use crate::Stage;
-use crate::machine::{Code, Look, Op};
+pub(crate) use allocate::{Draft, Placed};
+use crate::machine::{Code, Look};
 pub(crate) use gather::is_stand_in;
 pub use layout::TextureInfo;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
@@ -85,15 +86,12 @@ pub(crate) struct Event<R> {
 /// The lowered program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lowered {
-    pub(crate) prologue: Vec<Op>,
-    pub(crate) ops: Vec<Op>,
+    /// For any values of the uniforms.
+    pub(crate) placed: Placed,
     pub(crate) layout: Layout,
-    pub(crate) discarded: Option<u16>,
-    pub(crate) registers: usize,
-    pub(crate) looks: Vec<Look<u16>>,
-    pub(crate) events: Vec<Event<u16>>,
-    /// Instruction → span of the loop that counts there.
-    pub(crate) loops: BTreeMap<usize, Span>,
+    /// What a draw's specialisation begins with, and where its registers lie in the file after the prologue of `placed`;
+    /// none if the program is traced.
+    pub(crate) draft: Option<(Draft, Vec<u16>)>,
 }
 
 /// A dynamic index: the value of `index` stands for one of the `choices`, as an offset in registers.
@@ -122,7 +120,7 @@ enum Item {
     Nothing,
 }
 
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 struct Variable {
     registers: Vec<Reg>,
     /// How many enclosing jumps made it have fixed registers.
@@ -136,15 +134,15 @@ struct Variable {
 
 /// An instruction before allocation.
 #[derive(Clone, Copy, Debug)]
-struct VirtualOp {
-    code: Code,
-    s: u8,
-    n: u16,
-    d: Reg,
-    a: Reg,
-    b: Reg,
-    c: Reg,
-    imm: u32,
+pub(crate) struct VirtualOp {
+    pub(crate) code: Code,
+    pub(crate) s: u8,
+    pub(crate) n: u16,
+    pub(crate) d: Reg,
+    pub(crate) a: Reg,
+    pub(crate) b: Reg,
+    pub(crate) c: Reg,
+    pub(crate) imm: u32,
 }
 
 /// The function that is being inlined.
@@ -176,12 +174,12 @@ struct Enclosing {
 type Key = (Code, u32, [Reg; 3], u16, u8);
 
 /// Instructions and what is known of registers: what is put back when a try fails.
-#[derive(Clone, Default)]
-struct State {
-    prologue: Vec<VirtualOp>,
-    ops: Vec<VirtualOp>,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct State {
+    pub(crate) prologue: Vec<VirtualOp>,
+    pub(crate) ops: Vec<VirtualOp>,
     /// Per register: the first of its group and the size of the group.
-    groups: Vec<(Reg, u32)>,
+    pub(crate) groups: Vec<(Reg, u32)>,
     /// Computed in the prologue.
     hoisted: Vec<bool>,
     /// The same in all lanes.
@@ -190,10 +188,10 @@ struct State {
     /// Registers whose word is known here.
     constants: HashMap<Reg, u32>,
     variables: Vec<Variable>,
-    loops: Vec<(usize, usize)>,
-    counts: Vec<(usize, Span)>,
-    looks: Vec<Look<Reg>>,
-    events: Vec<Event<Reg>>,
+    pub(crate) loops: Vec<(usize, usize)>,
+    pub(crate) counts: Vec<(usize, Span)>,
+    pub(crate) looks: Vec<Look<Reg>>,
+    pub(crate) events: Vec<Event<Reg>>,
 }
 
 /// Most instructions that may be made, tries included: functions that call others often grow exponentially.

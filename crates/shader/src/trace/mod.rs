@@ -2,7 +2,8 @@
 
 use crate::lower::EventKind;
 use crate::machine::Recorder;
-use crate::{Place, Program, RunError, Scalar, ValueType};
+use crate::specialize::Inner;
+use crate::{Place, RunError, Scalar, ValueType};
 
 /// Most records; a shader with loops makes many.
 const MOST_RECORDS: usize = 20_000;
@@ -112,8 +113,8 @@ pub(crate) struct TraceRecorder<'a> {
 }
 
 impl Trace {
-    pub(crate) fn new(program: &Program) -> Self {
-        let events = program.lowered.events.iter().zip(&program.event_places);
+    pub(crate) fn new(code: &Inner) -> Self {
+        let events = code.placed.events.iter().zip(&code.event_places);
         let templates = events.map(|(event, place)| {
             let kind = match event.kind {
                 EventKind::Value => RecordKind::Value,

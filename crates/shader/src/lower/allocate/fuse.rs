@@ -2,16 +2,16 @@
 
 use std::collections::HashMap;
 
-use crate::lower::{Lowering, Reg, VirtualOp};
+use crate::lower::{Reg, State, VirtualOp};
 use crate::machine::Code;
 
-impl Lowering<'_> {
+impl State {
     /// `kept`: registers that are read at the end.
     pub(super) fn fuse(&mut self, kept: &[Reg]) {
         let (readers, writers) = self.count_uses(kept);
         let mut products: HashMap<Reg, usize> = HashMap::new();
-        for i in 0..self.state.ops.len() {
-            let op = self.state.ops[i];
+        for i in 0..self.ops.len() {
+            let op = self.ops[i];
             match op.code {
                 Code::Note => {}
                 code if code.is_control() => products.clear(),
@@ -24,10 +24,10 @@ impl Lowering<'_> {
                         [(op.a, op.s & 1, op.b, op.s >> 1 & 1), (op.b, op.s >> 1 & 1, op.a, op.s & 1)];
                     for (product, moves, other, other_moves) in terms {
                         let Some(&m) = products.get(&product) else { continue };
-                        let mul = self.state.ops[m];
+                        let mul = self.ops[m];
                         if joins(&mul, &op, moves, &readers, &writers) {
                             let s = mul.s & 3 | other_moves << 2;
-                            self.state.ops[i] =
+                            self.ops[i] =
                                 VirtualOp { code: Code::FMad, a: mul.a, b: mul.b, c: other, s, ..op };
                             break;
                         }
@@ -40,13 +40,13 @@ impl Lowering<'_> {
 
     /// How often each register is read and written.
     fn count_uses(&self, kept: &[Reg]) -> (Vec<u32>, Vec<u32>) {
-        let mut readers = vec![0u32; self.state.groups.len()];
+        let mut readers = vec![0u32; self.groups.len()];
         let mut writers = readers.clone();
-        for op in self.state.prologue.iter().chain(&self.state.ops) {
+        for op in self.prologue.iter().chain(&self.ops) {
             op.reads().for_each(|r| readers[r as usize] += 1);
             self.read_elsewhere(op).into_iter().for_each(|r| readers[r as usize] += 1);
         }
-        for op in &self.state.ops {
+        for op in &self.ops {
             (0..op.written()).for_each(|k| writers[(op.d + k) as usize] += 1);
         }
         kept.iter().for_each(|r| readers[*r as usize] += 1);

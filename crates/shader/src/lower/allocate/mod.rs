@@ -4,40 +4,74 @@ mod dead;
 mod fuse;
 mod place;
 
+use std::collections::BTreeMap;
+
 use naga::Span;
 
 use super::layout::Slot;
-use super::{Event, Lowered, Lowering, Refused, Reg, VirtualOp};
-use crate::machine::{Code, Op};
+use super::{Event, Lowered, Lowering, Refused, Reg, State, VirtualOp};
+use crate::machine::{Code, Look, Op};
 
-impl Lowering<'_> {
+/// A program before its registers have places: what a draw's [specialisation](crate::specialize) begins with.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Draft {
+    pub(crate) state: State,
+    /// Registers of the inputs and outputs, one per scalar.
+    pub(crate) inputs: Vec<Vec<Reg>>,
+    pub(crate) outputs: Vec<Vec<Reg>>,
+    /// The mask of the lanes that are discarded.
+    pub(crate) discarded: Reg,
+}
+
+/// A program that the machine runs.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Placed {
+    pub(crate) prologue: Vec<Op>,
+    pub(crate) ops: Vec<Op>,
+    /// Registers of the inputs and outputs, one per scalar.
+    pub(crate) inputs: Vec<Vec<u16>>,
+    pub(crate) outputs: Vec<Vec<u16>>,
+    /// The mask of the lanes that are discarded, where any may be.
+    pub(crate) discarded: Option<u16>,
+    /// How many registers are used.
+    pub(crate) registers: usize,
+    pub(crate) looks: Vec<Look<u16>>,
+    pub(crate) events: Vec<Event<u16>>,
+    /// Instruction → span of the loop that counts there.
+    pub(crate) loops: BTreeMap<usize, Span>,
+}
+
+impl State {
     /// Registers that are read beside the operands of instructions, by the looks and events among them.
-    fn read_elsewhere(&self, op: &VirtualOp) -> Vec<Reg> {
+    pub(crate) fn read_elsewhere(&self, op: &VirtualOp) -> Vec<Reg> {
         match op.code {
-            Code::Texture => {
-                self.state.looks.get(op.imm as usize).map(|look| look.reads()).unwrap_or_default()
-            }
-            Code::Note => {
-                self.state.events.get(op.imm as usize).map_or_else(Vec::new, |event| {
-                    event.registers.iter().chain(&event.mask).copied().collect()
-                })
-            }
+            Code::Texture => self.looks.get(op.imm as usize).map(|look| look.reads()).unwrap_or_default(),
+            Code::Note => self.events.get(op.imm as usize).map_or_else(Vec::new, |event| {
+                event.registers.iter().chain(&event.mask).copied().collect()
+            }),
             _ => Vec::new(),
         }
     }
+}
 
-    pub(super) fn allocate(
-        mut self,
-        inputs: Vec<Slot<Reg>>,
-        outputs: Vec<Slot<Reg>>,
-        discarded: Reg,
-    ) -> Result<Lowered, Refused> {
-        let mut kept: Vec<Reg> = outputs.iter().flat_map(|port| &port.registers).copied().collect();
-        kept.push(discarded);
-        self.fuse(&kept);
-        self.remove_dead(&kept);
-        let given: Vec<Reg> = inputs.iter().flat_map(|port| &port.registers).copied().collect();
-        let (places, registers) = self.place(&given, &kept)?;
+impl Draft {
+    /// Registers that are read at the end.
+    pub(crate) fn kept(&self) -> Vec<Reg> {
+        self.outputs.iter().flatten().chain([&self.discarded]).copied().collect()
+    }
+
+    /// Without what nobody reads.
+    pub(crate) fn remove_dead(&mut self) {
+        self.state.remove_dead(&self.kept());
+    }
+
+    /// With its registers in the file, and where each of them lies.
+    pub(crate) fn place(mut self) -> Result<(Placed, Vec<u16>), Refused> {
+        let kept = self.kept();
+        self.state.fuse(&kept);
+        self.state.remove_dead(&kept);
+        let given: Vec<Reg> = self.inputs.iter().flatten().copied().collect();
+        let (places, registers) = self.state.place(&given, &kept)?;
         let physical = |r: Reg| places[r as usize];
         let real = |op: &VirtualOp| {
             let operands = op.code.operands();
@@ -46,30 +80,50 @@ impl Lowering<'_> {
             let (a, b, c) = (operand(0, op.a), operand(1, op.b), operand(2, op.c));
             Op { code: op.code, s: op.s, n: op.n, d, a, b, c, imm: op.imm }
         };
-        let ports = |ports: Vec<Slot<Reg>>| {
-            let real = |port: Slot<Reg>| Slot {
-                name: port.name,
-                builtin: port.builtin,
-                ty: port.ty,
-                location: port.location,
-                registers: port.registers.into_iter().map(physical).collect(),
-            };
-            ports.into_iter().map(real).collect()
+        let all = |ports: &[Vec<Reg>]| {
+            ports.iter().map(|port| port.iter().map(|r| physical(*r)).collect()).collect()
         };
-        let discards = self.state.ops.iter().any(|op| op.written() > 0 && op.d == discarded)
-            || self.state.prologue.iter().any(|op| op.d == discarded && (op.code, op.imm) != (Code::Imm, 0));
-        let mut layout = std::mem::take(&mut self.layout);
-        (layout.inputs, layout.outputs) = (ports(inputs), ports(outputs));
-        Ok(Lowered {
-            prologue: self.state.prologue.iter().map(real).collect(),
-            ops: self.state.ops.iter().map(real).collect(),
-            layout,
+        let state = &self.state;
+        let discarded = self.discarded;
+        let is_zero = |op: &VirtualOp| op.d == discarded && (op.code, op.imm) == (Code::Imm, 0);
+        let discards = !state.prologue.iter().any(is_zero);
+        let placed = Placed {
+            prologue: state.prologue.iter().map(real).collect(),
+            ops: state.ops.iter().map(real).collect(),
+            inputs: all(&self.inputs),
+            outputs: all(&self.outputs),
             discarded: discards.then(|| physical(discarded)),
             registers,
-            looks: self.state.looks.iter().map(|look| look.map(physical)).collect(),
-            events: self.state.events.iter().map(|event| physical_event(event, &physical)).collect(),
-            loops: self.state.counts.iter().filter_map(|(at, span)| named_loop(*at, *span)).collect(),
-        })
+            looks: state.looks.iter().map(|look| look.map(physical)).collect(),
+            events: state.events.iter().map(|event| physical_event(event, &physical)).collect(),
+            loops: state.counts.iter().filter_map(|(at, span)| named_loop(*at, *span)).collect(),
+        };
+        Ok((placed, places))
+    }
+}
+
+impl Lowering<'_> {
+    pub(super) fn allocate(
+        mut self,
+        inputs: Vec<Slot<Reg>>,
+        outputs: Vec<Slot<Reg>>,
+        discarded: Reg,
+    ) -> Result<Lowered, Refused> {
+        let registers =
+            |ports: &[Slot<Reg>]| ports.iter().map(|port| port.registers.clone()).collect::<Vec<_>>();
+        let State { prologue, ops, groups, loops, counts, looks, events, .. } = self.state;
+        let state = State { prologue, ops, groups, loops, counts, looks, events, ..State::default() };
+        let mut draft =
+            Draft { state, inputs: registers(&inputs), outputs: registers(&outputs), discarded };
+        draft.remove_dead();
+        let (placed, places) = draft.clone().place()?;
+        let ports = |ports: Vec<Slot<Reg>>| {
+            ports.into_iter().map(|port| port.with_registers(|r| places[r as usize])).collect()
+        };
+        (self.layout.inputs, self.layout.outputs) = (ports(inputs), ports(outputs));
+        // What a trace tells of must stay as it is.
+        let draft = (!self.trace).then_some((draft, places));
+        Ok(Lowered { placed, layout: self.layout, draft })
     }
 }
 
