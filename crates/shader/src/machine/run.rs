@@ -53,14 +53,21 @@ fn store<S: Simd, const G: usize>(file: &mut Registers<G>, register: u16, g: usi
     value.store(&mut file[index(register)][g].0);
 }
 
-/// The sum of products in the order of the components.
+/// The sums of products in the order of the components.
 #[inline(always)]
-fn dot<S: Simd, const G: usize>(simd: S, file: &Registers<G>, op: &Op, b: u16, g: usize) -> Lanes<S> {
-    let mut sum = load(simd, file, op.a, g) * load(simd, file, b, g);
-    for k in 1..op.n {
-        sum = sum + load(simd, file, op.a + k, g) * load(simd, file, b + k, g);
+fn dot<S: Simd, const G: usize>(simd: S, file: &Registers<G>, op: &Op, b: u16) -> [Lanes<S>; G] {
+    let (x, y) = (&file[index(op.a)], &file[index(b)]);
+    let mut sums = [Lanes::splat(simd, 0.0); G];
+    for g in 0..G {
+        sums[g] = Lanes::load(simd, &x[g].0) * Lanes::load(simd, &y[g].0);
     }
-    sum
+    for k in 1..op.n {
+        let (x, y) = (&file[index(op.a + k)], &file[index(b + k)]);
+        for g in 0..G {
+            sums[g] = sums[g] + Lanes::load(simd, &x[g].0) * Lanes::load(simd, &y[g].0);
+        }
+    }
+    sums
 }
 
 #[inline(always)]
@@ -211,33 +218,42 @@ pub(crate) fn execute<S: Simd, const G: usize>(
         let (sa, sb, sc) = (u16::from(op.s) & 1, u16::from(op.s) >> 1 & 1, u16::from(op.s) >> 2 & 1);
         macro_rules! each {
             (|$x:ident| $e:expr) => {{
-                for k in 0..op.n {
+                let (mut a, mut d) = (op.a, op.d);
+                for _ in 0..op.n {
+                    let (from, to) = (index(a), index(d));
                     for g in 0..G {
-                        let $x = load(simd, file, op.a + k * sa, g);
+                        let $x = Lanes::load(simd, &file[from][g].0);
                         let value: Lanes<S> = $e;
-                        store(file, op.d + k, g, value);
+                        value.store(&mut file[to][g].0);
                     }
+                    (a, d) = (a + sa, d + 1);
                 }
             }};
             (|$x:ident, $y:ident| $e:expr) => {{
-                for k in 0..op.n {
+                let (mut a, mut b, mut d) = (op.a, op.b, op.d);
+                for _ in 0..op.n {
+                    let (from_a, from_b, to) = (index(a), index(b), index(d));
                     for g in 0..G {
-                        let $x = load(simd, file, op.a + k * sa, g);
-                        let $y = load(simd, file, op.b + k * sb, g);
+                        let $x = Lanes::load(simd, &file[from_a][g].0);
+                        let $y = Lanes::load(simd, &file[from_b][g].0);
                         let value: Lanes<S> = $e;
-                        store(file, op.d + k, g, value);
+                        value.store(&mut file[to][g].0);
                     }
+                    (a, b, d) = (a + sa, b + sb, d + 1);
                 }
             }};
             (|$x:ident, $y:ident, $z:ident| $e:expr) => {{
-                for k in 0..op.n {
+                let (mut a, mut b, mut c, mut d) = (op.a, op.b, op.c, op.d);
+                for _ in 0..op.n {
+                    let (from_a, from_b, from_c, to) = (index(a), index(b), index(c), index(d));
                     for g in 0..G {
-                        let $x = load(simd, file, op.a + k * sa, g);
-                        let $y = load(simd, file, op.b + k * sb, g);
-                        let $z = load(simd, file, op.c + k * sc, g);
+                        let $x = Lanes::load(simd, &file[from_a][g].0);
+                        let $y = Lanes::load(simd, &file[from_b][g].0);
+                        let $z = Lanes::load(simd, &file[from_c][g].0);
                         let value: Lanes<S> = $e;
-                        store(file, op.d + k, g, value);
+                        value.store(&mut file[to][g].0);
                     }
+                    (a, b, c, d) = (a + sa, b + sb, c + sc, d + 1);
                 }
             }};
         }
@@ -341,23 +357,29 @@ pub(crate) fn execute<S: Simd, const G: usize>(
             Code::BToF => each!(|x| Lanes(mask(x).select(x.one().0, x.zero().0))),
             Code::BToI => each!(|x| from_int(int(x) & simd.splat_i32x16(1))),
             Code::Dot => {
+                let sums = dot(simd, file, op, op.b);
+                let to = &mut file[index(op.d)];
                 for g in 0..G {
-                    let sum = dot(simd, file, op, op.b, g);
-                    store(file, op.d, g, sum);
+                    sums[g].store(&mut to[g].0);
                 }
             }
             Code::Length => {
+                let sums = dot(simd, file, op, op.a);
+                let to = &mut file[index(op.d)];
                 for g in 0..G {
-                    let sum = Real::sqrt(dot(simd, file, op, op.a, g));
-                    store(file, op.d, g, sum);
+                    Real::sqrt(sums[g]).store(&mut to[g].0);
                 }
             }
             Code::Normalize => {
-                for g in 0..G {
-                    let scale = dot(simd, file, op, op.a, g).rsqrt();
-                    for k in 0..op.n {
-                        let value = load(simd, file, op.a + k, g) * scale;
-                        store(file, op.d + k, g, value);
+                let mut scales = dot(simd, file, op, op.a);
+                for scale in &mut scales {
+                    *scale = scale.rsqrt();
+                }
+                for k in 0..op.n {
+                    let (from, to) = (index(op.a + k), index(op.d + k));
+                    for g in 0..G {
+                        let value = Lanes::load(simd, &file[from][g].0) * scales[g];
+                        value.store(&mut file[to][g].0);
                     }
                 }
             }

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use crate::common;
 
-const WGSL: &str = "
+pub(crate) const WGSL: &str = "
 fn f(x: f32, n: i32) -> f32 {
     var s = 0.0;
     for (var i = 0; i < n; i++) {
@@ -66,7 +66,7 @@ fn f(x: f32, n: i32) -> f32 {
     if s > 2.5 { s * 2.0 } else { s }
 }
 
-const GLSL: &str = "#version 330
+pub(crate) const GLSL: &str = "#version 330
 in float x; in float y; out float s;
 int steps(int n) {
     int count = 0;
@@ -228,7 +228,7 @@ fn sixty_four_lanes_give_the_bits_of_four_times_sixteen() {
 }
 
 /// Loops over elements of uniforms and arrays, which are written out as far as their turns are known.
-const INDEXED: &str = "#version 330
+pub(crate) const INDEXED: &str = "#version 330
 in float x; in float y; out vec4 c;
 struct Light { vec3 color; float power; bool on; };
 uniform Light lights[6]; uniform int count; uniform int first; uniform float steps[20];

@@ -11,6 +11,7 @@ mod numbers;
 mod phong;
 mod places;
 mod samplers;
+mod specialized;
 mod trace;
 mod twins;
 mod warnings;

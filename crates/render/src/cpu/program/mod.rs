@@ -18,7 +18,7 @@ pub(crate) use vertex::{run as run_vertices, trace as trace_vertex};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use glanz_math::SimdLevel;
-use glanz_shader::{Interpolation, Machine, Pair, Port, RunError, Source, Stage};
+use glanz_shader::{Interpolation, Machine, Pair, Port, RunError, Source, Specialized, Stage};
 
 use crate::cpu::threads;
 use crate::prepare::{Prepared, PreparedProgram};
@@ -52,6 +52,9 @@ pub(crate) struct ObjectProgram<'a> {
     /// The number of the output that is the colour.
     pub color: usize,
     pub values: StageValues<'a>,
+    /// The stages with their uniforms, once a machine is made.
+    specialized_vertex: OnceLock<Specialized>,
+    specialized_fragment: OnceLock<Specialized>,
     vertex_textures: ProgramTextures<'a>,
     fragment_textures: ProgramTextures<'a>,
     /// What vertices are given.
@@ -151,11 +154,24 @@ impl<'a> ObjectProgram<'a> {
             pair: &program.pair,
             number,
             color: program.color?,
+            specialized_vertex: OnceLock::new(),
+            specialized_fragment: OnceLock::new(),
             vertex_textures: textures(&values.vertex_textures),
             fragment_textures: textures(&values.fragment_textures),
             values,
             attributes: MeshAttributes::new(object),
         })
+    }
+
+    /// A stage with its uniforms, which all threads share.
+    fn specialized(&self, stage: Stage) -> &Specialized {
+        let values = &self.values;
+        match stage {
+            Stage::Vertex => self.specialized_vertex.get_or_init(|| self.pair.vertex.specialize(&values.vertex)),
+            Stage::Fragment => {
+                self.specialized_fragment.get_or_init(|| self.pair.fragment.specialize(&values.fragment))
+            }
+        }
     }
 
     /// Whether the vertex shader is the user's, and says where vertices are.

@@ -29,11 +29,11 @@ impl<'a> Pool<'a> {
         if list.len() == MOST {
             list.remove(0);
         }
-        let (of_stage, values, textures) = match stage {
-            Stage::Vertex => (&program.pair.vertex, &program.values.vertex, &program.vertex_textures),
-            Stage::Fragment => (&program.pair.fragment, &program.values.fragment, &program.fragment_textures),
+        let textures = match stage {
+            Stage::Vertex => &program.vertex_textures,
+            Stage::Fragment => &program.fragment_textures,
         };
-        let machine = Machine::<1>::new(of_stage, values, textures, level).with_rows_down();
+        let machine = Machine::<1>::of(program.specialized(stage), textures, level).with_rows_down();
         list.push((object, stage, machine));
         let last = list.len() - 1;
         &mut list[last].2
