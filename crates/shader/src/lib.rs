@@ -65,4 +65,4 @@ pub use run::Machine;
 pub use screen::{Moment, Pictures, Screen, ScreenError, ScreenPicture, TexturePicture, is_of_a_pass};
 pub use specialize::Specialized;
 pub use stage::{Interpolation, Language, Scalar, Stage, ValueType};
-pub use trace::{Record, RecordKind, Trace};
+pub use trace::{Record, RecordKind, Trace, TracePoint};

@@ -10,6 +10,7 @@ use crate::machine::{
 };
 use crate::lower::Placed;
 use crate::specialize::Inner;
+use crate::trace::TraceRecorder;
 use crate::{Place, Program, RunError, Specialized, Trace, UniformValues};
 
 /// Turns of loops in one run. A shader that takes more is taken for endless.
@@ -165,9 +166,9 @@ impl Machine<'_, 1> {
     ///
     /// The trace of an endless loop ends where it was stopped.
     pub fn trace(&mut self) -> Trace {
-        let mut trace = Trace::new(&self.code);
-        let end = self.run_with(&mut trace.recorder());
-        trace.ended(end);
-        trace
+        let code = Arc::clone(&self.code);
+        let mut recorder = TraceRecorder::new(&code.points);
+        let end = self.run_with(&mut recorder);
+        recorder.into_trace(end)
     }
 }

@@ -25,14 +25,14 @@ pub(crate) struct Host<'a> {
 /// Who hears of the events of a traced program.
 pub(crate) trait Recorder {
     /// Event `event` happened; `registers` tells the first 16 lanes of any register.
-    fn note(&mut self, event: usize, registers: &dyn Fn(u16) -> [f32; 16]);
+    fn note<'a>(&mut self, event: usize, registers: &dyn Fn(u16) -> &'a [f32; 16]);
 }
 
 /// Nobody.
 pub(crate) struct Silent;
 
 impl Recorder for Silent {
-    fn note(&mut self, _: usize, _: &dyn Fn(u16) -> [f32; 16]) {}
+    fn note<'a>(&mut self, _: usize, _: &dyn Fn(u16) -> &'a [f32; 16]) {}
 }
 
 /// The fuel was used up at this instruction.
@@ -196,7 +196,7 @@ fn gradient(coordinates: [[f32; 16]; 3], bias: [f32; 16]) -> Lod {
 #[cold]
 #[inline(never)]
 fn note<const G: usize>(file: &Registers<G>, op: &Op, recorder: &mut dyn Recorder) {
-    recorder.note(op.imm as usize, &|r| file[index(r)][0].0);
+    recorder.note(op.imm as usize, &|r| &file[index(r)][0].0);
 }
 
 /// Runs `ops` to their end.

@@ -20,6 +20,7 @@ use naga::Span;
 use crate::lower::{Draft, Placed};
 use crate::machine::{Code, OutOfFuel};
 use crate::run::{begin, endless};
+use crate::trace::PlacedPoint;
 use crate::{Place, Program, RunError, UniformValues};
 
 /// A program with the values of its uniforms: what machines run.
@@ -53,7 +54,7 @@ pub(crate) struct Inner {
     pub(crate) words: Vec<u32>,
     loop_places: Arc<[(Span, Place)]>,
     /// Of each event of a trace.
-    pub(crate) event_places: Vec<Option<Place>>,
+    pub(crate) points: Vec<PlacedPoint>,
 }
 
 impl Inner {
@@ -70,8 +71,10 @@ impl Specialized {
     pub(crate) fn new(program: &Program, uniforms: &UniformValues) -> Self {
         let words = uniforms.words.clone();
         let placed = specialized(program, uniforms).unwrap_or_else(|| program.lowered.placed.clone());
-        let (loop_places, event_places) = (Arc::clone(&program.loop_places), program.event_places.clone());
-        Self(Arc::new(Inner { placed, words, loop_places, event_places }))
+        let events = placed.events.iter().zip(&program.event_places);
+        let points = events.map(|(event, place)| PlacedPoint::new(event, place.clone())).collect();
+        let loop_places = Arc::clone(&program.loop_places);
+        Self(Arc::new(Inner { placed, words, loop_places, points }))
     }
 
     /// How many instructions run for each fragment, loops once.

@@ -1,8 +1,10 @@
 //! What happened in a run, line by line.
 
-use crate::lower::EventKind;
+use std::ops::Deref;
+use std::sync::Arc;
+
+use crate::lower::{Event, EventKind};
 use crate::machine::Recorder;
-use crate::specialize::Inner;
 use crate::{Place, RunError, Scalar, ValueType};
 
 /// Most records; a shader with loops makes many.
@@ -19,9 +21,9 @@ pub enum RecordKind {
     Leave,
 }
 
-/// One event of a run.
+/// What the source has that a run may tell of. A loop tells of it in every turn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Record {
+pub struct TracePoint {
     /// What it tells.
     pub kind: RecordKind,
     /// Where in the source.
@@ -30,10 +32,24 @@ pub struct Record {
     pub name: String,
     /// Type of the value.
     pub ty: ValueType,
+}
+
+/// One event of a run: that its [`TracePoint`] was passed, whose fields are there as if they were its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    point: Arc<TracePoint>,
     /// Words of the value, one row of 16 lanes per component.
     pub words: Vec<[u32; 16]>,
     /// Bit i: lane i was here.
     pub lanes: u16,
+}
+
+impl Deref for Record {
+    type Target = TracePoint;
+
+    fn deref(&self) -> &TracePoint {
+        &self.point
+    }
 }
 
 impl Record {
@@ -102,41 +118,50 @@ impl Record {
 #[derive(Clone, Debug)]
 pub struct Trace {
     records: Vec<Record>,
-    templates: Vec<(Record, Vec<u16>, Option<u16>)>,
     left_out: usize,
     end: Option<RunError>,
 }
 
+/// A point of the source with the registers that tell of it: those of its value, and of the mask of the lanes that are
+/// there; all if there is none.
+#[derive(Clone, Debug)]
+pub(crate) struct PlacedPoint {
+    point: Arc<TracePoint>,
+    registers: Vec<u16>,
+    mask: Option<u16>,
+}
+
+impl PlacedPoint {
+    pub(crate) fn new(event: &Event<u16>, place: Option<Place>) -> Self {
+        let kind = match event.kind {
+            EventKind::Value => RecordKind::Value,
+            EventKind::Branch => RecordKind::Branch,
+            EventKind::Leave => RecordKind::Leave,
+        };
+        let point = TracePoint { kind, place, name: event.name.clone(), ty: event.ty };
+        Self { point: Arc::new(point), registers: event.registers.clone(), mask: event.mask }
+    }
+}
+
 /// What hears of a run's events.
 pub(crate) struct TraceRecorder<'a> {
-    trace: &'a mut Trace,
+    points: &'a [PlacedPoint],
+    trace: Trace,
+}
+
+impl<'a> TraceRecorder<'a> {
+    pub(crate) fn new(points: &'a [PlacedPoint]) -> Self {
+        let records = Vec::with_capacity(points.len());
+        Self { points, trace: Trace { records, left_out: 0, end: None } }
+    }
+
+    /// The trace of a run that ended so.
+    pub(crate) fn into_trace(self, end: Result<(), RunError>) -> Trace {
+        Trace { end: end.err(), ..self.trace }
+    }
 }
 
 impl Trace {
-    pub(crate) fn new(code: &Inner) -> Self {
-        let events = code.placed.events.iter().zip(&code.event_places);
-        let templates = events.map(|(event, place)| {
-            let kind = match event.kind {
-                EventKind::Value => RecordKind::Value,
-                EventKind::Branch => RecordKind::Branch,
-                EventKind::Leave => RecordKind::Leave,
-            };
-            let (place, name, ty) = (place.clone(), event.name.clone(), event.ty);
-            let record = Record { kind, place, name, ty, words: Vec::new(), lanes: u16::MAX };
-            (record, event.registers.clone(), event.mask)
-        });
-        Self { records: Vec::new(), templates: templates.collect(), left_out: 0, end: None }
-    }
-
-    pub(crate) fn recorder(&mut self) -> TraceRecorder<'_> {
-        TraceRecorder { trace: self }
-    }
-
-    pub(crate) fn ended(&mut self, end: Result<(), RunError>) {
-        self.end = end.err();
-        self.templates.clear();
-    }
-
     /// What happened, in order; of loops turn by turn.
     pub fn records(&self) -> &[Record] {
         &self.records
@@ -172,21 +197,21 @@ impl Trace {
 }
 
 impl Recorder for TraceRecorder<'_> {
-    fn note(&mut self, event: usize, registers: &dyn Fn(u16) -> [f32; 16]) {
+    fn note<'a>(&mut self, event: usize, registers: &dyn Fn(u16) -> &'a [f32; 16]) {
         if self.trace.records.len() >= MOST_RECORDS {
             self.trace.left_out += 1;
             return;
         }
-        let Some((template, values, mask)) = self.trace.templates.get(event) else { return };
+        let Some(PlacedPoint { point, registers: values, mask }) = self.points.get(event) else { return };
         let lanes = mask.map_or(u16::MAX, |mask| {
-            let bits = registers(mask).map(f32::to_bits);
-            bits.iter().enumerate().fold(0, |all, (lane, word)| all | u16::from(*word != 0) << lane)
+            let words = registers(mask).iter().enumerate();
+            words.fold(0, |all, (lane, word)| all | u16::from(word.to_bits() != 0) << lane)
         });
         // A branch that no lane is in is run through where a jump is not worth it.
         if lanes == 0 {
             return;
         }
         let words = values.iter().map(|r| registers(*r).map(f32::to_bits)).collect();
-        self.trace.records.push(Record { words, lanes, ..template.clone() });
+        self.trace.records.push(Record { point: Arc::clone(point), words, lanes });
     }
 }
