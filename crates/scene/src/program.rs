@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use glanz_shader::included_path;
 use serde::{Deserialize, Serialize};
 
 /// The text of a shader, GLSL or WGSL, with the files that it includes.
@@ -94,7 +95,7 @@ impl ProgramText {
         Self { name: name.into(), text: text.into(), includes: BTreeMap::new() }
     }
 
-    /// A text with what it includes. `read` gives the text of a path as `#include` has it; where it gives none, the
+    /// A text with what it includes. `read` gives the text of a path, seen from the text's folder; where it gives none, the
     /// compiler will say so at the line that asks for it.
     pub fn with_includes(
         name: impl Into<String>,
@@ -102,13 +103,14 @@ impl ProgramText {
         read: &mut dyn FnMut(&str) -> Option<String>,
     ) -> Self {
         let mut program = Self::new(name, text);
-        let mut wanted = included(&program.text);
-        while let Some(path) = wanted.pop() {
-            if program.includes.contains_key(&path) {
+        let mut wanted = included("", &program.text);
+        while let Some(paths) = wanted.pop() {
+            if paths.iter().any(|path| program.includes.contains_key(path)) {
                 continue;
             }
-            if let Some(text) = read(&path) {
-                wanted.extend(included(&text));
+            let found = paths.into_iter().find_map(|path| Some((read(&path)?, path)));
+            if let Some((text, path)) = found {
+                wanted.extend(included(&path, &text));
                 program.includes.insert(path, text);
             }
         }
@@ -130,19 +132,23 @@ impl Program {
     }
 }
 
-/// The paths of a text's `#include` lines, whether or not these are reached.
-fn included(text: &str) -> Vec<String> {
-    let path = |line: &str| {
+/// The paths of a text's `#include` lines, whether or not these are reached: each seen from the text's own path, then from
+/// the first one's folder.
+fn included(from: &str, text: &str) -> Vec<Vec<String>> {
+    let paths = |line: &str| {
         let rest = line.trim_start().strip_prefix('#')?.trim_start().strip_prefix("include")?.trim_start();
         let end = match rest.chars().next()? {
-            '"' => '"',
+            quote @ ('"' | '\'') => quote,
             '<' => '>',
             _ => return None,
         };
         let (path, _) = rest[1..].split_once(end)?;
-        Some(path.to_owned())
+        let mut paths: Vec<String> =
+            [included_path(from, path), included_path("", path)].into_iter().flatten().collect();
+        paths.dedup();
+        Some(paths)
     };
-    text.lines().filter_map(path).collect()
+    text.lines().filter_map(paths).collect()
 }
 
 #[cfg(test)]

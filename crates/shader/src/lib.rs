@@ -53,7 +53,7 @@ mod trace;
 pub use brdf::{Brdf, BrdfSource};
 pub use check::{Warning, check_stages};
 pub use error::{Place, RunError, ShaderError};
-pub use intake::Range;
+pub use intake::{Range, included_path};
 pub use interface::{Interface, Port, Uniform, UniformError, UniformValues};
 pub use lower::TextureInfo;
 pub use machine::{CubePlace, Lod, NoTextures, Row, TextureQuery, Textures, panorama_place, turned};
@@ -62,7 +62,10 @@ pub use pair::{Pair, Source, Varying};
 pub use program::{Program, Shader};
 pub use programs::DefaultProgram;
 pub use run::Machine;
-pub use screen::{Moment, Pictures, Screen, ScreenError, ScreenPicture, TexturePicture, is_of_a_pass};
+pub use screen::{
+    Border, Channel, Channels, Moment, Pass, PassError, PassTexture, Passes, Pictures, Screen, ScreenError,
+    ScreenPicture, TexturePicture, is_of_a_pass,
+};
 pub use specialize::Specialized;
 pub use stage::{Interpolation, Language, Scalar, Stage, ValueType};
 pub use trace::{Record, RecordKind, Trace, TracePoint};

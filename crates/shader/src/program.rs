@@ -9,7 +9,7 @@ use crate::intake::{self, Complaint, Front, Sources};
 use crate::interface::{Interface, Port, Uniform, UniformValues};
 use crate::lower::{self, Lowered, Slot};
 use crate::names::{attribute_role, uniform_role};
-use crate::{Specialized, Language, Place, ShaderError, Stage, Warning, check};
+use crate::{Language, Place, ShaderError, Specialized, Stage, Warning, check};
 
 /// Stack of the thread that compiles: the front end's grows with the nesting of the text, which is limited to what this
 /// holds.
@@ -34,7 +34,9 @@ pub struct Shader<'a> {
     stage: Stage,
     language: Option<Language>,
     defines: Vec<(String, String)>,
+    common: Option<(String, String)>,
     include: Option<intake::Include<'a>>,
+    is_toy: bool,
     trace: bool,
 }
 
@@ -42,7 +44,18 @@ impl<'a> Shader<'a> {
     /// A text of a stage.
     pub fn new(stage: Stage, text: impl Into<String>) -> Self {
         let name = format!("{} shader", stage.name());
-        Self { name, text: text.into(), stage, language: None, defines: vec![], include: None, trace: false }
+        let (language, common, include) = (None, None, None);
+        Self {
+            name,
+            text: text.into(),
+            stage,
+            language,
+            defines: vec![],
+            common,
+            include,
+            is_toy: false,
+            trace: false,
+        }
     }
 
     /// A fragment shader.
@@ -76,10 +89,26 @@ impl<'a> Shader<'a> {
         self
     }
 
-    /// Where `#include` takes its files from: called with the path as written and the name of the file that includes it.
+    /// A GLSL text of this name in front, as Shadertoy's tab "Common" is.
+    #[must_use]
+    pub fn common(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
+        self.common = Some((name.into(), text.into()));
+        self
+    }
+
+    /// Where `#include` takes its files from: called with the path from the folder of this text
+    /// ([`included_path`](crate::included_path)) and the name of the file that includes it.
     #[must_use]
     pub fn include(mut self, resolve: &'a (dyn Fn(&str, &str) -> Option<String> + Sync)) -> Self {
         self.include = Some(resolve);
+        self
+    }
+
+    /// Shadertoy's names (`iTime`, `iResolution`, `iChannel0`…) are there, even if the text has a `main` of its own and
+    /// does not declare them.
+    #[must_use]
+    pub fn toy(mut self) -> Self {
+        self.is_toy = true;
         self
     }
 
@@ -117,7 +146,15 @@ impl<'a> Shader<'a> {
         let mut sources = Sources::default();
         let file = sources.add(&self.name, self.text.clone());
         let language = self.language.unwrap_or_else(|| Language::of_file(&self.name));
-        let front = intake::read(&mut sources, file, self.stage, language, &self.defines, self.include);
+        let common = self.common.as_ref().map(|(name, text)| sources.add(name, text.clone()));
+        let texts = intake::Texts {
+            file,
+            common,
+            defines: &self.defines,
+            include: self.include,
+            is_toy: self.is_toy,
+        };
+        let front = intake::read(&mut sources, &texts, self.stage, language);
         let front = front.map_err(|complaint| complaint.into_error(&sources))?;
         let purposes = |name: &str| front.given.roles.get(name).cloned();
         let lowered = lower::lower(&front.module, &front.info, self.stage, &purposes, self.trace);
@@ -148,7 +185,8 @@ impl Program {
     fn new(shader: &Shader<'_>, sources: &Sources, front: Front, lowered: Lowered) -> Self {
         let place = |span| intake::origin_of(span, &front.map).map(|origin| sources.place(origin));
         let event_places = lowered.placed.events.iter().map(|event| place(event.span)).collect();
-        let loop_places = lowered.placed.loops.values().filter_map(|span| Some((*span, place(*span)?))).collect();
+        let loop_places =
+            lowered.placed.loops.values().filter_map(|span| Some((*span, place(*span)?))).collect();
         let interface = interface(shader.stage, sources, &front, &lowered);
         let warnings = check::warnings(&front, shader.stage, sources);
         let kept = Kept { module: Arc::new(front.module), roles: Arc::new(front.given.roles) };

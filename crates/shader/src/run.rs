@@ -5,10 +5,10 @@ use std::sync::Arc;
 use glanz_math::{SimdLevel, at_level};
 use naga::Span;
 
+use crate::lower::Placed;
 use crate::machine::{
     Host, NoTextures, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute,
 };
-use crate::lower::Placed;
 use crate::specialize::Inner;
 use crate::trace::TraceRecorder;
 use crate::{Place, Program, RunError, Specialized, Trace, UniformValues};
@@ -109,12 +109,7 @@ pub(crate) fn proceed(
 }
 
 /// The error of a run that was stopped.
-pub(crate) fn endless(
-    placed: &Placed,
-    places: &[(Span, Place)],
-    stopped: OutOfFuel,
-    turns: u32,
-) -> RunError {
+pub(crate) fn endless(placed: &Placed, places: &[(Span, Place)], stopped: OutOfFuel, turns: u32) -> RunError {
     let span = placed.loops.get(&stopped.at);
     let place = span.and_then(|span| places.iter().find(|(own, _)| own == span));
     RunError::EndlessLoop { place: place.map(|(_, place)| place.clone()), turns }

@@ -36,6 +36,12 @@ impl Texts {
         Ok(Self::of(&file.display().to_string(), &read(file)?))
     }
 
+    /// With one more text.
+    pub(crate) fn add(&self, name: &str, text: &str) {
+        let mut texts = self.texts.lock().unwrap_or_else(PoisonError::into_inner);
+        texts.insert(name.to_owned(), text.to_owned());
+    }
+
     /// The name of the file.
     pub(crate) fn name(&self) -> &str {
         &self.name

@@ -41,8 +41,11 @@ impl Folder {
         self.0.join(name)
     }
 
-    /// Writes a file.
+    /// Writes a file, in a folder of its own if the name has one.
     pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        if let Some((folder, _)) = name.rsplit_once('/') {
+            fs::create_dir_all(self.path(folder)).unwrap();
+        }
         fs::write(self.path(name), content).unwrap();
     }
 

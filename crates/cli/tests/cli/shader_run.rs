@@ -194,3 +194,144 @@ fn the_example_without_a_scene_is_drawn() {
     assert!(sky[2] > sky[0] + 20, "the sky is blue: {sky:?}");
     assert!(floor[0].abs_diff(floor[2]) < 10, "the floor is grey: {floor:?}");
 }
+
+/// Adds a quarter to itself in each frame.
+const SUM: &str = "
+void mainImage(out vec4 c, in vec2 at) { c = texelFetch(iChannel0, ivec2(at), 0) + vec4(0.25, at.x, at.y, 0.0); }";
+
+/// The upper left pixel of the picture at half a second, two frames in a second: frame 1.
+fn pixel_of(folder: &Folder, words: &[&str]) -> [u8; 3] {
+    let size = ["--size", "4x2", "--time", "0.5", "--fps", "2", "-o", "pass.png"];
+    folder.glanz(&[&["shader", "run"], words, &size].concat()).text();
+    pixels(&folder.read("pass.png")).2[0]
+}
+
+#[test]
+fn passes_draw_for_others_and_for_themselves_in_the_next_frame() {
+    let folder = folder();
+    folder.write("sum.frag", SUM);
+    folder.write("show.frag", "void mainImage(out vec4 c, in vec2 at) { c = texelFetch(iChannel0, ivec2(at), 0) * vec4(1.0, 0.25, 0.25, 1.0); }");
+    let own = pixel_of(&folder, &["sum.frag", "--channel0", "self"]);
+    assert_eq!(own, [128, 255, 255], "two frames of a quarter");
+    // Numbers above 1 are kept: 2 · 0.5 · 0.25 and 2 · 1.5 · 0.25.
+    let shown = pixel_of(&folder, &["show.frag", "--pass", "a=sum.frag,0=self", "--channel0", "a"]);
+    assert_eq!(shown, [128, 64, 191]);
+    // A pass that stands before the one that it reads has what that drew a frame ago; a file may be several passes.
+    let passes = ["show.frag", "--pass", "b=sum.frag,0=a", "--pass", "a=sum.frag,0=a", "--channel0", "b"];
+    assert_eq!(pixel_of(&folder, &passes)[0], 128, "a quarter of a frame ago and its own");
+}
+
+#[test]
+fn texts_name_their_passes_and_pictures_themselves() {
+    let folder = folder();
+    folder.write("sum.glsl", format!("#iChannel0 \"self\"\n{SUM}"));
+    folder.write(
+        "show.glsl",
+        "#iChannel0 \"file://sum.glsl\"\n#iChannel1 \"file://toy.png\"\n#iChannel1::WrapMode \"Clamp\"\n#iKeyboard\n\
+         #iUniform float part = 0.5 in { 0.0, 1.0 }\n\
+         void mainImage(out vec4 c, in vec2 at) {\n\
+         c = vec4(texelFetch(iChannel0, ivec2(at), 0).r, texture(iChannel1, vec2(-3.0, 9.0)).g, part, 1.0); }",
+    );
+    folder.glanz(&["shader", "run", "toy.frag", "--size", "4x2", "-o", "toy.png"]).text();
+    assert_eq!(pixel_of(&folder, &["show.glsl"]), [128, 191, 128]);
+    assert_eq!(pixel_of(&folder, &["show.glsl", "--uniform", "part=1"]), [128, 191, 255]);
+    let run = folder.glanz(&["shader", "run", "show.glsl", "--size", "4x2", "-o", "a.png"]);
+    assert!(run.stderr.contains("show.glsl:4: '#iKeyboard' means nothing here"), "{}", run.stderr);
+    folder.write("wrong.glsl", "#iChannel0 \"https://example.org/a.png\"\nvoid mainImage(out vec4 c, vec2 at) {\n c = texture(iChannel0, at) + nix; }");
+    let run = folder.glanz(&["shader", "run", "wrong.glsl"]);
+    assert!(run.stderr.contains("wrong.glsl:3:31"), "lines are counted as they are: {}", run.stderr);
+    folder.write("wrong.glsl", "#iChannel0 \"https://example.org/a.png\"\nvoid mainImage(out vec4 c, vec2 at) { c = texture(iChannel0, at); }");
+    let run = folder.glanz(&["shader", "run", "wrong.glsl"]);
+    assert!(run.stderr.contains("is not fetched") && run.stderr.contains("wrong.glsl:1"), "{}", run.stderr);
+}
+
+#[test]
+fn buffers_of_one_text_are_those_of_glsl_viewer() {
+    let folder = folder();
+    folder.write(
+        "buffers.frag",
+        "uniform sampler2D u_buffer0; uniform sampler2D u_doubleBuffer0; uniform vec2 u_resolution;
+         void main() {
+             vec2 at = gl_FragCoord.xy / u_resolution;
+         #if defined(BUFFER_0)
+             gl_FragColor = vec4(0.5);
+         #elif defined(DOUBLE_BUFFER_0)
+             gl_FragColor = texture2D(u_doubleBuffer0, at) + texture2D(u_buffer0, at) * 0.25;
+         #else
+             gl_FragColor = vec4(texture2D(u_doubleBuffer0, at).r, texture2D(u_buffer0, at).r, 1.0, 1.0);
+         #endif
+         }",
+    );
+    assert_eq!(pixel_of(&folder, &["buffers.frag"]), [64, 128, 255]);
+    folder.write("back.frag", "uniform sampler2D backbuffer; void main() { gl_FragColor = texture2D(backbuffer, gl_FragCoord.xy / vec2(4.0, 2.0)) + 0.25; }");
+    assert_eq!(pixel_of(&folder, &["back.frag"]), [128; 3]);
+}
+
+#[test]
+fn a_film_that_begins_later_has_the_frames_of_the_whole_one() {
+    let folder = folder();
+    folder.write("sum.glsl", format!("#iChannel0 \"self\"\n{SUM}"));
+    let film = |frames: &str, name: &str| {
+        folder.glanz(&["shader", "run", "sum.glsl", "--size", "4x2", "--frames", frames, "-o", name]).text();
+    };
+    film("0..3", "whole_{frame}.png");
+    film("2..3", "part_{frame}.png");
+    assert_eq!(folder.read("whole_2.png"), folder.read("part_2.png"));
+    assert_eq!(pixels(&folder.read("part_2.png")).2[0][0], 191);
+}
+
+#[test]
+fn what_is_common_stands_in_front_of_all_passes() {
+    let folder = folder();
+    folder.write("common.glsl", "const float PART = 0.25;\nfloat part() { return PART; }\n");
+    folder.write("a.glsl", "void mainImage(out vec4 c, in vec2 at) { c = vec4(part()); }");
+    folder.write(
+        "b.glsl",
+        "void mainImage(out vec4 c, in vec2 at) { c = texture(iChannel0, vec2(0.5)) + vec4(part()); }",
+    );
+    let words = ["b.glsl", "--common", "common.glsl", "--pass", "a=a.glsl", "--channel0", "a"];
+    assert_eq!(pixel_of(&folder, &words), [128; 3]);
+    folder.write("common.glsl", "float part() { return 1.0 }\n");
+    let run = folder.glanz(&[&["shader", "run"], &words[..]].concat());
+    assert!(run.stderr.contains("common.glsl:1:23"), "{}", run.stderr);
+    for (more, expected) in [
+        (&["--pass", "a=a.glsl,7=self"][..], "'7=self' is no channel"),
+        (&["--channel0", "c"], "'c' is neither a pass, self, nor a file"),
+        (&["--pass", "self=a.glsl"], "the name is taken"),
+    ] {
+        folder.write("common.glsl", "float part() { return 1.0; }\n");
+        let run = folder.glanz(&[&["shader", "run", "b.glsl", "--common", "common.glsl"], more].concat());
+        assert!(run.code != 0 && run.stderr.contains(expected), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn the_example_with_two_passes_is_drawn() {
+    let folder = Folder::new();
+    let file = |name: &str| format!("{}/../../examples/shaders/{name}", env!("CARGO_MANIFEST_DIR"));
+    for name in ["pond.glsl", "ripples.glsl"] {
+        folder.write(name, std::fs::read(file(name)).unwrap());
+    }
+    let run =
+        folder.glanz(&["shader", "run", "pond.glsl", "--size", "64x36", "--time", "2", "-o", "pond.png"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, "wrote pond.png\n"));
+    let (_, _, codes) = pixels(&folder.read("pond.png"));
+    let bright = codes.iter().filter(|code| code[0] > 150).count();
+    assert!((20..1000).contains(&bright), "the lamp is mirrored: {bright}");
+}
+
+#[test]
+fn texts_of_editors_have_a_main_and_include_from_where_they_are() {
+    let folder = folder();
+    folder.write("math/one.glsl", "#pragma once\nfloat one() { return 1.0; }\n");
+    folder.write("noise/part.glsl", "#include \"../math/one.glsl\"\nfloat part() { return 0.25 * one(); }\n");
+    folder.write(
+        "main.glsl",
+        "#iChannel0 \"file://self\"\n#include './noise/part.glsl'\n#include \"math/one.glsl\"\n\
+         void main() { gl_FragColor = texture(iChannel0, gl_FragCoord.xy / iResolution.xy) + part() * one(); }",
+    );
+    assert_eq!(pixel_of(&folder, &["main.glsl"]), [128; 3]);
+    folder.write("wrong.glsl", "#include \"../toy.frag\"\nvoid main() {}\n");
+    let run = folder.glanz(&["shader", "run", "wrong.glsl"]);
+    assert!(run.stderr.contains("'../toy.frag' is not there to be included"), "{}", run.stderr);
+}

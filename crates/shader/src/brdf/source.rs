@@ -8,7 +8,7 @@ use glanz_bsdf::{ModelInfo, ModelSource, Side};
 use super::inputs::Inputs;
 use super::model::Code;
 use super::{Brdf, expression, info, parameters};
-use crate::intake::Include;
+use crate::intake::{Include, included_path};
 use crate::machine::Code as OpCode;
 use crate::{Program, Scalar, Shader, ShaderError};
 
@@ -126,7 +126,7 @@ impl<'a> BrdfSource<'a> {
         });
         let traced = shader.traced().compile()?;
         let text =
-            with_includes(&self.text, &included.into_inner().unwrap_or_else(PoisonError::into_inner), 0);
+            with_includes(&self.text, &included.into_inner().unwrap_or_else(PoisonError::into_inner), &[]);
         let source = ModelSource { file: self.file.clone(), text, diffuse: self.diffuse };
         Brdf::new(Code { program, info, inputs, parameters, source }, traced)
     }
@@ -176,17 +176,19 @@ fn check(program: &Program) -> Result<(), ShaderError> {
     }
 }
 
-/// The text with those that it includes in the place of `#include`.
-fn with_includes(text: &str, included: &BTreeMap<String, String>, depth: usize) -> String {
-    if included.is_empty() || depth > 16 {
+/// The text with those that it includes in the place of `#include`. `within`: the paths around.
+fn with_includes(text: &str, included: &BTreeMap<String, String>, within: &[String]) -> String {
+    if included.is_empty() || within.len() > 16 {
         return text.to_owned();
     }
+    let from = within.last().map_or("", String::as_str);
     let line = |line: &str| {
         let path =
             line.trim_start().strip_prefix('#').and_then(|rest| rest.trim_start().strip_prefix("include"));
-        let path = path.map(|path| path.trim().trim_matches(['"', '<', '>']));
-        match path.and_then(|path| included.get(path)) {
-            Some(text) => with_includes(text, included, depth + 1) + "\n",
+        let path = path.map_or("", |path| path.trim().trim_matches(['"', '\'', '<', '>']));
+        let paths = [included_path(from, path), included_path("", path)];
+        match paths.into_iter().flatten().find_map(|path| Some((included.get(&path)?, path))) {
+            Some((text, path)) => with_includes(text, included, &[within, &[path]].concat()) + "\n",
             None => line.to_owned(),
         }
     };

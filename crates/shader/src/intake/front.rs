@@ -25,31 +25,36 @@ pub(crate) struct Front {
 /// Bytes of a text; more would be no shader.
 const MOST_BYTES: usize = 1 << 20;
 
-/// Reads file `file` of the sources.
+/// What is read.
+pub(crate) struct Texts<'a> {
+    /// The number of the file among the sources.
+    pub(crate) file: u32,
+    /// Of the one that stands in front of it.
+    pub(crate) common: Option<u32>,
+    pub(crate) defines: &'a [(String, String)],
+    pub(crate) include: Option<Include<'a>>,
+    /// Whether Shadertoy's names are there, whatever the text has.
+    pub(crate) is_toy: bool,
+}
+
+/// Reads a file of the sources.
 pub(crate) fn read(
     sources: &mut Sources,
-    file: u32,
+    texts: &Texts<'_>,
     stage: Stage,
     language: Language,
-    defines: &[(String, String)],
-    include: Option<Include<'_>>,
 ) -> Result<Front, Complaint> {
-    if sources.text(file).len() > MOST_BYTES {
+    if sources.text(texts.file).len() > MOST_BYTES {
         return Err(Complaint::whole("the text is longer than 1 MiB"));
     }
     match language {
-        Language::Wgsl => read_wgsl(sources, file, stage),
-        Language::Glsl => read_glsl(sources, file, stage, defines, include),
+        Language::Wgsl => read_wgsl(sources, texts.file, stage),
+        Language::Glsl => read_glsl(sources, texts, stage),
     }
 }
 
-fn read_glsl(
-    sources: &mut Sources,
-    file: u32,
-    stage: Stage,
-    defines: &[(String, String)],
-    include: Option<Include<'_>>,
-) -> Result<Front, Complaint> {
+fn read_glsl(sources: &mut Sources, texts: &Texts<'_>, stage: Stage) -> Result<Front, Complaint> {
+    let file = texts.file;
     let mut part = (0, sources.text(file).len());
     let (mut head, mut ranges) = (Vec::new(), Vec::new());
     if brdf::is_brdf_file(sources.text(file)) {
@@ -62,11 +67,14 @@ fn read_glsl(
         }
         (part, ranges) = (found.shader, found.ranges);
     }
-    let mut preprocessor = Preprocessor::new(sources, include);
-    defines.iter().for_each(|(name, text)| preprocessor.define(name, text));
+    let mut preprocessor = Preprocessor::new(sources, texts.include);
+    texts.defines.iter().for_each(|(name, text)| preprocessor.define(name, text));
+    if let Some(common) = texts.common {
+        preprocessor.before(common)?;
+    }
     let (all, version) = preprocessor.run(file, part.0, part.1)?;
     head.extend(all);
-    let mut rewritten = rewrite(&head, stage, version)?;
+    let mut rewritten = rewrite(&head, stage, version, texts.is_toy)?;
     rewritten.given.remarks.extend(remarks(&head));
     let options = glsl::Options::from(match stage {
         Stage::Vertex => ShaderStage::Vertex,

@@ -21,7 +21,8 @@ mod token;
 
 pub use brdf::Range;
 pub(crate) use brdf::is_brdf_file;
-pub(crate) use front::{Front, origin_of, read};
+pub(crate) use front::{Front, Texts, origin_of, read};
+pub use preprocess::included_path;
 pub(crate) use source::{Map, Origin, Sources};
 #[cfg(feature = "fuzz")]
 pub(crate) use steps::{expand, rewrite_text};

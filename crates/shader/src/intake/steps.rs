@@ -19,6 +19,6 @@ pub(crate) fn expand(
 
 /// What the rewriter makes of a text without directives.
 pub(crate) fn rewrite_text(text: &str, file: u32, stage: Stage) -> Result<(String, Map), Complaint> {
-    let rewritten = rewrite(&tokens(text, file, 0), stage, Version { number: 330, es: false })?;
+    let rewritten = rewrite(&tokens(text, file, 0), stage, Version { number: 330, es: false }, false)?;
     Ok((rewritten.text, rewritten.map))
 }

@@ -30,8 +30,8 @@ use naga::valid::{FunctionInfo, ModuleInfo};
 use naga::{Expression, Function, Handle, Module, Span};
 
 use crate::Stage;
-pub(crate) use allocate::{Draft, Placed};
 use crate::machine::{Code, Look};
+pub(crate) use allocate::{Draft, Placed};
 pub(crate) use gather::is_stand_in;
 pub use layout::TextureInfo;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};

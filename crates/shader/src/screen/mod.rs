@@ -1,7 +1,10 @@
 //! Programs that fill a picture by themselves, as Shadertoy and glslViewer run them: neither mesh nor scene.
 
+mod channels;
 mod inputs;
+mod levels;
 mod moment;
+mod passes;
 mod picture;
 mod pictures;
 
@@ -12,9 +15,14 @@ use glanz_math::SimdLevel;
 
 use self::inputs::Source;
 use crate::interface::number;
-use crate::{Interface, Machine, NoTextures, Program, RunError, Scalar, Stage, Textures, UniformValues};
+use crate::{
+    Interface, Machine, NoTextures, Program, RunError, Scalar, Stage, Textures, UniformError, UniformValues,
+};
 
+pub use channels::{Channel, Channels};
+pub use levels::Border;
 pub use moment::{Moment, is_of_a_pass};
+pub use passes::{Pass, PassError, PassTexture, Passes};
 pub use picture::ScreenPicture;
 pub use pictures::{Pictures, TexturePicture};
 
@@ -32,6 +40,9 @@ pub enum ScreenError {
     /// It has no output.
     #[error("the shader gives no colour: it has neither an 'out vec4', nor gl_FragColor, nor mainImage")]
     NoColor,
+    /// A uniform was set that it has not, or has otherwise.
+    #[error(transparent)]
+    Uniform(#[from] UniformError),
 }
 
 /// A fragment shader over all pixels of a picture.

@@ -1,7 +1,9 @@
 //! Textures from pictures, as Shadertoy and glslViewer look into them.
 
-use glanz_math::Real;
+use std::sync::Arc;
 
+use super::ScreenPicture;
+use super::levels::{Border, Level, Sampling, level_of, trilinear};
 use crate::{CubePlace, Lod, TextureQuery, Textures, panorama_place, turned};
 
 /// A picture as a texture: it repeats, is filtered linearly in and between its levels, and its codes are taken as they
@@ -12,8 +14,9 @@ use crate::{CubePlace, Lod, TextureQuery, Textures, panorama_place, turned};
 #[derive(Clone, Debug, PartialEq)]
 pub struct TexturePicture {
     kind: Kind,
+    sampling: Sampling,
     /// One picture, or six of a cube map: their levels, the finest first, down to 1×1.
-    faces: Vec<Vec<Level>>,
+    faces: Arc<Vec<Vec<Level>>>,
 }
 
 /// How a texture is looked into.
@@ -25,20 +28,6 @@ enum Kind {
     Panorama,
 }
 
-/// What happens beyond the border, along u and v.
-#[derive(Clone, Copy)]
-enum Border {
-    Repeat,
-    Hold,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Level {
-    size: [usize; 2],
-    /// By rows from the bottom.
-    texels: Vec<[u8; 4]>,
-}
-
 impl TexturePicture {
     /// A texture from RGBA codes by rows from the top; where codes are missing it is white.
     pub fn new(width: u32, height: u32, rgba: &[u8]) -> Self {
@@ -46,12 +35,32 @@ impl TexturePicture {
         let mut texels = rgba.as_chunks::<4>().0.to_vec();
         texels.resize(size[0] * size[1], [255; 4]);
         let texels = texels.chunks(size[0]).rev().collect::<Vec<_>>().concat();
-        let mut levels = vec![Level { size, texels }];
-        while let Some(last) = levels.last().filter(|level| level.size != [1, 1]) {
-            let next = last.halved();
-            levels.push(next);
-        }
-        Self { kind: Kind::Flat, faces: vec![levels] }
+        Self::flat(Level::of_codes(size, texels), Border::Repeat)
+    }
+
+    /// A texture of what another pass drew: its numbers are not cut, and its borders go on.
+    pub fn of_pass(picture: &ScreenPicture) -> Self {
+        let texels = picture.pixels.chunks(picture.width.max(1)).rev().collect::<Vec<_>>().concat();
+        Self::flat(Level::of_numbers([picture.width, picture.height], texels), Border::Hold)
+    }
+
+    fn flat(level: Level, border: Border) -> Self {
+        let faces = Arc::new(vec![level.with_smaller()]);
+        Self { kind: Kind::Flat, sampling: Sampling { borders: [border; 2], nearest: false }, faces }
+    }
+
+    /// The same picture with other borders.
+    #[must_use]
+    pub fn bordered(mut self, border: Border) -> Self {
+        self.sampling.borders = [border; 2];
+        self
+    }
+
+    /// The same picture, of which looks give the nearest texel, not a mean of four.
+    #[must_use]
+    pub fn nearest(mut self) -> Self {
+        self.sampling.nearest = true;
+        self
     }
 
     /// A cube map from the pictures of its faces, in OpenGL's order: +X, −X, +Y, −Y, +Z, −Z. `None` if they are not
@@ -59,15 +68,17 @@ impl TexturePicture {
     pub fn cube(faces: [Self; 6]) -> Option<Self> {
         let [width, height] = faces[0].size();
         let fits = width == height && faces.iter().all(|face| face.size() == [width, height]);
-        let faces = faces.into_iter().flat_map(|face| face.faces.into_iter().take(1)).collect();
-        fits.then_some(Self { kind: Kind::Cube, faces })
+        let sampling = Sampling { borders: [Border::Hold; 2], nearest: faces[0].sampling.nearest };
+        let faces = Arc::new(faces.iter().flat_map(|face| face.faces.iter().take(1).cloned()).collect());
+        fits.then_some(Self { kind: Kind::Cube, sampling, faces })
     }
 
     /// The same picture, in equirectangular projection, for a cube map's sampler, which looks into it by a direction: −Z in
     /// its middle, +Y at its upper edge.
     #[must_use]
     pub fn panorama(self) -> Self {
-        Self { kind: Kind::Panorama, ..self }
+        let sampling = Sampling { borders: [Border::Repeat, Border::Hold], ..self.sampling };
+        Self { kind: Kind::Panorama, sampling, ..self }
     }
 
     /// Width and height in texels.
@@ -88,18 +99,18 @@ impl TexturePicture {
         match self.kind {
             Kind::Flat => {
                 let level = level(&|d| square([d[0], d[1]]));
-                trilinear(&self.faces[0], [at[0], at[1]], level, offset, [Border::Repeat; 2])
+                trilinear(&self.faces[0], [at[0], at[1]], level, offset, self.sampling)
             }
             Kind::Cube => {
                 let CubePlace { face, uv: [u, v] } = CubePlace::of(at);
                 let level = level(&|d| square(CubePlace::change(at, d)));
-                trilinear(&self.faces[face], [u, 1.0 - v], level, [0; 2], [Border::Hold; 2])
+                trilinear(&self.faces[face], [u, 1.0 - v], level, [0; 2], self.sampling)
             }
             Kind::Panorama => {
                 let [u, v] = panorama_place(at);
                 let per_radian = 0.5 * size[0] / core::f32::consts::PI;
                 let level = level(&|d| (turned(at, d) * per_radian).powi(2));
-                trilinear(&self.faces[0], [u, 1.0 - v], level, [0; 2], [Border::Repeat, Border::Hold])
+                trilinear(&self.faces[0], [u, 1.0 - v], level, [0; 2], self.sampling)
             }
         }
     }
@@ -109,7 +120,7 @@ impl TexturePicture {
         let Some(level) = level else { return [0.0; 4] };
         let inside = |at: i64, side: usize| usize::try_from(at).ok().filter(|at| *at < side);
         match (inside(x, level.size[0]), inside(y, level.size[1])) {
-            (Some(x), Some(y)) => values(level.texels[y * level.size[0] + x]),
+            (Some(x), Some(y)) => level.values([x, y]),
             _ => [0.0; 4],
         }
     }
@@ -117,84 +128,11 @@ impl TexturePicture {
     /// A component of the four texels around a place.
     fn gather(&self, uv: [f32; 2], component: usize, offset: [i64; 2]) -> [f32; 4] {
         let level = &self.faces[0][0];
-        let at = level.place(uv);
-        let texel = |d: i64| level.texel(at, [offset[0] + d % 2, offset[1] + d / 2], [Border::Repeat; 2]);
+        let borders = self.sampling.borders;
+        let at = level.place(uv, borders);
+        let texel = |d: i64| level.texel(at, [offset[0] + d % 2, offset[1] + d / 2], borders);
         [2, 3, 1, 0].map(|d| texel(d)[component & 3])
     }
-}
-
-/// The level, as a number, for a square of the way in texels from one pixel to the next (OpenGL 4.6, §8.14, by the longer
-/// of the two).
-fn level_of(square: f32) -> f32 {
-    if square > 0.0 && square.is_finite() { 0.5 * Real::log2(square) } else { 0.0 }
-}
-
-fn trilinear(levels: &[Level], uv: [f32; 2], level: f32, offset: [i64; 2], borders: [Border; 2]) -> [f32; 4] {
-    let last = (levels.len() - 1) as f32;
-    let level = if level.is_nan() { 0.0 } else { level.clamp(0.0, last) };
-    let (fine, part) = (level.floor(), level - level.floor());
-    let near = levels[fine as usize].bilinear(uv, offset, borders);
-    if part == 0.0 {
-        return near;
-    }
-    mix(near, levels[fine as usize + 1].bilinear(uv, offset, borders), part)
-}
-
-impl Level {
-    /// At half the size: means of 2×2 texels.
-    fn halved(&self) -> Self {
-        let size = self.size.map(|side| (side / 2).max(1));
-        let mut texels = Vec::with_capacity(size[0] * size[1]);
-        for y in 0..size[1] {
-            for x in 0..size[0] {
-                let block = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| {
-                    let column = (2 * x + dx).min(self.size[0] - 1);
-                    let row = (2 * y + dy).min(self.size[1] - 1);
-                    self.texels[row * self.size[0] + column]
-                });
-                let mean = |c: usize| (block.iter().map(|texel| u32::from(texel[c])).sum::<u32>() + 2) / 4;
-                texels.push(std::array::from_fn(|c| mean(c) as u8));
-            }
-        }
-        Self { size, texels }
-    }
-
-    /// A place in texels, 0 being the centre of the first.
-    fn place(&self, uv: [f32; 2]) -> [f32; 2] {
-        std::array::from_fn(|i| {
-            // Inside the first repetition, so that no number is too large for a texel's.
-            let part = if (0.0..=1.0).contains(&uv[i]) { uv[i] } else { uv[i] - uv[i].floor() };
-            part * self.size[i] as f32 - 0.5
-        })
-    }
-
-    /// The texel so far from a place.
-    fn texel(&self, at: [f32; 2], d: [i64; 2], borders: [Border; 2]) -> [f32; 4] {
-        let along = |i: usize| {
-            let (at, side) = (at[i].floor() as i64 + d[i], self.size[i] as i64);
-            match borders[i] {
-                Border::Repeat => at.rem_euclid(side) as usize,
-                Border::Hold => at.clamp(0, side - 1) as usize,
-            }
-        };
-        values(self.texels[along(1) * self.size[0] + along(0)])
-    }
-
-    fn bilinear(&self, uv: [f32; 2], offset: [i64; 2], borders: [Border; 2]) -> [f32; 4] {
-        let at = self.place(uv);
-        let texel = |dx: i64, dy: i64| self.texel(at, [offset[0] + dx, offset[1] + dy], borders);
-        let part = at.map(|at| if at.is_nan() { 0.0 } else { at - at.floor() });
-        let below = mix(texel(0, 0), texel(1, 0), part[0]);
-        mix(below, mix(texel(0, 1), texel(1, 1), part[0]), part[1])
-    }
-}
-
-fn values(texel: [u8; 4]) -> [f32; 4] {
-    texel.map(|code| f32::from(code) / 255.0)
-}
-
-fn mix(a: [f32; 4], b: [f32; 4], t: f32) -> [f32; 4] {
-    std::array::from_fn(|c| a[c] + (b[c] - a[c]) * t)
 }
 
 /// The pictures of a program's textures, in their order; opaque black where there is none.

@@ -28,7 +28,9 @@ pub(super) fn narrow(state: &mut State, kept: &[Reg]) {
         }
         let is_needed = |k: &Reg| needed[(op.d + k) as usize];
         let all = 0..Reg::from(op.n);
-        let (Some(first), Some(last)) = (all.clone().find(is_needed), all.rev().find(is_needed)) else { continue };
+        let (Some(first), Some(last)) = (all.clone().find(is_needed), all.rev().find(is_needed)) else {
+            continue;
+        };
         let moved = |r: Reg, bit: u8| r + if op.s & bit != 0 { first } else { 0 };
         let (a, b, c) = (moved(op.a, 1), moved(op.b, 2), moved(op.c, 4));
         *op = VirtualOp { n: (last - first + 1) as u16, d: op.d + first, a, b, c, ..*op };

@@ -88,7 +88,9 @@ impl Spans {
         for (at, op) in state.ops.iter().enumerate() {
             let target = op.imm as usize;
             match op.code {
-                Code::Jump | Code::JumpNone | Code::JumpAny if target > at => in_branch[at + 1..target].fill(true),
+                Code::Jump | Code::JumpNone | Code::JumpAny if target > at => {
+                    in_branch[at + 1..target].fill(true)
+                }
                 Code::Jump | Code::JumpNone | Code::JumpAny => in_loop[target..=at].fill(true),
                 _ => {}
             }
@@ -101,7 +103,8 @@ impl Spans {
 fn pinned(draft: &Draft, spans: &Spans) -> (Vec<bool>, Vec<usize>) {
     let state = &draft.state;
     let n = state.groups.len();
-    let (mut writes, mut last, mut may_differ, mut carried) = (vec![0; n], vec![0; n], vec![false; n], vec![false; n]);
+    let (mut writes, mut last, mut may_differ, mut carried) =
+        (vec![0; n], vec![0; n], vec![false; n], vec![false; n]);
     draft.inputs.iter().flatten().for_each(|r| writes[*r as usize] = 1);
     for (at, op) in state.ops.iter().enumerate() {
         for r in op.reads().chain(state.read_elsewhere(op)) {
@@ -257,7 +260,9 @@ impl Rewriting<'_, '_> {
     fn indexed(&mut self, op: &VirtualOp) {
         let index = self.value(op.a);
         match self.words[index as usize] {
-            Some(word) => self.uniforms(op, op.imm as usize + (word as usize).min(op.b as usize) * op.c as usize),
+            Some(word) => {
+                self.uniforms(op, op.imm as usize + (word as usize).min(op.b as usize) * op.c as usize)
+            }
             None => {
                 let result = self.result(op.d, op.n as usize);
                 self.new.ops.push(VirtualOp { d: result, a: index, ..*op });
@@ -276,10 +281,7 @@ impl Rewriting<'_, '_> {
         if let Some(values) = self.folded(op, &lists) {
             return self.set(op.d, &values);
         }
-        let facts = Facts {
-            word: &|r| self.words[r as usize],
-            inverse: &|r| self.inverses.get(&r).copied(),
-        };
+        let facts = Facts { word: &|r| self.words[r as usize], inverse: &|r| self.inverses.get(&r).copied() };
         match short(op.code, &lists, &facts) {
             None => self.seen_or_pushed(op, &lists),
             // What is written again later must be copied now.
@@ -304,13 +306,17 @@ impl Rewriting<'_, '_> {
             return true;
         }
         // A pinned register that is not written again, read at one place or more.
-        let sources = op.operands().flat_map(|(r, moves)| (0..Reg::from(op.n)).map(move |k| if moves { r + k } else { r }));
-        !self.in_loop[at] && sources.into_iter().all(|r| !self.pinned[r as usize] || self.last_write[r as usize] < at)
+        let sources = op
+            .operands()
+            .flat_map(|(r, moves)| (0..Reg::from(op.n)).map(move |k| if moves { r + k } else { r }));
+        !self.in_loop[at]
+            && sources.into_iter().all(|r| !self.pinned[r as usize] || self.last_write[r as usize] < at)
     }
 
     /// The result as constants, where all operands are.
     fn folded(&mut self, op: &VirtualOp, lists: &[Vec<Reg>]) -> Option<Vec<Reg>> {
-        let words = |list: &Vec<Reg>| list.iter().map(|r| self.words[*r as usize]).collect::<Option<Vec<u32>>>();
+        let words =
+            |list: &Vec<Reg>| list.iter().map(|r| self.words[*r as usize]).collect::<Option<Vec<u32>>>();
         let operands: Vec<Vec<u32>> = lists.iter().map(words).collect::<Option<_>>()?;
         let results = self.evaluator.results(op, &operands)?;
         Some(results.iter().map(|word| self.constant(&[*word])).collect())
@@ -352,7 +358,11 @@ impl Rewriting<'_, '_> {
     fn set(&mut self, d: Reg, values: &[Reg]) {
         if self.pinned[d as usize] {
             let n = values.len() as u16;
-            self.push(&VirtualOp { code: Code::Mov, s: 1, n, d, a: 0, b: 0, c: 0, imm: 0 }, &[values.to_vec()], 0);
+            self.push(
+                &VirtualOp { code: Code::Mov, s: 1, n, d, a: 0, b: 0, c: 0, imm: 0 },
+                &[values.to_vec()],
+                0,
+            );
             return;
         }
         for (k, value) in (0..).zip(values) {
@@ -390,7 +400,8 @@ impl Rewriting<'_, '_> {
                 first[i] = list[from];
             }
             let [a, b, c] = first;
-            let part = VirtualOp { code: op.code, s, n: (to - from) as u16, d: result + from as Reg, a, b, c, imm };
+            let part =
+                VirtualOp { code: op.code, s, n: (to - from) as u16, d: result + from as Reg, a, b, c, imm };
             self.new.ops.push(part);
             from = to;
         }

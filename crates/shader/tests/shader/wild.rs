@@ -66,8 +66,12 @@ fn wild_shaders_pass_or_say_why_not() {
         let (Some(stage), Ok(text)) = (stage(path), std::fs::read_to_string(path)) else { continue };
         total += 1;
         let include = |name: &str, _: &str| std::fs::read_to_string(path.parent()?.join(name)).ok();
-        match Shader::new(stage, text).named(path.display().to_string()).include(&include).compile() {
+        let shader = Shader::new(stage, text).named(path.display().to_string()).include(&include);
+        match shader.compile() {
             Ok(program) => {
+                // A trace leaves nothing out.
+                let traced = shader.traced().compile().expect("it compiles");
+                assert_eq!(bits(&program, SimdLevel::best()), bits(&traced, SimdLevel::best()), "{path:?}");
                 let first = bits(&program, SimdLevel::narrowest());
                 assert!(
                     SimdLevel::available().into_iter().all(|(_, level)| bits(&program, level) == first),

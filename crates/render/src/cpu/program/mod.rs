@@ -167,7 +167,9 @@ impl<'a> ObjectProgram<'a> {
     fn specialized(&self, stage: Stage) -> &Specialized {
         let values = &self.values;
         match stage {
-            Stage::Vertex => self.specialized_vertex.get_or_init(|| self.pair.vertex.specialize(&values.vertex)),
+            Stage::Vertex => {
+                self.specialized_vertex.get_or_init(|| self.pair.vertex.specialize(&values.vertex))
+            }
             Stage::Fragment => {
                 self.specialized_fragment.get_or_init(|| self.pair.fragment.specialize(&values.fragment))
             }

@@ -3,7 +3,7 @@
 mod condition;
 mod macros;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use super::source::{Origin, Sources};
@@ -43,7 +43,36 @@ pub(super) struct Preprocessor<'a> {
     out: Vec<Token>,
     steps: usize,
     bytes: usize,
-    depth: usize,
+    /// The files around, by their paths.
+    within: Vec<String>,
+    /// Those that are to be included once.
+    once: HashSet<String>,
+}
+
+/// The path of a file that is included, from the folder of the first file: what `path` means in the file `from`, which is
+/// empty for the first one. `None` if it lies outside of the folder.
+///
+/// ```
+/// use glanz_shader::included_path;
+///
+/// assert_eq!(included_path("", "./light.glsl").as_deref(), Some("light.glsl"));
+/// assert_eq!(included_path("noise/value.glsl", "../math/mix.glsl").as_deref(), Some("math/mix.glsl"));
+/// assert_eq!(included_path("", "../light.glsl"), None);
+/// ```
+pub fn included_path(from: &str, path: &str) -> Option<String> {
+    if path.starts_with('/') || path.contains(['\\', ':']) {
+        return None;
+    }
+    let folder = from.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let mut parts: Vec<&str> = Vec::new();
+    for part in folder.split('/').chain(path.split('/')) {
+        match part {
+            "" | "." => {}
+            ".." => drop(parts.pop()?),
+            part => parts.push(part),
+        }
+    }
+    (!parts.is_empty()).then(|| parts.join("/"))
 }
 
 type Done = Result<(), Complaint>;
@@ -60,7 +89,8 @@ impl<'a> Preprocessor<'a> {
             out: Vec::new(),
             steps: 0,
             bytes: 0,
-            depth: 0,
+            within: Vec::new(),
+            once: HashSet::new(),
         };
         new.define("GL_FRAGMENT_PRECISION_HIGH", "1");
         new
@@ -71,6 +101,12 @@ impl<'a> Preprocessor<'a> {
         let file = self.sources.add("defines", text.to_owned());
         let body = tokens(text, file, 0);
         self.macros.insert(name.into(), Macro { parameters: None, body });
+    }
+
+    /// A text that stands in front.
+    pub(super) fn before(&mut self, file: u32) -> Done {
+        let length = self.sources.text(file).len();
+        self.file(file, 0, length)
     }
 
     /// The tokens after all directives.
@@ -149,7 +185,11 @@ impl<'a> Preprocessor<'a> {
                 let words: Vec<&str> = rest.iter().map(|t| &*t.text).collect();
                 Err(Complaint::at(format!("#error {}", words.join(" ")), name.origin))
             }
-            "extension" | "pragma" => Ok(()),
+            "pragma" => {
+                self.pragma(rest);
+                Ok(())
+            }
+            "extension" => Ok(()),
             other => Err(Complaint::at(format!("'#{other}' is no directive of GLSL"), name.origin)),
         }
     }
@@ -184,29 +224,52 @@ impl<'a> Preprocessor<'a> {
     }
 
     fn inclusion(&mut self, name: &Token, rest: &[Token]) -> Done {
+        let between = |inside: &[Token]| inside.iter().map(|t| &*t.text).collect::<String>();
         let path = match rest {
             [text, ..] if text.kind == Kind::Text => text.text.to_string(),
-            [open, inside @ .., close] if open.is("<") && close.is(">") => {
-                inside.iter().map(|t| &*t.text).collect()
-            }
+            [open, inside @ .., close] if open.is("<") && close.is(">") => between(inside),
+            [open, inside @ .., close] if open.is("'") && close.is("'") => between(inside),
             _ => return Err(Complaint::at("#include wants a file in quotation marks", name.origin)),
         };
-        if self.depth >= MOST_INCLUDES {
+        if self.within.len() >= MOST_INCLUDES {
             return Err(Complaint::at(
                 format!("more than {MOST_INCLUDES} includes inside each other"),
                 name.origin,
             ));
         }
-        let from = self.sources.place(name.origin).file;
-        let Some(text) = self.include.and_then(|include| include(&path, &from)) else {
+        let Some((path, text)) = self.included(&path, name) else {
             return Err(Complaint::at(format!("the file '{path}' is not there to be included"), name.origin));
         };
+        if self.once.contains(&path) {
+            return Ok(());
+        }
         let length = text.len();
         let file = self.sources.add(&path, text);
-        self.depth += 1;
+        self.within.push(path);
         self.file(file, 0, length)?;
-        self.depth -= 1;
+        self.within.pop();
         Ok(())
+    }
+
+    /// Path and text of a file that is included: looked for from the file that includes it, then from the first one.
+    fn included(&self, path: &str, name: &Token) -> Option<(String, String)> {
+        let include = self.include?;
+        let from = self.sources.place(name.origin).file;
+        let within = self.within.last().map_or("", String::as_str);
+        let paths = [included_path(within, path), included_path("", path)];
+        paths.into_iter().flatten().find_map(|path| {
+            let text = include(&path, &from)?;
+            Some((path, text))
+        })
+    }
+
+    /// `#pragma once`: the file is included no more.
+    fn pragma(&mut self, rest: &[Token]) {
+        if let ([word, ..], Some(path)) = (rest, self.within.last())
+            && word.is("once")
+        {
+            self.once.insert(path.clone());
+        }
     }
 
     fn read_version(&mut self, name: &Token, rest: &[Token]) -> Done {

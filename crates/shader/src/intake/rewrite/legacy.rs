@@ -101,7 +101,7 @@ impl Rewriter {
                 _ => false,
             })
         };
-        let uses_main_image = self.functions.contains("mainImage");
+        let is_toy = self.is_toy || self.functions.contains("mainImage");
         let vertex = self.stage == Stage::Vertex;
         if vertex && self.used.contains("ftransform") {
             for name in ["gl_Vertex", "gl_ModelViewProjectionMatrix"] {
@@ -110,7 +110,7 @@ impl Rewriter {
         }
         for (name, ty, dimensions, side) in NAMES {
             let wanted = self.used.contains(name) && !declared(name);
-            if !wanted || side == Side::Uniform && !name.starts_with("gl_") && !uses_main_image {
+            if !wanted || side == Side::Uniform && !name.starts_with("gl_") && !is_toy {
                 continue;
             }
             if let Some((_, text)) = STRUCTS.iter().find(|(name, _)| *name == ty) {
@@ -133,7 +133,7 @@ impl Rewriter {
             self.generated(text, Origin::default());
         }
         for channel in ["iChannel0", "iChannel1", "iChannel2", "iChannel3"] {
-            if uses_main_image && self.used.contains(channel) && !declared(channel) {
+            if is_toy && self.used.contains(channel) && !declared(channel) {
                 self.declare_sampler("sampler2D", channel, Origin::default());
             }
         }

@@ -55,6 +55,7 @@ pub(super) struct Rewritten {
 struct Rewriter {
     stage: Stage,
     version: Version,
+    is_toy: bool,
     out: Vec<Token>,
     given: Given,
     /// Names of samplers → their types, of the whole text.
@@ -77,8 +78,13 @@ struct Rewriter {
     bindings: u32,
 }
 
-/// Rewrites the tokens of a stage. `has_head`: declarations of ours that stand in front of the user's.
-pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Result<Rewritten, Complaint> {
+/// Rewrites the tokens of a stage. `is_toy`: Shadertoy's names are there, whether or not the text has a `mainImage`.
+pub(super) fn rewrite(
+    tokens: &[Token],
+    stage: Stage,
+    version: Version,
+    is_toy: bool,
+) -> Result<Rewritten, Complaint> {
     check_nesting(tokens)?;
     let tokens = &*sizes::sized(tokens);
     refused::check(tokens)?;
@@ -92,6 +98,7 @@ pub(super) fn rewrite(tokens: &[Token], stage: Stage, version: Version) -> Resul
     let mut rewriter = Rewriter {
         stage,
         version,
+        is_toy,
         out: Vec::new(),
         given: Given::default(),
         samplers: HashMap::new(),

@@ -46,9 +46,10 @@ impl State {
     pub(crate) fn read_elsewhere(&self, op: &VirtualOp) -> Vec<Reg> {
         match op.code {
             Code::Texture => self.looks.get(op.imm as usize).map(|look| look.reads()).unwrap_or_default(),
-            Code::Note => self.events.get(op.imm as usize).map_or_else(Vec::new, |event| {
-                event.registers.iter().chain(&event.mask).copied().collect()
-            }),
+            Code::Note => self
+                .events
+                .get(op.imm as usize)
+                .map_or_else(Vec::new, |event| event.registers.iter().chain(&event.mask).copied().collect()),
             _ => Vec::new(),
         }
     }
@@ -113,8 +114,7 @@ impl Lowering<'_> {
             |ports: &[Slot<Reg>]| ports.iter().map(|port| port.registers.clone()).collect::<Vec<_>>();
         let State { prologue, ops, groups, loops, counts, looks, events, .. } = self.state;
         let state = State { prologue, ops, groups, loops, counts, looks, events, ..State::default() };
-        let mut draft =
-            Draft { state, inputs: registers(&inputs), outputs: registers(&outputs), discarded };
+        let mut draft = Draft { state, inputs: registers(&inputs), outputs: registers(&outputs), discarded };
         draft.remove_dead();
         let (placed, places) = draft.clone().place()?;
         let ports = |ports: Vec<Slot<Reg>>| {

@@ -14,8 +14,7 @@ impl State {
         let group = |r: Reg| self.groups[r as usize].0;
         let life = self.life(given, kept);
         // What the prologue computes stays for the whole draw.
-        let prologue: std::collections::BTreeSet<Reg> =
-            self.prologue.iter().map(|op| group(op.d)).collect();
+        let prologue: std::collections::BTreeSet<Reg> = self.prologue.iter().map(|op| group(op.d)).collect();
         let mut order: Vec<(bool, usize, Reg, usize)> =
             life.iter().map(|(g, (from, to))| (!prologue.contains(g), *from, *g, *to)).collect();
         order.sort_unstable();

@@ -1,10 +1,9 @@
-//! What the command line gives a program: pictures and numbers.
+//! What the command line gives programs: pictures and numbers.
 
 use std::path::Path;
 
-use glanz_math::names::did_you_mean;
 use glanz_scene::read::{ReadOptions, read_texture};
-use glanz_shader::{Pictures, Program, TextureInfo, TexturePicture};
+use glanz_shader::{Program, TextureInfo, TexturePicture, UniformError, UniformValues};
 
 use super::RunArgs;
 use crate::args::{cube_faces, numbers};
@@ -13,33 +12,8 @@ use crate::print::failure::{Failure, Report, without_number};
 /// A file of a picture is no longer than this.
 const MOST_BYTES: u64 = 1 << 28;
 
-/// The pictures of the textures, in their order.
-pub(super) fn pictures(args: &RunArgs, program: &Program) -> Result<Pictures, Failure> {
-    let textures = &program.interface().textures;
-    let mut pictures = vec![None; textures.len()];
-    let channels = [&args.channel0, &args.channel1, &args.channel2, &args.channel3];
-    for (number, file) in channels.into_iter().enumerate() {
-        let Some(file) = file else { continue };
-        let names = [format!("iChannel{number}"), format!("u_tex{number}")];
-        let index = textures.iter().position(|own| names.contains(&own.name)).ok_or_else(|| {
-            Failure::Usage(format!(
-                "--channel{number}: the shader looks into no texture '{}'",
-                names.join("' or '")
-            ))
-        })?;
-        pictures[index] = Some(picture(&file.to_string_lossy(), &textures[index])?);
-    }
-    for (name, file) in &args.texture {
-        let index = textures.iter().position(|own| own.name == *name).ok_or_else(|| {
-            let hint = did_you_mean(name, textures.iter().map(|own| own.name.as_str()));
-            Failure::Usage(format!("--texture: the shader looks into no texture '{name}'{hint}"))
-        })?;
-        pictures[index] = Some(picture(file, &textures[index])?);
-    }
-    Ok(Pictures(pictures))
-}
-
-fn picture(file: &str, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
+/// The picture of a file for a texture.
+pub(super) fn picture(file: &str, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
     let name = &texture.name;
     if texture.layered || texture.compared || !matches!(texture.dimension, "2d" | "cube") {
         let message =
@@ -75,10 +49,16 @@ fn read(file: &str) -> Result<TexturePicture, Failure> {
     Ok(TexturePicture::new(texture.width, texture.height, &texture.rgba))
 }
 
-/// The numbers of uniforms.
-pub(super) fn uniforms(args: &RunArgs, program: &Program) -> Result<Vec<(String, Vec<f32>)>, Failure> {
-    let mut values = program.uniforms();
-    let mut all = Vec::new();
+/// Uniforms and the numbers that they are set to.
+type Set = Vec<(String, Vec<f32>)>;
+
+/// The numbers of uniforms, of each program those that it has.
+pub(super) fn uniforms<'a>(
+    args: &RunArgs,
+    programs: impl Iterator<Item = &'a Program>,
+) -> Result<Vec<Set>, Failure> {
+    let mut values: Vec<UniformValues> = programs.map(Program::uniforms).collect();
+    let mut all = vec![Vec::new(); values.len()];
     for (name, text) in &args.uniform {
         let usage = |error: String| Failure::Usage(format!("--uniform {name}: {error}"));
         let text = match text.as_str() {
@@ -87,8 +67,18 @@ pub(super) fn uniforms(args: &RunArgs, program: &Program) -> Result<Vec<(String,
             text => text,
         };
         let numbers: Vec<f32> = numbers(text).map_err(usage)?.into_iter().map(|x| x as f32).collect();
-        values.set(name, &numbers).map_err(|error| usage(error.to_string()))?;
-        all.push((name.clone(), numbers));
+        let mut unknown = None;
+        for (values, set) in values.iter_mut().zip(&mut all) {
+            match values.set(name, &numbers) {
+                Ok(()) => set.push((name.clone(), numbers.clone())),
+                Err(error @ UniformError::Unknown { .. }) => unknown = Some(error),
+                Err(error) => return Err(usage(error.to_string())),
+            }
+        }
+        if let Some(error) = unknown.filter(|_| all.iter().all(|set| set.iter().all(|(own, _)| own != name)))
+        {
+            return Err(usage(error.to_string()));
+        }
     }
     Ok(all)
 }

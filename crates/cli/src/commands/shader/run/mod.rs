@@ -2,21 +2,21 @@
 
 mod given;
 mod output;
+mod passes;
 mod remarks;
 
+use std::cell::Cell;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use glanz_shader::{
-    Language, Moment, Pictures, Program, RunError, Screen, ScreenPicture, Stage, UniformValues, is_of_a_pass,
-};
+use glanz_shader::{Moment, PassError, RunError, Screen, ScreenPicture};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use self::output::Output;
+use self::passes::{Made, screen_failure};
 use self::remarks::Remarks;
-use super::check::compile;
 use crate::args::{MachineArgs, TargetArgs, assignment, choices, numbers, size};
 use crate::commands::draw::render::sha256;
 use crate::frames;
@@ -30,6 +30,7 @@ pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz shader run toy.frag --size 640x360 -o toy.png
   glanz shader run toy.frag --size 640x360 --frames 0..60 -o toy.gif
+  glanz shader run image.frag --pass a=waves.frag,0=self --channel0 a --frames 0..100 -o waves.gif
   glanz shader run toy.frag --channel0 wood.png --mouse 320,180 --uniform speed=2
   glanz shader run toy.frag --frames 0..250 --time 4 --fps 25 -o 'toy_{frame:04}.png'
 
@@ -38,8 +39,13 @@ inputs such as v_texcoord and uv go from 0 to 1. Filled by themselves, in both s
 iTime, iTimeDelta, iFrame, iFrameRate, iMouse, iDate (2000-01-01 and the seconds since), iSampleRate, iChannelTime,
 iChannelResolution, u_resolution, u_time, u_delta, u_frame, u_mouse, u_tex0Resolution. Textures repeat, have mipmaps, are
 filtered linearly and stand upright: v grows upwards, as both hosts make it by turning pictures over. Values are those of
-a display: they are written as they are, cut to 0 to 1; alpha counts for nothing; what is not a number is magenta. There is
-one pass: a shader that reads what another pass draws is refused where the name of the texture tells it.";
+a display: they are written as they are, cut to 0 to 1; alpha counts for nothing; what is not a number is magenta.
+
+Passes draw numbers for others, and for themselves in the next frame; a picture at a time, or a film that begins later, is
+drawn from frame 0 on. They are named (--pass a=waves.frag,0=self --channel0 a), or found in the text: by lines such as
+#iChannel0 \"file://waves.glsl\", \"self\" or \"file://wood.png\", with ::MinFilter, ::MagFilter and ::WrapMode, or by glslViewer's
+#ifdef BUFFER_0 and DOUBLE_BUFFER_0 with u_buffer0 and u_doubleBuffer0. A texture named backbuffer is the frame before.
+#iUniform declares a uniform.";
 
 /// Options of `glanz shader run`.
 #[derive(Args, Debug)]
@@ -85,21 +91,30 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "NAME=FILE", value_parser = assignment, help_heading = "Program")]
     pub(super) texture: Vec<(String, String)>,
 
-    /// A picture for iChannel0 or u_tex0
-    #[arg(long, value_name = "FILE", help_heading = "Program")]
-    pub(super) channel0: Option<PathBuf>,
+    /// A picture, a pass or a shader's file for iChannel0 or u_tex0; self is the picture of the frame before
+    #[arg(long, value_name = "WHAT", help_heading = "Program")]
+    pub(super) channel0: Option<String>,
 
-    /// A picture for iChannel1 or u_tex1
-    #[arg(long, value_name = "FILE", help_heading = "Program")]
-    pub(super) channel1: Option<PathBuf>,
+    /// A picture, a pass or a shader's file for iChannel1 or u_tex1; self is the picture of the frame before
+    #[arg(long, value_name = "WHAT", help_heading = "Program")]
+    pub(super) channel1: Option<String>,
 
-    /// A picture for iChannel2 or u_tex2
-    #[arg(long, value_name = "FILE", help_heading = "Program")]
-    pub(super) channel2: Option<PathBuf>,
+    /// A picture, a pass or a shader's file for iChannel2 or u_tex2; self is the picture of the frame before
+    #[arg(long, value_name = "WHAT", help_heading = "Program")]
+    pub(super) channel2: Option<String>,
 
-    /// A picture for iChannel3 or u_tex3
+    /// A picture, a pass or a shader's file for iChannel3 or u_tex3; self is the picture of the frame before
+    #[arg(long, value_name = "WHAT", help_heading = "Program")]
+    pub(super) channel3: Option<String>,
+
+    /// A pass that is drawn before, and what its channels are: passes, self or files; may be repeated, in the order in which
+    /// they are drawn
+    #[arg(long, value_name = "NAME=FILE[,0=WHAT…]", value_parser = assignment, help_heading = "Program")]
+    pub(super) pass: Vec<(String, String)>,
+
+    /// A file in front of the texts of all passes, as Shadertoy's tab "Common" is
     #[arg(long, value_name = "FILE", help_heading = "Program")]
-    pub(super) channel3: Option<PathBuf>,
+    pub(super) common: Option<PathBuf>,
 
     /// #define NAME, or NAME as TEXT, in front of the shader; may be repeated
     #[arg(long, value_name = "NAME[=TEXT]", help_heading = "Program")]
@@ -122,12 +137,12 @@ pub(crate) struct Document {
     notes: Vec<String>,
 }
 
-/// A compiled shader with all that does not change from frame to frame.
+/// A compiled shader with its passes.
 struct Toy<'a> {
     args: &'a RunArgs,
-    program: Program,
-    pictures: Pictures,
-    set: Vec<(String, Vec<f32>)>,
+    made: Made,
+    /// The frame that comes next, where frames depend on the one before.
+    next: Cell<u32>,
 }
 
 /// Two numbers.
@@ -185,66 +200,63 @@ impl RunArgs {
 
 impl<'a> Toy<'a> {
     fn new(args: &'a RunArgs) -> Result<Self, Failure> {
-        let program = compile(&args.file, Stage::Fragment, &args.defines())?;
-        let pictures = given::pictures(args, &program)?;
-        let textures = program.interface().textures.iter().zip(&pictures.0).enumerate();
-        for (index, (texture, picture)) in textures {
-            if picture.is_none() && program.looks_into(index) && is_of_a_pass(&texture.name) {
-                let message =
-                    format!("'{}' is what another pass draws, and there is one pass only", texture.name);
-                let help = format!("a picture may stand for it: --texture {}=FILE", texture.name);
-                return Err(Report::new(message).file(&args.file).help(help).into());
-            }
-        }
-        let set = given::uniforms(args, &program)?;
-        Ok(Self { args, program, pictures, set })
+        Ok(Self { args, made: passes::passes(args)?, next: Cell::new(0) })
     }
 
     fn size(&self) -> [u32; 2] {
         [self.args.size.0, self.args.size.1]
     }
 
-    /// The uniforms of a frame, and what nothing fills.
-    fn uniforms(&self, frame: u32) -> Result<(UniformValues, Vec<String>), Failure> {
-        let time = self.args.time + f64::from(frame) / self.args.fps;
-        let moment = Moment {
-            size: self.size(),
-            time: time as f32,
-            frame: if self.args.frames.is_some() { frame } else { (time * self.args.fps).max(0.0) as u32 },
-            fps: self.args.fps as f32,
-            mouse: self.args.mouse,
-            textures: self.pictures.0.iter().map(|own| own.as_ref().map(|own| own.size())).collect(),
-        };
-        let mut values = self.program.uniforms();
-        let mut unfilled = moment.fill(&self.program, &mut values);
-        for (name, numbers) in &self.set {
-            values.set(name, numbers).map_err(|error| Failure::Usage(format!("--uniform: {error}")))?;
-            unfilled.retain(|own| own != name);
-        }
-        Ok((values, unfilled))
+    fn moment(&self, frame: u32, time: f64) -> Moment {
+        let (size, fps) = (self.size(), self.args.fps as f32);
+        Moment { size, time: time as f32, frame, fps, mouse: self.args.mouse, textures: Vec::new() }
     }
 
-    fn screen<'b>(&'b self, values: &'b UniformValues) -> Result<Screen<'b>, Failure> {
-        let screen = Screen::new(&self.program, values, self.size());
-        let screen = screen.map_err(|error| Failure::from(Report::new(error).file(&self.args.file)))?;
-        let screen = screen.textures(&self.pictures).samples(self.args.samples);
-        let is_wgsl = Language::of_file(&self.args.file.display().to_string()) == Language::Wgsl;
-        Ok(if is_wgsl { screen.from_top() } else { screen })
+    /// The moment of a frame, and its number as the shader counts: a picture alone is that of its time.
+    fn of_frame(&self, frame: u32) -> Moment {
+        let time = self.args.time + f64::from(frame) / self.args.fps;
+        let number = if self.args.frames.is_some() { frame } else { (time * self.args.fps).max(0.0) as u32 };
+        self.moment(number, time)
+    }
+
+    /// That of a frame before it.
+    fn before(&self, frame: u32) -> Moment {
+        let start = if self.args.frames.is_some() { self.args.time } else { 0.0 };
+        self.moment(frame, start + f64::from(frame) / self.args.fps)
     }
 
     /// What is known before anything is drawn.
     fn remark(&self, remarks: &mut Remarks) -> Result<(), Failure> {
-        let (values, unfilled) = self.uniforms(0)?;
-        let screen = self.screen(&values)?;
-        remarks.program(&self.program, &self.pictures, &unfilled, &screen);
+        remarks.lines(self.made.notes.iter().cloned());
+        let passes = self.made.passes.borrow();
+        for (number, (pass, file)) in passes.list().iter().zip(&self.made.files).enumerate() {
+            let uniforms = passes.uniforms(number, &self.of_frame(0));
+            let (values, unfilled) = uniforms.map_err(|error| screen_failure(&error.into(), file))?;
+            let screen = Screen::new(&pass.program, &values, self.size());
+            let screen = screen.map_err(|error| screen_failure(&error, file))?;
+            let name = (passes.list().len() > 1).then(|| file.display().to_string());
+            remarks.program(name.as_deref(), pass, &unfilled, &screen);
+        }
         Ok(())
     }
 
-    /// Draws a frame.
+    /// Draws a frame, and before it those that it depends on.
     fn draw(&self, frame: u32, progress: &mut Progress) -> Result<ScreenPicture, Failure> {
-        let (values, _) = self.uniforms(frame)?;
-        let drawn = self.screen(&values)?.draw(&mut |part| progress.within(part));
-        drawn.map_err(|error| failure(&error, &self.args.file))
+        let moment = self.of_frame(frame);
+        let mut passes = self.made.passes.borrow_mut();
+        let first = if passes.remembers() { self.next.get() } else { moment.frame };
+        let count = f64::from(moment.frame.saturating_sub(first)) + 1.0;
+        let failed = |error: PassError| match error {
+            PassError::Run(error) => failure(&error, &self.args.file),
+            PassError::Screen(error) => screen_failure(&error, &self.args.file),
+        };
+        for before in first..moment.frame {
+            let mut within = |part| progress.within((f64::from(before - first) + part) / count);
+            passes.skip(&self.before(before), &mut within).map_err(failed)?;
+        }
+        self.next.set(moment.frame + 1);
+        let drawn = passes.draw(&moment, &mut |part| progress.within((count - 1.0 + part) / count));
+        drawn.map_err(failed)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is odd about a program and what it drew.
 
-use glanz_shader::{Pictures, Program, Screen, ScreenPicture};
+use glanz_shader::{Pass, Screen, ScreenPicture};
 
 use super::super::check::told;
 use crate::print::note;
@@ -21,28 +21,35 @@ pub(super) struct Remarks {
 }
 
 impl Remarks {
-    /// What the program alone tells.
+    /// What is known already.
+    pub(super) fn lines(&mut self, lines: impl Iterator<Item = String>) {
+        self.lines.extend(lines);
+    }
+
+    /// What a pass alone tells; its name, where there are several.
     pub(super) fn program(
         &mut self,
-        program: &Program,
-        pictures: &Pictures,
+        name: Option<&str>,
+        pass: &Pass,
         unfilled: &[String],
         screen: &Screen<'_>,
     ) {
+        let program = &pass.program;
+        let of = name.map(|name| format!("{name}: ")).unwrap_or_default();
         self.lines.extend(program.warnings().iter().map(told));
         if let Some(names) = listed(unfilled.iter().map(String::as_str)) {
-            self.lines.push(format!("nothing fills {names}: 0, unless --uniform NAME=VALUE sets it"));
+            self.lines.push(format!("{of}nothing fills {names}: 0, unless --uniform NAME=VALUE sets it"));
         }
         if let Some(names) = listed(screen.unfilled_inputs()) {
-            self.lines.push(format!("without a mesh nothing fills the input {names}: 0"));
+            self.lines.push(format!("{of}without a mesh nothing fills the input {names}: 0"));
         }
-        let textures = program.interface().textures.iter().zip(&pictures.0).enumerate();
+        let textures = program.interface().textures.iter().zip(&pass.textures).enumerate();
         let empty = textures
             .filter(|(index, (_, picture))| picture.is_none() && program.looks_into(*index))
             .map(|(_, (own, _))| own.name.as_str());
         if let Some(names) = listed(empty) {
             self.lines.push(format!(
-                "no picture is given for {names}: every look into it is opaque black; see --texture, --channel0"
+                "{of}no picture is given for {names}: every look into it is opaque black; see --texture, --channel0"
             ));
         }
     }
