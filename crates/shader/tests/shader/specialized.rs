@@ -26,7 +26,7 @@ fn uniforms(program: &Program, numbers: &mut Numbers) -> UniformValues {
                 Scalar::Int | Scalar::Uint => numbers.below(7) as f32,
             })
             .collect();
-        uniforms.set(&uniform.name, &values).unwrap();
+        uniforms.set(&uniform.name, &values).expect("it is there");
     }
     uniforms
 }
@@ -42,7 +42,8 @@ fn results<const G: usize>(machine: &Machine<'_, G>, program: &Program) -> (Vec<
 
 /// Draws of a text, and how many instructions were left out of all.
 fn compare(shader: &Shader<'_>, name: &str, draws: usize, numbers: &mut Numbers) -> (usize, usize) {
-    let [plain, traced] = [shader.clone(), shader.clone().traced()].map(|shader| shader.compile().unwrap());
+    let [plain, traced] =
+        [shader.clone(), shader.clone().traced()].map(|shader| shader.compile().expect("it compiles"));
     let (mut left, mut all) = (0, 0);
     for draw in 0..draws {
         let uniforms = uniforms(&plain, numbers);
