@@ -56,7 +56,9 @@ pub use error::{Place, RunError, ShaderError};
 pub use intake::{Range, included_path};
 pub use interface::{Interface, Port, Uniform, UniformError, UniformValues};
 pub use lower::TextureInfo;
-pub use machine::{CubePlace, Lod, NoTextures, Row, TextureQuery, Textures, panorama_place, turned};
+pub use machine::{
+    CubePlace, Lod, NoTextures, Row, TextureQuery, Textures, compared, panorama_place, turned,
+};
 pub use names::{Role, Space, attribute_role, uniform_role, varying_role};
 pub use pair::{Pair, Source, Varying};
 pub use program::{Program, Shader};

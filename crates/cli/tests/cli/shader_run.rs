@@ -335,3 +335,41 @@ fn texts_of_editors_have_a_main_and_include_from_where_they_are() {
     let run = folder.glanz(&["shader", "run", "wrong.glsl"]);
     assert!(run.stderr.contains("'../toy.frag' is not there to be included"), "{}", run.stderr);
 }
+
+#[test]
+fn a_shadow_sampler_compares_with_a_picture_of_depths() {
+    let folder = folder();
+    // Four columns of depths: 0.125, 0.375, 0.625, 0.875.
+    folder.write("depth.frag", "void mainImage(out vec4 c, vec2 at) { c = vec4(at.x / iResolution.x); }");
+    folder.glanz(&["shader", "run", "depth.frag", "--size", "4x1", "-o", "depth.png"]).text();
+    folder.write(
+        "shadow.frag",
+        "#version 330\nuniform sampler2DShadow map; out vec4 c;\n\
+         void main() { c = vec4(texture(map, vec3(0.625, 0.5, 0.5)), texture(map, vec3(0.5, 0.5, 0.5)), \
+         texture(map, vec3(0.125, 0.5, 0.5)), 1.0); }",
+    );
+    let words =
+        ["shader", "run", "shadow.frag", "--texture", "map=depth.png", "--size", "1x1", "-o", "a.png"];
+    folder.glanz(&words).text();
+    assert_eq!(pixels(&folder.read("a.png")).2[0], [255, 128, 0], "seen, half of the filter, in shadow");
+    // The same on a mesh.
+    folder.write(
+        "scene.toml",
+        "[image]\nwidth = 8\nheight = 8\n[camera]\neye = [0, 0, 3]\n[[objects]]\nmesh = \"quad\"\n",
+    );
+    let words = [
+        "render",
+        "scene.toml",
+        "--fs",
+        "shadow.frag",
+        "--uniform",
+        "map=depth.png",
+        "--encoding",
+        "raw",
+        "-o",
+        "b.png",
+    ];
+    folder.glanz(&words).text();
+    let (_, _, codes) = pixels(&folder.read("b.png"));
+    assert_eq!(codes[8 * 4 + 4], [255, 128, 0]);
+}

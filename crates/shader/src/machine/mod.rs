@@ -16,5 +16,5 @@ pub use file::Row;
 pub(crate) use file::{ROWS, RegisterFile};
 pub(crate) use op::{Code, Op};
 pub(crate) use run::{Host, OutOfFuel, Recorder, Silent, execute};
-pub use textures::{Lod, NoTextures, TextureQuery, Textures};
+pub use textures::{Lod, NoTextures, TextureQuery, Textures, compared};
 pub(crate) use textures::{Look, LookLod};

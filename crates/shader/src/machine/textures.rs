@@ -63,6 +63,24 @@ pub trait Textures: Sync {
     }
 }
 
+/// What a shadow sampler gives: the share of the four texels around a place that `depth` does not exceed, by their
+/// weights in a linear filter.
+///
+/// `texels` are in the order of `textureGather`: upper left, upper right, lower right, lower left, where v goes up;
+/// `part` is how far the place lies from the lower left one.
+///
+/// ```
+/// assert_eq!(glanz_shader::compared([0.2, 0.9, 0.2, 0.9], [0.25, 0.0], 0.5), 0.75);
+/// ```
+pub fn compared(texels: [f32; 4], part: [f32; 2], depth: f32) -> f32 {
+    let depth = depth.clamp(0.0, 1.0);
+    let weights = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, 0.0)].map(|(x, y): (f32, f32)| {
+        let along = |at: f32, part: f32| 1.0 - (at - part).abs();
+        along(x, part[0]) * along(y, part[1])
+    });
+    texels.iter().zip(weights).map(|(texel, weight)| if depth <= *texel { weight } else { 0.0 }).sum()
+}
+
 /// No textures: every look gives opaque black.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoTextures;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::ScreenPicture;
 use super::levels::{Border, Level, Sampling, level_of, trilinear};
-use crate::{CubePlace, Lod, TextureQuery, Textures, panorama_place, turned};
+use crate::{CubePlace, Lod, TextureQuery, Textures, compared, panorama_place, turned};
 
 /// A picture as a texture: it repeats, is filtered linearly in and between its levels, and its codes are taken as they
 /// are, 0 to 255 for 0 to 1, not decoded from sRGB.
@@ -125,6 +125,13 @@ impl TexturePicture {
         }
     }
 
+    /// The share of the texels around a place that a depth does not exceed.
+    fn compared(&self, uv: [f32; 2], depth: f32, offset: [i64; 2]) -> f32 {
+        let part = self.faces[0][0].place(uv, self.sampling.borders).map(|at| at - at.floor());
+        let part = if self.sampling.nearest { part.map(f32::round) } else { part };
+        compared(self.gather(uv, 0, offset), part.map(|x| if x.is_nan() { 0.0 } else { x }), depth)
+    }
+
     /// A component of the four texels around a place.
     fn gather(&self, uv: [f32; 2], component: usize, offset: [i64; 2]) -> [f32; 4] {
         let level = &self.faces[0][0];
@@ -156,7 +163,10 @@ impl Textures for Pictures {
                     picture.fetch([at[0], at[1]].map(|x| i64::from(x.to_bits() as i32)), level[lane])
                 }
                 Lod::Gather(component) => picture.gather([at[0], at[1]], *component, offset),
-                lod => picture.look(at, lod, lane, offset),
+                lod => match &query.compare {
+                    Some(depth) => [picture.compared([at[0], at[1]], depth[lane], offset), 0.0, 0.0, 1.0],
+                    None => picture.look(at, lod, lane, offset),
+                },
             };
             for (row, value) in texels.iter_mut().zip(color) {
                 row[lane] = value;

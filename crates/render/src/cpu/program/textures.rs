@@ -2,7 +2,7 @@
 
 use glanz_math::{Real, Vec3};
 use glanz_scene::Wrap;
-use glanz_shader::{CubePlace, Lod, TextureQuery, Textures, panorama_place, turned};
+use glanz_shader::{CubePlace, Lod, TextureQuery, Textures, compared, panorama_place, turned};
 
 use crate::prepare::{EnvironmentMap, Mipmap};
 use crate::view::program::{EnvironmentPicture, ProgramPicture};
@@ -25,7 +25,10 @@ impl Textures for ProgramTextures<'_> {
         for lane in 0..16 {
             let at = query.coordinates.map(|row| row[lane]);
             let texel = match picture {
-                ProgramPicture::Flat(mipmap) => flat(mipmap, query, [at[0], at[1]], lane),
+                ProgramPicture::Flat(mipmap) => match &query.compare {
+                    Some(depth) => shadow(mipmap, query, [at[0], at[1]], depth[lane]),
+                    None => flat(mipmap, query, [at[0], at[1]], lane),
+                },
                 ProgramPicture::Cube(faces) => cube(faces, at, &query.lod, lane),
                 ProgramPicture::Panorama(mipmap) => panorama(mipmap, at, &query.lod, lane),
                 ProgramPicture::Environment(environment) => around(environment, at, &query.lod, lane),
@@ -88,6 +91,12 @@ fn flat(mipmap: &Mipmap, query: &TextureQuery, [u, v]: [f32; 2], lane: usize) ->
             mipmap.sample(uv, footprint(lod, lane, side, &length))
         }
     }
+}
+
+/// What a picture of depths, in its red, gives a shadow sampler. Its rows go down, and v with them.
+fn shadow(mipmap: &Mipmap, query: &TextureQuery, [u, v]: [f32; 2], depth: f32) -> [f32; 4] {
+    let (texels, part) = mipmap.depths([u, v].map(|x| x.clamp(-FARTHEST, FARTHEST)), query.offset);
+    [compared(texels, part, depth), 0.0, 0.0, 1.0]
 }
 
 /// A filter ends at the edges of the face.

@@ -149,8 +149,11 @@ fn check_pictures(
         return Err(format!("there is no sampler '{name}' in the program{hint}"));
     };
     let is_cube = matches!(value, UniformValue::Cube(_));
-    if sampler.layered || !matches!(sampler.dimension, "2d" | "cube") {
-        return Err(format!("the sampler '{name}' takes no picture: only sampler2D and samplerCube do"));
+    let is_known = matches!((sampler.dimension, sampler.compared), ("2d", _) | ("cube", false));
+    if sampler.layered || !is_known {
+        return Err(format!(
+            "the sampler '{name}' takes no picture: only sampler2D, sampler2DShadow and samplerCube do"
+        ));
     }
     if is_cube && sampler.dimension != "cube" {
         return Err(format!("the sampler '{name}' takes one picture: six are the faces of a samplerCube"));

@@ -100,6 +100,23 @@ impl Mipmap {
         places.map(|(x, y)| self.texel(level, x, y, self.wrap)[component & 3])
     }
 
+    /// The first of the codes of the four texels around a place, from 0 to 1: numbers, not colours. In the order of
+    /// `textureGather`, and how far the place lies from the texel at the left and above.
+    pub(crate) fn depths(&self, uv: [f32; 2], offset: [i32; 3]) -> ([f32; 4], [f32; 2]) {
+        if !(uv[0].is_finite() && uv[1].is_finite()) {
+            return ([0.0; 4], [0.0; 2]);
+        }
+        let level = &self.levels[0];
+        let at = [uv[0] * level.width as f32 - 0.5, uv[1] * level.height as f32 - 0.5];
+        let [left, top] = [0, 1].map(|i| at[i].floor() as i64 + i64::from(offset[i]));
+        let depth = |(x, y): (i64, i64)| {
+            let column = wrapped(left + x, level.width, self.wrap[0]);
+            let row = wrapped(top + y, level.height, self.wrap[1]);
+            f32::from(level.rgba[row * level.width + column][0]) / 255.0
+        };
+        ([(0, 1), (1, 1), (1, 0), (0, 0)].map(depth), at.map(|at| at - at.floor()))
+    }
+
     fn bilinear(&self, level: &MipLevel, uv: [f32; 2], wrap: [Wrap; 2]) -> [f32; 4] {
         let x = uv[0] * level.width as f32 - 0.5;
         let y = uv[1] * level.height as f32 - 0.5;

@@ -15,9 +15,11 @@ const MOST_BYTES: u64 = 1 << 28;
 /// The picture of a file for a texture.
 pub(super) fn picture(file: &str, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
     let name = &texture.name;
-    if texture.layered || texture.compared || !matches!(texture.dimension, "2d" | "cube") {
-        let message =
-            format!("a picture fills a sampler2D or a samplerCube, and '{name}' is another kind of texture");
+    let is_known = matches!((texture.dimension, texture.compared), ("2d", _) | ("cube", false));
+    if texture.layered || !is_known {
+        let message = format!(
+            "a picture fills a sampler2D, a sampler2DShadow or a samplerCube, and '{name}' is another kind of texture"
+        );
         return Err(Failure::Usage(message));
     }
     if texture.dimension == "2d" {
