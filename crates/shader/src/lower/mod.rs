@@ -11,17 +11,13 @@ mod arithmetic;
 mod emit;
 mod expressions;
 mod flow;
-mod gather;
 mod layout;
-mod loops;
 mod math;
 mod matrices;
 mod pool;
 mod statements;
 mod textures;
 mod types;
-mod unroll;
-mod uses;
 mod variables;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -32,10 +28,10 @@ use naga::{Expression, Function, Handle, Module, Span};
 use crate::Stage;
 use crate::machine::{Code, Look};
 pub(crate) use allocate::{Draft, Placed};
-pub(crate) use gather::is_stand_in;
+pub(crate) use flow::uses::inner_blocks;
 pub use layout::TextureInfo;
 pub(crate) use layout::{Layout, Leaf, Purpose, Slot};
-pub(crate) use uses::inner_blocks;
+pub(crate) use textures::gather::is_stand_in;
 
 /// A register before allocation.
 pub(crate) type Reg = u32;
@@ -240,7 +236,7 @@ pub(crate) fn lower(
     trace: bool,
 ) -> Result<Lowered, Refused> {
     // Loops that are written out may need more registers than there are.
-    for turns in unroll::TURNS {
+    for turns in flow::unroll::TURNS {
         match lower_with(module, info, stage, roles, (trace, turns)) {
             Err(refused) if refused.lacks_registers => {}
             done => return done,

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use naga::{Block, Expression, Function, Handle, LocalVariable, Span, Statement, Type, TypeInner};
 
-use super::uses::{inner_blocks, local_of};
+use super::flow::uses::{inner_blocks, local_of};
 use super::{Frame, Item, Lowering, Refused, Reg};
 use crate::machine::Code;
 

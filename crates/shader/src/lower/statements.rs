@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, Handle, Span, Statement};
 
-use super::loops::Parts;
+use super::flow::loops::Parts;
+use super::flow::uses::count_uses;
 use super::pool::read_by_index;
-use super::uses::count_uses;
 use super::{Choice, Event, EventKind, Frame, Item, Lowering, Refused, Reg, VirtualOp};
 use crate::machine::Code;
 use crate::{Scalar, ValueType};

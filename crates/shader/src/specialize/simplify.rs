@@ -32,6 +32,11 @@ impl Facts<'_> {
         let first = (self.word)(*list.first()?)?;
         list.iter().all(|r| (self.word)(*r) == Some(first)).then_some(first)
     }
+
+    /// The registers that these are the inverses of, if all are known.
+    fn inverses(&self, list: &[Reg]) -> Option<Vec<Reg>> {
+        list.iter().map(|r| (self.inverse)(*r)).collect()
+    }
 }
 
 /// The short form of an instruction, if there is one. `lists`: the operands' registers, one per component.
@@ -71,10 +76,7 @@ pub(super) fn short(code: Code, lists: &[Vec<Reg>], facts: &Facts<'_>) -> Option
             (Some(ALL), _) => Some(Short::Not),
             _ => None,
         },
-        Code::Not => {
-            let inner: Option<Vec<Reg>> = lists[0].iter().map(|r| (facts.inverse)(*r)).collect();
-            inner.map(Short::Registers)
-        }
+        Code::Not => facts.inverses(&lists[0]).map(Short::Registers),
         _ => None,
     }
 }
@@ -90,6 +92,5 @@ fn select(lists: &[Vec<Reg>], facts: &Facts<'_>) -> Option<Short> {
     if let Some(picked) = picked.collect() {
         return Some(Short::Registers(picked));
     }
-    let inner: Option<Vec<Reg>> = mask.iter().map(|r| (facts.inverse)(*r)).collect();
-    inner.map(Short::Exchanged)
+    facts.inverses(mask).map(Short::Exchanged)
 }

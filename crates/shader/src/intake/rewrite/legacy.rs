@@ -132,8 +132,15 @@ impl Rewriter {
             let text = "vec4 glanz_ftransform() { return glanz_ModelViewProjectionMatrix * glanz_Vertex; }";
             self.generated(text, Origin::default());
         }
+        if is_toy {
+            self.channels(&declared);
+        }
+    }
+
+    /// Shadertoy's textures.
+    fn channels(&mut self, declared: &dyn Fn(&str) -> bool) {
         for channel in ["iChannel0", "iChannel1", "iChannel2", "iChannel3"] {
-            if is_toy && self.used.contains(channel) && !declared(channel) {
+            if self.used.contains(channel) && !declared(channel) {
                 self.declare_sampler("sampler2D", channel, Origin::default());
             }
         }

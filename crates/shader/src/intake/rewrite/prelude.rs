@@ -18,7 +18,7 @@ const FUNCTIONS: [(&str, &str); 4] = [
          mat3 matrixCompMult(mat3 a, mat3 b) { return mat3(a[0] * b[0], a[1] * b[1], a[2] * b[2]); } \
          mat4 matrixCompMult(mat4 a, mat4 b) { return mat4(a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]); }",
     ),
-    // What these give the lowering knows (`lower/gather.rs`); the bodies stand for it elsewhere.
+    // What these give the lowering knows (`lower/textures/gather.rs`); the bodies stand for it elsewhere.
     (
         "textureGather",
         "vec4 glanz_textureGather(texture2D t, sampler s, vec2 p) { return textureLod(sampler2D(t, s), p, 0.0); } \

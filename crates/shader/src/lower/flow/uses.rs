@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use naga::{Block, Expression, Function, Handle, LocalVariable, Statement};
 
-use super::{Frame, Item, Lowering};
+use crate::lower::{Frame, Item, Lowering};
 
 /// Calls `f` for the blocks inside a statement.
 pub(crate) fn inner_blocks<'a>(statement: &'a Statement, f: &mut dyn FnMut(&'a Block)) {
@@ -24,7 +24,7 @@ pub(crate) fn inner_blocks<'a>(statement: &'a Statement, f: &mut dyn FnMut(&'a B
 }
 
 /// How often a block names each local, calls and loads included.
-pub(super) fn count_uses(
+pub(in crate::lower) fn count_uses(
     function: &Function,
     block: &Block,
     out: &mut HashMap<Handle<LocalVariable>, usize>,
@@ -54,7 +54,10 @@ pub(super) fn count_uses(
 }
 
 /// The local that a pointer points into.
-pub(super) fn local_of(function: &Function, mut e: Handle<Expression>) -> Option<Handle<LocalVariable>> {
+pub(in crate::lower) fn local_of(
+    function: &Function,
+    mut e: Handle<Expression>,
+) -> Option<Handle<LocalVariable>> {
     loop {
         match function.expressions[e] {
             Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => e = base,
@@ -66,7 +69,7 @@ pub(super) fn local_of(function: &Function, mut e: Handle<Expression>) -> Option
 
 impl Lowering<'_> {
     /// The variables that a block may change, masks of lanes that leave included.
-    pub(super) fn changed(&self, frame: &Frame<'_>, block: &Block, out: &mut BTreeSet<usize>) {
+    pub(in crate::lower) fn changed(&self, frame: &Frame<'_>, block: &Block, out: &mut BTreeSet<usize>) {
         for statement in block.iter() {
             match statement {
                 Statement::Store { pointer, .. } => out.extend(self.root(frame, *pointer)),
@@ -118,7 +121,7 @@ impl Lowering<'_> {
     }
 
     /// Whether a block may discard, in what it calls, too.
-    pub(super) fn discards(&self, block: &Block) -> bool {
+    pub(in crate::lower) fn discards(&self, block: &Block) -> bool {
         block.iter().any(|statement| match statement {
             Statement::Kill => true,
             Statement::Call { function, .. } => self.discarding.contains(function),
@@ -131,7 +134,7 @@ impl Lowering<'_> {
     }
 
     /// About how many instructions a block becomes.
-    pub(super) fn cost(&self, block: &Block) -> usize {
+    pub(in crate::lower) fn cost(&self, block: &Block) -> usize {
         let of = |statement: &Statement| match statement {
             Statement::Emit(range) => range.clone().count(),
             Statement::Loop { .. } | Statement::Call { .. } => 100,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use naga::{Block, Expression, Handle, Span};
 
-use super::{Enclosing, Frame, Lowering, Refused, VirtualOp};
+use crate::lower::{Enclosing, Frame, Lowering, Refused, VirtualOp};
 use crate::machine::Code;
 
 /// How often it is tried to lower a loop that all lanes leave together, each time with fewer variables that are believed
@@ -13,15 +13,19 @@ const TRIES: usize = 8;
 
 /// The parts of a loop.
 #[derive(Clone, Copy)]
-pub(super) struct Parts<'a> {
-    pub(super) body: &'a Block,
-    pub(super) continuing: &'a Block,
-    pub(super) break_if: Option<Handle<Expression>>,
-    pub(super) span: Span,
+pub(in crate::lower) struct Parts<'a> {
+    pub(in crate::lower) body: &'a Block,
+    pub(in crate::lower) continuing: &'a Block,
+    pub(in crate::lower) break_if: Option<Handle<Expression>>,
+    pub(in crate::lower) span: Span,
 }
 
 impl<'a> Lowering<'a> {
-    pub(super) fn repeat(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<(), Refused> {
+    pub(in crate::lower) fn repeat(
+        &mut self,
+        frame: &mut Frame<'a>,
+        parts: Parts<'a>,
+    ) -> Result<(), Refused> {
         if self.unrolled(frame, parts)? || self.together(frame, parts)? {
             return Ok(());
         }
@@ -75,7 +79,11 @@ impl<'a> Lowering<'a> {
     }
 
     /// A loop that all lanes run and leave together, without masks; `false` where they do not.
-    pub(super) fn together(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<bool, Refused> {
+    pub(in crate::lower) fn together(
+        &mut self,
+        frame: &mut Frame<'a>,
+        parts: Parts<'a>,
+    ) -> Result<bool, Refused> {
         let mut vars = BTreeSet::new();
         self.changed(frame, parts.body, &mut vars);
         self.changed(frame, parts.continuing, &mut vars);

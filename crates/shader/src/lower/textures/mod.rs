@@ -1,5 +1,7 @@
 //! Looks into textures.
 
+pub(super) mod gather;
+
 use naga::{Expression, Handle, ImageQuery, SampleLevel, Span};
 
 use super::{Frame, Item, Lowering, Refused, Reg, VirtualOp};

@@ -6,19 +6,23 @@
 
 use std::collections::BTreeSet;
 
-use super::flow::has_continue;
+use super::has_continue;
 use super::loops::Parts;
-use super::{Enclosing, Frame, Lowering, Refused, Reg};
+use crate::lower::{Enclosing, Frame, Lowering, Refused, Reg};
 
 /// How many turns are written out at most: the first number with which there are registers enough.
-pub(super) const TURNS: [usize; 3] = [12, 8, 4];
+pub(in crate::lower) const TURNS: [usize; 3] = [12, 8, 4];
 
 /// Most instructions of all turns together.
 const MOST_OPS: usize = 4_000;
 
 impl<'a> Lowering<'a> {
     /// Writes a loop out, if its counter is known and indexes something; `false` where it is to be a loop.
-    pub(super) fn unrolled(&mut self, frame: &mut Frame<'a>, parts: Parts<'a>) -> Result<bool, Refused> {
+    pub(in crate::lower) fn unrolled(
+        &mut self,
+        frame: &mut Frame<'a>,
+        parts: Parts<'a>,
+    ) -> Result<bool, Refused> {
         let mut vars = BTreeSet::new();
         self.changed(frame, parts.body, &mut vars);
         self.changed(frame, parts.continuing, &mut vars);
@@ -121,7 +125,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Brings variables to where they are after the loop.
-    pub(super) fn leave_by(&mut self, exits: &[(usize, Vec<Reg>)]) {
+    pub(in crate::lower) fn leave_by(&mut self, exits: &[(usize, Vec<Reg>)]) {
         for (var, d) in exits {
             let value = self.state.variables[*var].registers.clone();
             self.write(d, &value, None);

@@ -1,12 +1,16 @@
 //! Masks, branches and leaving.
 
+pub(super) mod loops;
+pub(super) mod unroll;
+pub(super) mod uses;
+
 use std::collections::{BTreeSet, HashMap};
 
 use naga::{Block, Expression, Handle, Span, SwitchCase, SwitchValue};
 
-use super::uses::count_uses;
 use super::{Enclosing, EventKind, Frame, Lowering, Refused, Reg};
 use crate::machine::Code;
+use uses::count_uses;
 
 /// Branches of so many expressions are worth a jump where no lane takes them.
 const WORTH_A_JUMP: usize = 12;
@@ -247,13 +251,13 @@ impl<'a> Lowering<'a> {
 }
 
 /// Whether a `continue` of the loop around stands in a block.
-pub(super) fn has_continue(block: &Block) -> bool {
+fn has_continue(block: &Block) -> bool {
     block.iter().any(|statement| match statement {
         naga::Statement::Continue => true,
         naga::Statement::Loop { .. } => false,
         other => {
             let mut any = false;
-            super::uses::inner_blocks(other, &mut |b| any |= has_continue(b));
+            uses::inner_blocks(other, &mut |b| any |= has_continue(b));
             any
         }
     })

@@ -2,12 +2,12 @@
 
 use naga::{Function, Span, SwizzleComponent};
 
-use super::{Item, Lowering, Refused, Reg};
+use crate::lower::{Item, Lowering, Refused, Reg};
 use crate::machine::{Look, LookLod};
 
 impl Lowering<'_> {
     /// The component that WGSL gathers.
-    pub(super) fn gathered(
+    pub(in crate::lower) fn gathered(
         &self,
         texture: usize,
         component: SwizzleComponent,
@@ -24,7 +24,7 @@ impl Lowering<'_> {
 
     /// What a call of GLSL's functions gives, which the front end lacks: they are declared by the intake's prelude. `None` of
     /// other functions.
-    pub(super) fn gather_call(
+    pub(in crate::lower) fn gather_call(
         &mut self,
         function: &Function,
         arguments: &[Item],
