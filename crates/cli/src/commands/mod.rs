@@ -10,6 +10,7 @@ mod draw;
 mod example;
 mod info;
 mod material;
+mod measure;
 mod plot;
 mod probe;
 mod schema;
@@ -76,6 +77,12 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz color spectrum D65\n  glanz color convert --from hls --to ac1c2 210,0.4,0.8"
     )]
     Color(color::ColorCommand),
+    /// Measured reflectance: files of goniometers
+    #[command(
+        subcommand,
+        after_help = "Examples:\n  glanz measure info paint.bsdf\n  glanz measure sample ggx --set alpha=0.2 -o ggx.binary"
+    )]
+    Measure(measure::MeasureCommand),
     /// Programs of users, in GLSL and WGSL
     #[command(
         subcommand,
@@ -116,6 +123,7 @@ impl Command {
             Self::Plot(_) => vec!["plot"],
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
+            Self::Measure(command) => vec!["measure", command.name()],
             Self::Shader(command) => vec!["shader", command.name()],
             Self::Devices(_) => vec!["devices"],
             Self::Example(_) => vec!["example"],
@@ -162,6 +170,7 @@ impl Command {
             Self::Plot(args) => args.run(),
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
+            Self::Measure(command) => command.run(),
             Self::Shader(command) => command.run(),
             Self::Devices(args) => args.run(),
             Self::Example(args) => args.run(),

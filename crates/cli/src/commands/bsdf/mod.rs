@@ -10,6 +10,8 @@ mod table;
 
 use clap::Subcommand;
 
+pub(super) use model::ModelArgs;
+
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
 

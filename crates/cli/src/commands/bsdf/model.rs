@@ -15,7 +15,7 @@ use crate::print::failure::Failure;
 
 /// A model with its parameters.
 #[derive(Args, Debug)]
-pub(super) struct ModelArgs {
+pub(crate) struct ModelArgs {
     /// The model's name, from `glanz bsdf list`, or a BRDF of one's own, as `glanz shader certify` takes it
     #[arg(value_name = "NAME", value_parser = models(), hide_possible_values = true)]
     name: String,
@@ -27,7 +27,7 @@ pub(super) struct ModelArgs {
 
 impl ModelArgs {
     /// The shape, with the parameters checked.
-    pub(super) fn shape(&self) -> Result<Shape, Failure> {
+    pub(crate) fn shape(&self) -> Result<Shape, Failure> {
         let mut shape = models::shape(&self.name)?;
         for (name, text) in &self.set {
             let value = text.parse::<f64>().map_err(|_| {

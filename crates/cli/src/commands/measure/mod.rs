@@ -1,0 +1,88 @@
+//! `glanz measure`: measured reflectance.
+
+pub(super) mod convert;
+pub(super) mod info;
+pub(super) mod sample;
+
+use std::path::Path;
+
+use clap::{Args, Subcommand};
+use glanz_measure::{Measured, Quantity, ReadError, ReadOptions};
+
+use crate::print::failure::{Failure, Report, without_number};
+
+/// A file is no longer than this; the anisotropic sets of the collections have some 100 MB.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// What to do with measured reflectance.
+#[derive(Subcommand, Debug)]
+pub(crate) enum MeasureCommand {
+    /// Tell what a file of measured reflectance holds, and what its numbers are
+    #[command(after_help = info::EXAMPLES)]
+    Info(info::InfoArgs),
+    /// Write measured reflectance in another format
+    #[command(after_help = convert::EXAMPLES)]
+    Convert(convert::ConvertArgs),
+    /// Measure a model as a goniometer would
+    #[command(after_help = sample::EXAMPLES)]
+    Sample(sample::SampleArgs),
+}
+
+impl MeasureCommand {
+    /// The subcommand's name.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Info(_) => "info",
+            Self::Convert(_) => "convert",
+            Self::Sample(_) => "sample",
+        }
+    }
+
+    /// Does it.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        match self {
+            Self::Info(args) => args.run(),
+            Self::Convert(args) => args.run(),
+            Self::Sample(args) => args.run(),
+        }
+    }
+}
+
+/// How files are read.
+#[derive(Args, Debug)]
+pub(super) struct ReadArgs {
+    /// What the numbers are, whatever the file says: brdf (1/sr), brdf-cos (times the cosine of the detector) or
+    /// reflectance-factor (pi times the BRDF)
+    #[arg(long, value_name = "QUANTITY", value_parser = quantity)]
+    quantity: Option<Quantity>,
+}
+
+/// A quantity by its name.
+pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
+    Quantity::named(text).ok_or_else(|| "expected brdf, brdf-cos or reflectance-factor".to_owned())
+}
+
+/// Reads a file.
+pub(super) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
+    let name = file.display().to_string();
+    let could_not =
+        |why: &str| Failure::from(Report::new(format_args!("cannot read '{name}': {why}")).file(file));
+    let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
+    let length = std::fs::metadata(file).map_err(io)?.len();
+    if length > MOST_BYTES {
+        return Err(could_not(&format!("a file of {length} bytes is more than {MOST_BYTES}")));
+    }
+    let bytes = std::fs::read(file).map_err(io)?;
+    let options = ReadOptions { quantity: args.quantity };
+    Measured::read(&bytes, &name, &options).map_err(|error| failure(&error, file, &bytes))
+}
+
+/// An error with the line that it is in.
+fn failure(error: &ReadError, file: &Path, bytes: &[u8]) -> Failure {
+    let report = Report::new(error).file(file);
+    let Some((line, text)) = error.line().zip(std::str::from_utf8(bytes).ok()) else { return report.into() };
+    let before = text.split_inclusive('\n').take(line as usize - 1).map(str::len).sum::<usize>();
+    let length = text[before..].lines().next().map_or(0, str::len);
+    let report = report.place(line.into(), 1);
+    report.source(&file.display().to_string(), text.to_owned(), before..before + length).into()
+}

@@ -1,0 +1,167 @@
+//! `glanz measure sample`: the virtual goniometer.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum, ValueHint};
+use glanz_bsdf::{DirectionPair, Shape};
+use glanz_math::Vec3;
+use glanz_measure::{Channels, Merl, Quantity, Readings, Rgl, write_csv, write_merl, write_rgl};
+
+use super::convert::{Kind, deliver};
+use super::quantity;
+use crate::args::check_folder;
+use crate::commands::bsdf::ModelArgs;
+use crate::print::FormatArgs;
+use crate::print::failure::{Failure, Report};
+
+/// Shown after the help.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  glanz measure sample ward --set alpha=0.1 -o ward.csv --geometry hemisphere --noise 0.03
+  glanz measure sample ggx --set alpha=0.2 -o ggx.binary
+  glanz measure sample cook-torrance --set m=0.15 -o ct.bsdf --diffuse 0.3
+  glanz measure sample \"n = 20; (n + 2) / (2 * pi) * pow(dot(N, H), n)\" -o own.csv --geometry in-plane
+
+The model is that of `glanz bsdf list`, or a BRDF of one's own; --diffuse adds a matte part, as measured
+surfaces have. Tables have readings: in the plane of the light every 5 degrees, or all over the hemisphere
+every 5 degrees and 15 around, each for lights at 0, 15, 30, 45, 60 and 75 degrees. --noise multiplies each
+by a number of a normal distribution about 1, the same ones for the same --seed. MERL (.binary) and RGL
+(.bsdf) have nodes of their own, three channels that are the same, and take what depends on the difference
+of azimuths alone.";
+
+/// Where a goniometer goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Geometry {
+    /// In the plane of the light
+    InPlane,
+    /// All over the hemisphere
+    #[default]
+    Hemisphere,
+}
+
+/// Options of `glanz measure sample`.
+#[derive(Args, Debug)]
+pub(crate) struct SampleArgs {
+    #[command(flatten)]
+    model: ModelArgs,
+
+    /// The file that is written: .csv, .binary (MERL) or .bsdf (RGL)
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    output: PathBuf,
+
+    /// Where the goniometer goes; of a .csv
+    #[arg(long, value_enum, value_name = "GEOMETRY", default_value_t)]
+    geometry: Geometry,
+
+    /// The albedo of a matte part that is added
+    #[arg(long, value_name = "ALBEDO", default_value_t = 0.0)]
+    diffuse: f64,
+
+    /// The standard deviation of the noise, as a part of each value
+    #[arg(long, value_name = "PART", default_value_t = 0.0)]
+    noise: f64,
+
+    /// Which noise
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+
+    /// What the numbers of a table are: brdf, brdf-cos or reflectance-factor
+    #[arg(long = "as", value_name = "QUANTITY", value_parser = quantity, default_value = "brdf")]
+    written: Quantity,
+
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// Angles of the light from the normal.
+const LIGHTS: [f64; 6] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0];
+
+impl SampleArgs {
+    /// Measures.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        for (name, value) in [("--noise", self.noise), ("--diffuse", self.diffuse)] {
+            if !(0.0..=1.0).contains(&value) {
+                return Err(Failure::Usage(format!("{name} is {value}, but must be from 0 to 1")));
+            }
+        }
+        let kind = Kind::of(&self.output)?;
+        check_folder(&self.output)?;
+        let shape = self.model.shape()?;
+        let mut notes = Vec::new();
+        let anisotropic = shape.info().anisotropic && depends_on_azimuth(&shape);
+        if kind != Kind::Csv && anisotropic {
+            notes.push(
+                "the model is anisotropic, and the table is not: the light comes along the grain".to_owned(),
+            );
+        }
+        let mut noise = Noise(self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+        let mut value = |wi: Vec3<f64>, wo: Vec3<f64>| {
+            let f =
+                shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI;
+            if self.noise > 0.0 { f * (1.0 + self.noise * noise.normal()).max(0.0) } else { f }
+        };
+        let description = format!("{}, by the virtual goniometer of Glanz", shape.info().name);
+        let (bytes, count) = match kind {
+            Kind::Csv => {
+                let readings = self.readings(&mut value);
+                (write_csv(&readings, self.written, &description).into_bytes(), Some(readings.len()))
+            }
+            Kind::Merl => (write_merl(&Merl::of(&mut |wi, wo| [value(wi, wo); 3])), None),
+            Kind::Rgl => {
+                let table =
+                    Rgl::of_function(Channels::Rgb, &description, &mut |wi, wo| vec![value(wi, wo); 3]);
+                let table = table.map_err(|error| Failure::from(Report::new(error).file(&self.output)))?;
+                (write_rgl(&table), None)
+            }
+        };
+        deliver(&bytes, &self.output, kind, count, notes, self.format)
+    }
+
+    fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64) -> Readings {
+        let mut readings = Readings::new(Channels::Luminance);
+        let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
+        let azimuths: Vec<f64> = match self.geometry {
+            Geometry::InPlane => vec![0.0, 180.0],
+            Geometry::Hemisphere => (0..24).map(|step| 15.0 * f64::from(step)).collect(),
+        };
+        for theta_i in LIGHTS {
+            let wi = at(theta_i, 180.0);
+            for theta_o in (0..=85).step_by(5) {
+                for phi in azimuths.iter().take(if theta_o == 0 { 1 } else { azimuths.len() }) {
+                    let wo = at(f64::from(theta_o), *phi);
+                    readings.push(wi, wo, &[value(wi, wo) as f32]);
+                }
+            }
+        }
+        readings
+    }
+}
+
+/// Whether turning both directions changes the value.
+fn depends_on_azimuth(shape: &Shape) -> bool {
+    let value = |turn: f64| {
+        let [wo, wi] = [(0.4, 0.3), (0.6, 2.9)].map(|(theta, phi)| Vec3::from_angles(theta, phi + turn));
+        shape.f_cos(&DirectionPair::new(wo, wi))
+    };
+    let first = value(0.0);
+    [0.5, 1.0, 1.5].iter().any(|turn| (value(*turn) - first).abs() > 1e-9 * first.abs())
+}
+
+/// Numbers of a normal distribution, the same everywhere.
+struct Noise(u64);
+
+impl Noise {
+    /// 0 … 1, without 0 (G. Marsaglia's xorshift).
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    }
+
+    /// G. Box and M. Muller 1958.
+    fn normal(&mut self) -> f64 {
+        let (a, b) = (self.unit(), self.unit());
+        libm::sqrt(-2.0 * libm::log(a)) * libm::cos(core::f64::consts::TAU * b)
+    }
+}

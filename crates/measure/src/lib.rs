@@ -1,0 +1,29 @@
+//! Measured reflectance: readings of goniometers and tables made of them, their files, and what they say of themselves.
+//!
+//! All formats are read into [`Measured`]. Values are BRDF, in 1/sr, without a cosine, whatever the file holds; the frame is
+//! that of Glanz: the normal is z, the grain runs along x, azimuths count from x to y. Directions point away from the
+//! surface, to the light (`wi`) and to the detector (`wo`).
+//!
+//! ```
+//! use glanz_measure::Measured;
+//!
+//! // The reflectance factor of a white tile, for light at 45° and eight detectors in the plane.
+//! let mut text = String::from("# quantity reflectance_factor\ntheta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,Y\n");
+//! for theta in [-60, -40, -20, 0, 10, 20, 40, 60] {
+//!     text += &format!("45,180,{},{},0.9\n", i32::abs(theta), if theta < 0 { 180 } else { 0 });
+//! }
+//! let measured = Measured::read(text.as_bytes(), "tile.csv", &Default::default())?;
+//! let readings = measured.readings();
+//! assert!((readings.values(3)[0] - 0.9 / std::f32::consts::PI).abs() < 1e-6);
+//! # Ok::<(), glanz_measure::ReadError>(())
+//! ```
+
+mod error;
+mod facts;
+mod format;
+mod readings;
+
+pub use error::ReadError;
+pub use facts::{Albedo, Facts, Reciprocity};
+pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};
+pub use readings::{Channels, Quantity, Readings};

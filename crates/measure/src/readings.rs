@@ -1,0 +1,167 @@
+//! Directions with values.
+
+use std::fmt;
+
+use glanz_math::Vec3;
+
+/// What the numbers of a file are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantity {
+    /// The BRDF f, in 1/sr.
+    #[default]
+    Brdf,
+    /// f times the cosine of the detector's angle (what scatterometers call the cosine-corrected BSDF, or DSF).
+    BrdfCos,
+    /// π f: the radiance factor, 1 for a perfect diffuser.
+    RadianceFactor,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Brdf, Self::BrdfCos, Self::RadianceFactor];
+
+    /// The word for it in files and on command lines.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Brdf => "brdf",
+            Self::BrdfCos => "brdf_cos",
+            Self::RadianceFactor => "reflectance_factor",
+        }
+    }
+
+    /// The one of this name; `radiance_factor`, `pi_f`, `f_cos` and `dsf` are understood, too.
+    pub fn named(name: &str) -> Option<Self> {
+        Some(match name.trim().to_lowercase().replace('-', "_").as_str() {
+            "brdf" | "f" => Self::Brdf,
+            "brdf_cos" | "f_cos" | "dsf" => Self::BrdfCos,
+            "reflectance_factor" | "radiance_factor" | "pi_f" => Self::RadianceFactor,
+            _ => return None,
+        })
+    }
+
+    /// The BRDF, of a number of this kind; `cos_o` is the detector's cosine. Nothing at the horizon, where a product with
+    /// the cosine says nothing.
+    pub fn brdf(self, value: f64, cos_o: f64) -> Option<f64> {
+        match self {
+            Self::Brdf => Some(value),
+            Self::BrdfCos => (cos_o > 1e-4).then(|| value / cos_o),
+            Self::RadianceFactor => Some(value * core::f64::consts::FRAC_1_PI),
+        }
+    }
+
+    /// A number of this kind, of the BRDF.
+    pub fn of_brdf(self, brdf: f64, cos_o: f64) -> f64 {
+        match self {
+            Self::Brdf => brdf,
+            Self::BrdfCos => brdf * cos_o,
+            Self::RadianceFactor => brdf * core::f64::consts::PI,
+        }
+    }
+}
+
+/// What the values of a reading belong to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Channels {
+    /// One number for all light, or for a photometric eye.
+    Luminance,
+    /// Red, green and blue of some camera.
+    Rgb,
+    /// Tristimulus values.
+    Xyz,
+    /// Wavelengths in nm, ascending.
+    Wavelengths(Vec<f64>),
+}
+
+impl Channels {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Luminance => 1,
+            Self::Rgb | Self::Xyz => 3,
+            Self::Wavelengths(list) => list.len(),
+        }
+    }
+
+    /// Their names, as columns of a table.
+    pub fn names(&self) -> Vec<String> {
+        match self {
+            Self::Luminance => vec!["Y".to_owned()],
+            Self::Rgb => ["r", "g", "b"].map(str::to_owned).to_vec(),
+            Self::Xyz => ["X", "Y", "Z"].map(str::to_owned).to_vec(),
+            Self::Wavelengths(list) => list.iter().map(|nm| format!("{nm}nm")).collect(),
+        }
+    }
+}
+
+impl fmt::Display for Channels {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Luminance => f.write_str("one channel"),
+            Self::Rgb => f.write_str("RGB"),
+            Self::Xyz => f.write_str("XYZ"),
+            Self::Wavelengths(list) => match (list.first(), list.last()) {
+                (Some(first), Some(last)) => write!(f, "{} wavelengths, {first} to {last} nm", list.len()),
+                _ => f.write_str("no wavelengths"),
+            },
+        }
+    }
+}
+
+/// Readings: pairs of directions with a value for each channel, in any order.
+///
+/// ```
+/// use glanz_math::Vec3;
+/// use glanz_measure::{Channels, Readings};
+///
+/// let mut readings = Readings::new(Channels::Rgb);
+/// let up = Vec3::from_angles(0.0, 0.0);
+/// readings.push(up, Vec3::from_angles(0.5, 0.0), &[0.2, 0.3, 0.4]);
+/// assert_eq!((readings.len(), readings.values(0)), (1, &[0.2, 0.3, 0.4][..]));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Readings {
+    channels: Channels,
+    pairs: Vec<[Vec3<f64>; 2]>,
+    values: Vec<f32>,
+}
+
+impl Readings {
+    /// None yet.
+    pub fn new(channels: Channels) -> Self {
+        Self { channels, pairs: Vec::new(), values: Vec::new() }
+    }
+
+    /// Adds the BRDF, in 1/sr, at a pair of directions, to the light and to the detector. Numbers that are missing are
+    /// NaN; what there is more than channels counts for nothing.
+    pub fn push(&mut self, wi: Vec3<f64>, wo: Vec3<f64>, values: &[f32]) {
+        self.pairs.push([wi, wo]);
+        let count = self.channels.count();
+        self.values.extend((0..count).map(|c| values.get(c).copied().unwrap_or(f32::NAN)));
+    }
+
+    /// What the values belong to.
+    pub fn channels(&self) -> &Channels {
+        &self.channels
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
+
+    /// The directions to the light and to the detector of one of them.
+    pub fn pair(&self, index: usize) -> [Vec3<f64>; 2] {
+        self.pairs[index]
+    }
+
+    /// Its values, one per channel.
+    pub fn values(&self, index: usize) -> &[f32] {
+        let count = self.channels.count();
+        &self.values[index * count..(index + 1) * count]
+    }
+}
