@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, devices, example, material, probe, shader};
+use super::{bsdf, check, color, compare, devices, example, material, measure, probe, shader};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 46] = [
+const SCHEMAS: [Named; 49] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -46,6 +46,9 @@ const SCHEMAS: [Named; 46] = [
     ("bsdf-albedo", schema::<bsdf::albedo::Document>),
     ("sheet", schema::<SheetDocument>),
     ("check", schema::<check::Document>),
+    ("measure-info", schema::<measure::info::Document>),
+    ("measure-convert", schema::<measure::convert::Document>),
+    ("measure-sample", schema::<measure::convert::Document>),
     ("shader-run", schema::<shader::run::Document>),
     ("shader-check", schema::<shader::check::Document>),
     ("shader-print", schema::<shader::programs::PrintDocument>),

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 47] = [
+const COULD_NOT: [&[&str]; 51] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -45,6 +45,10 @@ const COULD_NOT: [&[&str]; 47] = [
     &["shader", "run", "none.frag", "-o", "toy.png"],
     &["shader", "run", "a.frag", "-o", "none/toy.png"],
     &["shader", "certify", "none.brdf"],
+    &["measure", "info", "none.csv"],
+    &["measure", "info", "a.png"],
+    &["measure", "convert", "tile.csv", "-o", "tile.bsdf"],
+    &["measure", "sample", "phong", "-o", "none/a.csv"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -65,7 +69,7 @@ const COULD_NOT: [&[&str]; 47] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 19] = [
+const PRINTING: [&[&str]; 20] = [
     &["devices"],
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
@@ -82,6 +86,7 @@ const PRINTING: [&[&str]; 19] = [
     &["shader", "list"],
     &["shader", "print", "phong-330"],
     &["shader", "certify", "1 / pi"],
+    &["measure", "info", "tile.csv"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],
@@ -91,6 +96,7 @@ const PRINTING: [&[&str]; 19] = [
 fn folder() -> Folder {
     let folder = Folder::with_scene();
     folder.write("wrong.toml", "[image]\nwdth = 3\n");
+    folder.write("tile.csv", crate::measure::TILE);
     folder.write("a.frag", crate::shader::FRAGMENT);
     folder.write("wrong.frag", "#version 330\nvoid main() { x }\n");
     for (name, more) in [

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 51] = [
+pub(crate) const COMMANDS: [&[&str]; 55] = [
     &[],
     &["render"],
     &["sweep"],
@@ -43,6 +43,10 @@ pub(crate) const COMMANDS: [&[&str]; 51] = [
     &["color", "plot", "matrix"],
     &["color", "plot", "tm30"],
     &["color", "plot", "efficiency"],
+    &["measure"],
+    &["measure", "info"],
+    &["measure", "convert"],
+    &["measure", "sample"],
     &["shader"],
     &["shader", "check"],
     &["shader", "list"],

@@ -15,6 +15,7 @@ mod help;
 mod library;
 mod lobes;
 mod materials;
+mod measure;
 mod models;
 mod numbers;
 mod pictures;

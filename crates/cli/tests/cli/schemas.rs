@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 44] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 47] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -86,6 +86,9 @@ const DOCUMENTS: [(&str, &[&[&str]]); 44] = [
             &["color", "spectrum", "A", "--observer", "lms2"],
         ],
     ),
+    ("measure-info", &[&["measure", "info", "tile.csv"], &["measure", "info", "ggx.bsdf"]]),
+    ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
+    ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
     (
         "shader-certify",
@@ -184,6 +187,8 @@ fn folder() -> Folder {
     let folder = Folder::with_scene();
     folder.write("lights.toml", LIGHTS);
     folder.write("empty.toml", "");
+    folder.write("tile.csv", crate::measure::TILE);
+    folder.glanz(&["measure", "sample", "ggx", "-o", "ggx.bsdf"]).text();
     folder.write("a.vert", crate::shader::VERTEX);
     folder.write("a.frag", crate::shader::FRAGMENT);
     folder.write("sight.frag", crate::shader::SIGHT);

@@ -1,0 +1,101 @@
+//! `glanz measure`: measured reflectance.
+
+use std::fmt::Write as _;
+
+use crate::folder::Folder;
+
+/// A white tile and a glossy one, by one goniometer.
+pub(crate) const TILE: &str = "\
+# a tile
+# quantity reflectance_factor
+theta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,r,g,b
+45,180,0,0,0.9,0.8,0.7
+45,180,30,90,0.9,0.8,0.7
+45,180,45,0,9.5,9.4,9.3
+";
+
+#[test]
+fn a_table_is_told_with_its_quantity() {
+    let folder = Folder::new();
+    folder.write("tile.csv", TILE);
+    let facts = folder.glanz(&["measure", "info", "tile.csv", "--format", "json"]).json();
+    assert_eq!(
+        (facts["format"].as_str(), facts["quantity"].as_str()),
+        (Some("csv"), Some("reflectance_factor"))
+    );
+    assert_eq!((facts["readings"].as_u64(), facts["lights"].as_u64()), (Some(3), Some(1)));
+    assert!((facts["range"][1].as_f64().unwrap() - 9.5 / std::f64::consts::PI).abs() < 1e-6);
+    let told =
+        folder.glanz(&["measure", "info", "tile.csv", "--quantity", "brdf", "--format", "json"]).json();
+    assert!((told["range"][1].as_f64().unwrap() - 9.5).abs() < 1e-6);
+    let text = folder.glanz(&["measure", "info", "tile.csv"]);
+    assert!(text.text().contains("readings     3, of 1 directions of the light"), "{}", text.text());
+}
+
+#[test]
+fn tables_go_from_format_to_format_and_back() {
+    let folder = Folder::new();
+    for words in [
+        &["sample", "ggx", "--set", "alpha=0.2", "--diffuse", "0.3", "-o", "a.bsdf"][..],
+        &["convert", "a.bsdf", "-o", "same.bsdf"],
+        &["convert", "a.bsdf", "-o", "b.binary"],
+        &["convert", "b.binary", "-o", "same.binary"],
+        &["convert", "b.binary", "-o", "c.bsdf"],
+        &["convert", "a.bsdf", "-o", "d.csv", "--as", "reflectance-factor"],
+    ] {
+        let run = folder.glanz(&[&["measure"], words].concat());
+        assert_eq!(run.code, 0, "{words:?}: {}", run.stderr);
+    }
+    assert!(folder.read("a.bsdf") == folder.read("same.bsdf"), "byte for byte");
+    assert!(folder.read("b.binary") == folder.read("same.binary"), "byte for byte");
+    let albedo = |file: &str| {
+        let facts = folder.glanz(&["measure", "info", file, "--format", "json"]).json();
+        facts["albedos"][1]["values"][0].as_f64().unwrap()
+    };
+    let (a, b, c) = (albedo("a.bsdf"), albedo("b.binary"), albedo("c.bsdf"));
+    assert!((0.9..1.3).contains(&a) && (a - b).abs() < 0.02 * a && (a - c).abs() < 0.02 * a, "{a} {b} {c}");
+    assert!(
+        folder
+            .read("d.csv")
+            .starts_with(b"# ggx, by the virtual goniometer of Glanz\n# quantity reflectance_factor\n")
+    );
+    let run = folder.glanz(&["measure", "convert", "d.csv", "-o", "d.bsdf"]);
+    assert!(run.code == 3 && run.stderr.contains("these are readings alone"), "{}", run.stderr);
+    let run = folder.glanz(&["measure", "convert", "d.csv", "-o", "d.xyz"]);
+    assert!(run.code == 2 && run.stderr.contains("names no format"), "{}", run.stderr);
+}
+
+#[test]
+fn noise_is_the_same_for_the_same_seed_and_as_great_as_asked() {
+    let folder = Folder::new();
+    let sample = |name: &str, more: &[&str]| {
+        folder.glanz(&[&["measure", "sample", "lambert", "-o", name], more].concat()).text();
+        String::from_utf8(folder.read(name)).unwrap()
+    };
+    let values = |text: &str| -> Vec<f64> {
+        let rows = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        rows.map(|line| line.rsplit(',').next().unwrap().parse().unwrap()).collect()
+    };
+    let clean = values(&sample("clean.csv", &[]));
+    assert!(clean.iter().all(|value| (value - std::f64::consts::FRAC_1_PI).abs() < 1e-6));
+    let noisy = sample("noisy.csv", &["--noise", "0.05"]);
+    assert_eq!(noisy, sample("again.csv", &["--noise", "0.05"]));
+    assert_ne!(noisy, sample("other.csv", &["--noise", "0.05", "--seed", "2"]));
+    let parts: Vec<f64> = values(&noisy).iter().map(|value| value * std::f64::consts::PI - 1.0).collect();
+    let n = parts.len() as f64;
+    let (mean, square) = (parts.iter().sum::<f64>() / n, parts.iter().map(|x| x * x).sum::<f64>() / n);
+    assert!(n > 2000.0 && mean.abs() < 0.004 && (square.sqrt() - 0.05).abs() < 0.003, "{mean} {square}");
+    let plane = sample("plane.csv", &["--geometry", "in-plane", "--as", "reflectance-factor"]);
+    assert!(values(&plane).len() == 6 * 35 && values(&plane).iter().all(|value| (value - 1.0).abs() < 1e-6));
+}
+
+#[test]
+fn an_error_of_a_table_shows_its_line() {
+    let folder = Folder::new();
+    let mut text = TILE.to_owned();
+    writeln!(text, "45,180,50,0,x,1,1").unwrap();
+    folder.write("wrong.csv", text);
+    let run = folder.glanz(&["measure", "info", "wrong.csv"]);
+    assert!(run.stderr.contains("column 'r': expected a number, found 'x'"), "{}", run.stderr);
+    assert!(run.stderr.contains("wrong.csv:7:1"), "{}", run.stderr);
+}
