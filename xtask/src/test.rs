@@ -1,10 +1,12 @@
 //! Every check of the workspace, one after the other.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::steps::{Outcome, Steps};
-use crate::workspace::{Profile, Workspace, run, works};
-use crate::{Result, data, features, gallery, golden, library_examples, packages, reference, tour, wasm};
+use crate::workspace::{Profile, Workspace, run, run_quietly, works};
+use crate::{
+    Failure, Result, data, features, gallery, golden, library_examples, packages, reference, tour, wasm,
+};
 
 /// How much is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,21 +43,17 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     steps.run("colours against colour-science", || {
         oracle(workspace, |workspace| {
             let glanz = workspace.glanz(Profile::Dev)?;
-            compare(workspace, "colors", "requirements.txt", ("GLANZ", &glanz))
+            compare(workspace, "colors", COLORS, ("GLANZ", &glanz))
         })
     });
     steps.run("models against Mitsuba", || {
         oracle(workspace, |workspace| {
             run(&mut workspace.cargo("build --quiet --package glanz-bsdf --example eval"))?;
             let eval = format!("debug/examples/eval{}", std::env::consts::EXE_SUFFIX);
-            compare(
-                workspace,
-                "models",
-                "requirements-models.txt",
-                ("GLANZ_EVAL", &workspace.target().join(eval)),
-            )
+            compare(workspace, "models", MITSUBA, ("GLANZ_EVAL", &workspace.target().join(eval)))
         })
     });
+    steps.run("measured reflectance against Mitsuba", || oracle(workspace, measured));
     steps.run("shaders against OpenGL", || shaders(workspace));
     steps.run("examples of the library", || library_examples::run_all(workspace));
     steps.run("examples", || gallery::try_examples(workspace));
@@ -93,6 +91,27 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
     comparison(workspace).into()
 }
 
+/// Tables that the virtual goniometer writes, as Mitsuba reads them.
+fn measured(workspace: &Workspace) -> Result<()> {
+    run(&mut workspace.cargo("build --quiet --package glanz-measure --example eval_measured"))?;
+    let glanz = workspace.glanz(Profile::Dev)?;
+    let folder = workspace.target().join("measured");
+    std::fs::create_dir_all(&folder).map_err(Failure::during(folder.display()))?;
+    let eval =
+        workspace.target().join(format!("debug/examples/eval_measured{}", std::env::consts::EXE_SUFFIX));
+    std::fs::copy(&eval, folder.join("eval_measured")).map_err(Failure::during(eval.display()))?;
+    for (name, words) in [
+        ("glossy.bsdf", "ggx --set alpha=0.15 --diffuse 0.3"),
+        ("matte.bsdf", "oren-nayar"),
+        ("rough.bsdf", "cook-torrance --set m=0.4"),
+    ] {
+        let mut sample = workspace.command(&glanz);
+        sample.args(["measure", "sample"]).args(words.split(' ')).arg("-o").arg(folder.join(name));
+        run_quietly(&mut sample)?;
+    }
+    compare(workspace, "measured", MITSUBA, ("GLANZ_MEASURED", &folder))
+}
+
 /// Debian's packages for OpenGL without a screen.
 const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
 
@@ -104,11 +123,7 @@ fn shaders(workspace: &Workspace) -> Outcome {
     if built != Outcome::Passed {
         return built;
     }
-    let python = match data::python_with(
-        workspace,
-        "oracle-python-shaders",
-        "tests/python/requirements-shaders.txt",
-    ) {
+    let python = match environment(workspace, OPENGL) {
         Ok(python) => python,
         Err(failure) => return Outcome::Skipped(format!("moderngl cannot be installed: {failure}")),
     };
@@ -123,21 +138,29 @@ fn shaders(workspace: &Workspace) -> Outcome {
         }
     }
     let ours = workspace.target().join(format!("debug/examples/oracle{}", std::env::consts::EXE_SUFFIX));
-    compare(workspace, "shaders", "requirements-shaders.txt", ("GLANZ_ORACLE", &ours)).into()
+    compare(workspace, "shaders", OPENGL, ("GLANZ_ORACLE", &ours)).into()
 }
 
-/// Runs `tests/python/test_….py` with the packages of a file beside it and the path of a program of ours.
+/// An environment of Python: its name and the file with its packages, in `tests/python`.
+type Packages = (&'static str, &'static str);
+
+const COLORS: Packages = ("oracle-python-colors", "requirements.txt");
+const MITSUBA: Packages = ("oracle-python-models", "requirements-models.txt");
+const OPENGL: Packages = ("oracle-python-shaders", "requirements-shaders.txt");
+
+/// The Python of an environment, made where it is missing.
+fn environment(workspace: &Workspace, (name, requirements): Packages) -> Result<PathBuf> {
+    data::python_with(workspace, name, &format!("tests/python/{requirements}"))
+}
+
+/// Runs `tests/python/test_….py` with these packages and the path of a program of ours.
 fn compare(
     workspace: &Workspace,
     what: &str,
-    requirements: &str,
+    packages: Packages,
     (variable, ours): (&str, &Path),
 ) -> Result<()> {
-    let python = data::python_with(
-        workspace,
-        &format!("oracle-python-{what}"),
-        &format!("tests/python/{requirements}"),
-    )?;
+    let python = environment(workspace, packages)?;
     let test = format!("tests/python/test_{what}.py");
     run(workspace.command(python).args(["-W", "ignore", "-m", "unittest", &test]).env(variable, ours))
 }
