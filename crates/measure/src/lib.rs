@@ -18,11 +18,13 @@
 //! # Ok::<(), glanz_measure::ReadError>(())
 //! ```
 
+mod appearance;
 mod error;
 mod facts;
 mod format;
 mod readings;
 
+pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
 pub use error::ReadError;
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};

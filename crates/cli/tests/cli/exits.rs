@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 51] = [
+const COULD_NOT: [&[&str]; 52] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -45,6 +45,7 @@ const COULD_NOT: [&[&str]; 51] = [
     &["shader", "run", "none.frag", "-o", "toy.png"],
     &["shader", "run", "a.frag", "-o", "none/toy.png"],
     &["shader", "certify", "none.brdf"],
+    &["measure", "appearance", "tile.csv"],
     &["measure", "info", "none.csv"],
     &["measure", "info", "a.png"],
     &["measure", "convert", "tile.csv", "-o", "tile.bsdf"],
@@ -69,7 +70,7 @@ const COULD_NOT: [&[&str]; 51] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 20] = [
+const PRINTING: [&[&str]; 21] = [
     &["devices"],
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
@@ -87,6 +88,7 @@ const PRINTING: [&[&str]; 20] = [
     &["shader", "print", "phong-330"],
     &["shader", "certify", "1 / pi"],
     &["measure", "info", "tile.csv"],
+    &["measure", "appearance", "lambert"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],

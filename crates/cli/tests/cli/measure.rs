@@ -99,3 +99,26 @@ fn an_error_of_a_table_shows_its_line() {
     assert!(run.stderr.contains("column 'r': expected a number, found 'x'"), "{}", run.stderr);
     assert!(run.stderr.contains("wrong.csv:7:1"), "{}", run.stderr);
 }
+
+#[test]
+fn appearance_is_told_of_models_and_of_their_tables() {
+    let folder = Folder::new();
+    let numbers = |words: &[&str]| {
+        let words = [&["measure", "appearance"], words, &["--format", "json"]].concat();
+        folder.glanz(&words).json()
+    };
+    let first = |facts: &serde_json::Value, key: &str| facts[key][0].as_f64().unwrap();
+    let model = numbers(&["ggx", "--set", "alpha=0.2", "--diffuse", "0.3"]);
+    let sample = ["measure", "sample", "ggx", "--set", "alpha=0.2", "--diffuse", "0.3", "-o", "ggx.bsdf"];
+    folder.glanz(&sample).text();
+    let table = numbers(&["ggx.bsdf"]);
+    for (key, part) in
+        [("gloss_20", 0.02), ("gloss_60", 0.02), ("factor_45_0", 0.01), ("sphere_included", 0.01)]
+    {
+        let (a, b) = (first(&model, key), first(&table, key));
+        assert!((a - b).abs() < part * a, "{key}: {a} of the model, {b} of its table");
+    }
+    let white = numbers(&["lambert"]);
+    assert!((first(&white, "sphere_included") - 1.0).abs() < 1e-4 && first(&white, "gloss_60") < 2.6);
+    assert!(folder.glanz(&["measure", "appearance", "lambert"]).text().contains("gloss 60°             2.5"));
+}

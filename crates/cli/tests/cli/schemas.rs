@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 47] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 48] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -87,6 +87,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 47] = [
         ],
     ),
     ("measure-info", &[&["measure", "info", "tile.csv"], &["measure", "info", "ggx.bsdf"]]),
+    ("measure-appearance", &[&["measure", "appearance", "ggx"], &["measure", "appearance", "ggx.bsdf"]]),
     ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
     ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),

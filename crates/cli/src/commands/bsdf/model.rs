@@ -26,6 +26,11 @@ pub(crate) struct ModelArgs {
 }
 
 impl ModelArgs {
+    /// Its name, as it was given.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The shape, with the parameters checked.
     pub(crate) fn shape(&self) -> Result<Shape, Failure> {
         let mut shape = models::shape(&self.name)?;

@@ -1,5 +1,6 @@
 //! `glanz measure`: measured reflectance.
 
+pub(super) mod appearance;
 pub(super) mod convert;
 pub(super) mod info;
 pub(super) mod sample;
@@ -23,6 +24,9 @@ pub(crate) enum MeasureCommand {
     /// Write measured reflectance in another format
     #[command(after_help = convert::EXAMPLES)]
     Convert(convert::ConvertArgs),
+    /// Tell gloss, radiance factors and what spheres see, of a file or a model
+    #[command(after_help = appearance::EXAMPLES)]
+    Appearance(Box<appearance::AppearanceArgs>),
     /// Measure a model as a goniometer would
     #[command(after_help = sample::EXAMPLES)]
     Sample(sample::SampleArgs),
@@ -34,6 +38,7 @@ impl MeasureCommand {
         match self {
             Self::Info(_) => "info",
             Self::Convert(_) => "convert",
+            Self::Appearance(_) => "appearance",
             Self::Sample(_) => "sample",
         }
     }
@@ -43,6 +48,7 @@ impl MeasureCommand {
         match self {
             Self::Info(args) => args.run(),
             Self::Convert(args) => args.run(),
+            Self::Appearance(args) => args.run(),
             Self::Sample(args) => args.run(),
         }
     }
