@@ -141,6 +141,17 @@ fn tables_say_what_they_are() {
 }
 
 #[test]
+fn angles_whose_unit_nobody_says_are_looked_at() {
+    let head = "theta_in,phi_in,theta_out,phi_out,r,g,b\n";
+    let measured = read(&format!("{head}0.5,0,1.2,3.14159265,1,1,1\n0.5,0,0.3,0,1,1,1\n")).unwrap();
+    let [wi, wo] = measured.readings().pair(0);
+    assert!((wi.z - 0.5_f64.cos()).abs() < 1e-12 && (wo.x + 1.2_f64.sin()).abs() < 1e-6);
+    assert!(measured.notes[0].contains("taken as radians"), "{:?}", measured.notes);
+    let measured = read(&format!("{head}30,0,60,180,1,1,1\n")).unwrap();
+    assert!((measured.readings().pair(0)[1].z - 0.5).abs() < 1e-12);
+}
+
+#[test]
 fn errors_of_tables_have_their_line() {
     let head = "theta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,r,g,b\n";
     let error = read(&format!("# a tile\n{head}1,2,3,4,0.1,0.2,0.3\n1,2,3,4,0.1,x,0.3\n")).unwrap_err();
@@ -169,6 +180,10 @@ fn astm_tables_are_in_radians() {
     assert!((wi.z - wo.z).abs() < 1e-12 && (wi.x + wo.x).abs() < 1e-6);
     assert!(measured.notes.iter().any(|note| note.contains("NUM_POINTS is 3, but there are 2")));
     assert!(measured.notes.iter().any(|note| note.contains("1 readings have negative values")));
+    // With three angles the azimuth is the difference, whichever is named.
+    let three = "VARS theta_i,phi_i,theta_s,465nm,525nm\n0.5,3.14159265,0.5,0.2,0.3\n";
+    let [wi, wo] = read(three).unwrap().readings().pair(0);
+    assert!((wi.x + wo.x).abs() < 1e-6 && wo.x > 0.4);
     let error = read(&text.replace("0.25,0.5\r\n", "0.25\r\n")).unwrap_err();
     assert_eq!((error.line(), error.to_string()), (Some(6), "expected 6 numbers, found 5".to_owned()));
 }

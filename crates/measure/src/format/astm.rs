@@ -30,14 +30,14 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadEr
     };
     let names: Vec<&str> = vars.1.trim().trim_matches('"').split(',').map(str::trim).collect();
     let place = |name: &str| names.iter().position(|own| own.eq_ignore_ascii_case(name));
-    let (Some(theta_i), Some(theta_o), Some(phi_o)) = (place("theta_i"), place("theta_s"), place("phi_s"))
+    // With three angles the azimuth that is there is the difference.
+    let [phi_i, phi_o] = ["phi_i", "phi_s"].map(place);
+    let (Some(theta_i), Some(theta_o), Some(_)) = (place("theta_i"), place("theta_s"), phi_i.or(phi_o))
     else {
         let message = format!("VARS names no theta_i, theta_s and phi_s: {}", vars.1.trim());
         return Err(ReadError::at(vars.0, message));
     };
-    let phi_i = place("phi_i");
-    let first =
-        [Some(theta_i), phi_i, Some(theta_o), Some(phi_o)].into_iter().flatten().max().unwrap_or(0) + 1;
+    let first = [Some(theta_i), phi_i, Some(theta_o), phi_o].into_iter().flatten().max().unwrap_or(0) + 1;
     let channels = channels(&names[first.min(names.len())..]).ok_or_else(|| {
         ReadError::at(vars.0, format!("VARS names no values behind the angles: {}", vars.1.trim()))
     })?;
@@ -52,8 +52,9 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadEr
             let message = format!("expected {} numbers, found {}", first + count, row.len());
             return Err(ReadError::at(number, message));
         }
-        let wi = Vec3::from_angles(row[theta_i], phi_i.map_or(0.0, |at| row[at]));
-        let wo = Vec3::from_angles(row[theta_o], row[phi_o]);
+        let azimuth = |place: Option<usize>| place.map_or(0.0, |at| row[at]);
+        let wi = Vec3::from_angles(row[theta_i], azimuth(phi_i));
+        let wo = Vec3::from_angles(row[theta_o], azimuth(phi_o));
         if wi.z < 0.0 || wo.z < 0.0 {
             below += 1;
             continue;

@@ -11,9 +11,18 @@ use crate::{Channels, Quantity, ReadError, Readings};
 enum Directions {
     /// Columns of angles in degrees or radians: light and detector, from the normal and around it; without azimuths the
     /// light's is 180°, so that the mirror direction lies at 0°.
-    Angles { columns: [Option<usize>; 4], to_radians: f64 },
+    Angles { columns: [Option<usize>; 4], unit: Unit },
     /// Columns of x, y and z.
     Vectors([usize; 6]),
+}
+
+/// What angles are counted in.
+#[derive(Clone, Copy, PartialEq)]
+enum Unit {
+    Degrees,
+    Radians,
+    /// The names do not say it.
+    Unknown,
 }
 
 /// Columns of one of the angles: the number among the four, its names.
@@ -41,12 +50,7 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
         None => None,
     };
     let quantity = options.quantity.or(said).unwrap_or_default();
-    let mut reader = ::csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(::csv::Trim::All)
-        .delimiter(delimiter(text))
-        .flexible(true)
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let mut reader = reader(text);
     let wrong = |error: &::csv::Error| {
         let line = error.position().map(|at| at.line() as u32);
         ReadError::Broken { message: format!("the table cannot be read: {error}"), line }
@@ -54,7 +58,7 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
     let head: Vec<String> =
         reader.headers().map_err(|error| wrong(&error))?.iter().map(str::to_owned).collect();
     let line = reader.position().line() as u32;
-    let directions = directions(&head).ok_or_else(|| match head.len() {
+    let mut directions = directions(&head).ok_or_else(|| match head.len() {
         0 | 1 => ReadError::Unknown(format!("'{name}' is neither binary nor a table")),
         _ => ReadError::at(
             line.saturating_sub(1).max(1),
@@ -67,6 +71,14 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
             "no columns of values: expected r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y",
         )
     })?;
+    let mut notes = Vec::new();
+    if let Directions::Angles { columns, unit: unit @ Unit::Unknown } = &mut directions {
+        let most = most_theta(text, columns);
+        *unit = if (0.2..1.6).contains(&most) { Unit::Radians } else { Unit::Degrees };
+        if *unit == Unit::Radians {
+            notes.push(format!("no angle is above {most}: taken as radians; names with _deg or _rad say it"));
+        }
+    }
     let mut readings = Readings::new(channels);
     let (mut below, mut unknown) = (0, 0);
     for record in reader.records() {
@@ -91,7 +103,6 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
     if readings.is_empty() {
         return Err(ReadError::broken("the table has no rows of readings"));
     }
-    let mut notes = Vec::new();
     if options.quantity.is_none() && said.is_none() {
         notes.push("nothing says what the numbers are: taken as BRDF in 1/sr".to_owned());
     }
@@ -109,6 +120,25 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
 fn comment(text: &str) -> String {
     let mut comments = text.lines().filter_map(|line| line.trim().strip_prefix('#')).map(str::trim);
     comments.find(|words| !words.is_empty() && !words.starts_with("quantity")).unwrap_or_default().to_owned()
+}
+
+fn reader(text: &str) -> ::csv::Reader<&[u8]> {
+    ::csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(::csv::Trim::All)
+        .delimiter(delimiter(text))
+        .flexible(true)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes())
+}
+
+/// The greatest angle from the normal in a table.
+fn most_theta(text: &str, columns: &[Option<usize>; 4]) -> f64 {
+    let records = reader(text).into_records().flatten();
+    let angles = records.flat_map(|record| {
+        let number = |column: Option<usize>| record.get(column?)?.replace(',', ".").parse::<f64>().ok();
+        [number(columns[0]), number(columns[2])]
+    });
+    angles.flatten().fold(0.0, |most: f64, angle| most.max(angle.abs()))
 }
 
 /// What stands between columns: what the first row has most of.
@@ -132,19 +162,18 @@ fn directions(head: &[String]) -> Option<Directions> {
         return Some(Directions::Vectors([a, b, c, d, e, f]));
     }
     let mut columns = [None; 4];
-    let mut in_radians = false;
+    let mut unit = Unit::Unknown;
     for (angle, names) in ANGLES {
         for name in names {
-            for (suffix, radians) in [("_deg", false), ("", false), ("_rad", true)] {
+            for (suffix, said) in [("_deg", Unit::Degrees), ("", Unit::Unknown), ("_rad", Unit::Radians)] {
                 if let (None, Some(column)) = (columns[angle], place.get(&format!("{name}{suffix}"))) {
                     columns[angle] = Some(*column);
-                    in_radians |= radians;
+                    unit = if said == Unit::Unknown { unit } else { said };
                 }
             }
         }
     }
-    let to_radians = if in_radians { 1.0 } else { core::f64::consts::PI / 180.0 };
-    (columns[0].is_some() && columns[2].is_some()).then_some(Directions::Angles { columns, to_radians })
+    (columns[0].is_some() && columns[2].is_some()).then_some(Directions::Angles { columns, unit })
 }
 
 /// What the other columns are, and where.
@@ -200,7 +229,8 @@ fn pair(
             let [a, b, c, d, e, f] = all;
             Ok([Vec3::new(a, b, c).normalized(), Vec3::new(d, e, f).normalized()])
         }
-        Directions::Angles { columns, to_radians } => {
+        Directions::Angles { columns, unit } => {
+            let to_radians = if *unit == Unit::Radians { 1.0 } else { core::f64::consts::PI / 180.0 };
             let of = |at: usize, default: f64| match columns[at] {
                 Some(column) => Ok(number(column)? * to_radians),
                 None => Ok(default),
