@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 50] = [
+const SCHEMAS: [Named; 51] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -48,6 +48,7 @@ const SCHEMAS: [Named; 50] = [
     ("check", schema::<check::Document>),
     ("measure-info", schema::<measure::info::Document>),
     ("measure-appearance", schema::<measure::appearance::Document>),
+    ("measure-fit", schema::<measure::fit::Document>),
     ("measure-convert", schema::<measure::convert::Document>),
     ("measure-sample", schema::<measure::convert::Document>),
     ("shader-run", schema::<shader::run::Document>),

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 52] = [
+const COULD_NOT: [&[&str]; 53] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -46,6 +46,7 @@ const COULD_NOT: [&[&str]; 52] = [
     &["shader", "run", "a.frag", "-o", "none/toy.png"],
     &["shader", "certify", "none.brdf"],
     &["measure", "appearance", "tile.csv"],
+    &["measure", "fit", "tile.csv"],
     &["measure", "info", "none.csv"],
     &["measure", "info", "a.png"],
     &["measure", "convert", "tile.csv", "-o", "tile.bsdf"],

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 56] = [
+pub(crate) const COMMANDS: [&[&str]; 57] = [
     &[],
     &["render"],
     &["sweep"],
@@ -46,6 +46,7 @@ pub(crate) const COMMANDS: [&[&str]; 56] = [
     &["measure"],
     &["measure", "info"],
     &["measure", "convert"],
+    &["measure", "fit"],
     &["measure", "appearance"],
     &["measure", "sample"],
     &["shader"],

@@ -122,3 +122,48 @@ fn appearance_is_told_of_models_and_of_their_tables() {
     assert!((first(&white, "sphere_included") - 1.0).abs() < 1e-4 && first(&white, "gloss_60") < 2.6);
     assert!(folder.glanz(&["measure", "appearance", "lambert"]).text().contains("gloss 60°             2.5"));
 }
+
+#[test]
+fn a_fit_is_ranked_and_is_a_material() {
+    let folder = Folder::new();
+    let sample = [
+        "measure",
+        "sample",
+        "ggx",
+        "--set",
+        "alpha=0.15",
+        "--diffuse",
+        "0.4",
+        "--noise",
+        "0.03",
+        "-o",
+        "a.csv",
+    ];
+    folder.glanz(&sample).text();
+    let words = ["measure", "fit", "a.csv", "--models", "ward+lambert,ggx+lambert,lambert", "-o", "fit.toml"];
+    let facts = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
+    let best = &facts["fits"][0];
+    assert_eq!(best["models"], "ggx+lambert");
+    let near = |value: &serde_json::Value, expected: f64| {
+        (value.as_f64().unwrap() - expected).abs() < 0.02 * expected
+    };
+    assert!(near(&best["lobes"][0]["value"], 0.15) && near(&best["lobes"][0]["tint"][0], 1.0), "{best}");
+    assert!(near(&best["lobes"][1]["tint"][0], 0.4), "{best}");
+    assert!(best["error"].as_f64() < facts["fits"][1]["error"].as_f64());
+    // What is written is a material.
+    let mut scene = String::from_utf8(folder.read("fit.toml")).unwrap();
+    scene += "\n[image]\nwidth = 16\nheight = 16\n[[lights]]\nkind = \"directional\"\ndirection = [0, 0, -1]\n\
+              [[objects]]\nmaterial = \"fitted\"\nmesh = { sphere = {} }\n";
+    folder.write("scene.toml", scene);
+    let run = folder.glanz(&["render", "scene.toml", "-o", "a.png"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    // Two lobes say no more than one.
+    let run = folder.glanz(&["measure", "fit", "a.csv", "--models", "ggx*2+lambert,ggx+lambert"]);
+    assert!(run.text().contains("no better than that"), "{}", run.text());
+    for (models, expected) in
+        [("mirror", "mirror has no values"), ("gxg", "gxg"), ("ggx*9", "'ggx*9' is no lobe")]
+    {
+        let run = folder.glanz(&["measure", "fit", "a.csv", "--models", models]);
+        assert!(run.code == 2 && run.stderr.contains(expected), "{}", run.stderr);
+    }
+}

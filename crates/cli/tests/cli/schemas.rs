@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 48] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 49] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -88,6 +88,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 48] = [
     ),
     ("measure-info", &[&["measure", "info", "tile.csv"], &["measure", "info", "ggx.bsdf"]]),
     ("measure-appearance", &[&["measure", "appearance", "ggx"], &["measure", "appearance", "ggx.bsdf"]]),
+    ("measure-fit", &[&["measure", "fit", "ggx.bsdf", "--models", "ggx+lambert,lambert", "-o", "fit.toml"]]),
     ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
     ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),

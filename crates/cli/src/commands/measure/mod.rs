@@ -2,6 +2,7 @@
 
 pub(super) mod appearance;
 pub(super) mod convert;
+pub(super) mod fit;
 pub(super) mod info;
 pub(super) mod sample;
 
@@ -24,6 +25,9 @@ pub(crate) enum MeasureCommand {
     /// Write measured reflectance in another format
     #[command(after_help = convert::EXAMPLES)]
     Convert(convert::ConvertArgs),
+    /// Fit models to readings, and rank them
+    #[command(after_help = fit::EXAMPLES)]
+    Fit(fit::FitArgs),
     /// Tell gloss, radiance factors and what spheres see, of a file or a model
     #[command(after_help = appearance::EXAMPLES)]
     Appearance(Box<appearance::AppearanceArgs>),
@@ -38,6 +42,7 @@ impl MeasureCommand {
         match self {
             Self::Info(_) => "info",
             Self::Convert(_) => "convert",
+            Self::Fit(_) => "fit",
             Self::Appearance(_) => "appearance",
             Self::Sample(_) => "sample",
         }
@@ -48,6 +53,7 @@ impl MeasureCommand {
         match self {
             Self::Info(args) => args.run(),
             Self::Convert(args) => args.run(),
+            Self::Fit(args) => args.run(),
             Self::Appearance(args) => args.run(),
             Self::Sample(args) => args.run(),
         }

@@ -1,0 +1,304 @@
+//! `glanz measure fit`: models to readings.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+use glanz_measure::{Channels, Fit, FitError, FitOptions, FittedLobe, Metric, Readings, fit};
+use glanz_picture::output::{OutputError, write_atomically};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::{ReadArgs, read};
+use crate::args::check_folder;
+use crate::print::failure::{Failure, Report};
+use crate::print::{self, FormatArgs, number};
+
+/// Shown after the help.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  glanz measure fit readings.csv
+  glanz measure fit paint.bsdf --models ggx+lambert,ggx*2+lambert,cook-torrance+oren-nayar -o fit.toml
+  glanz measure fit gold.binary --models ggx*2 --metric log --format json
+
+Candidates stand between commas, their lobes between +, and *2 is two of one model. Of each lobe one parameter is
+searched (alpha, m, shininess, nu, n, sigma_deg, roughness or k, whichever its model has), others stay at their
+defaults; tints follow in closed form and are not negative. Candidates are ranked by the metric's root mean
+square, over readings whose light and detector are within --most-theta of the normal. Behind a parameter stands
+its standard error, in percent; a parameter at the end of its range is told, since such a fit is seldom what it
+seems. The file that is written holds the best one as a material for scenes: readings in RGB as linear sRGB, in
+wavelengths as tables.";
+
+/// What is tried where nothing is said.
+const CANDIDATES: &str = "ward+lambert,cook-torrance+lambert,ggx+lambert,phong-normalized+lambert";
+
+/// Options of `glanz measure fit`.
+#[derive(Args, Debug)]
+pub(crate) struct FitArgs {
+    /// A file of measured reflectance
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    file: PathBuf,
+
+    /// Candidates, such as ggx+lambert,ggx*2+lambert
+    #[arg(long, value_name = "LOBES[,LOBES…]", default_value = CANDIDATES)]
+    models: String,
+
+    /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log) or of their cube
+    /// roots (cube-root)
+    #[arg(long, value_name = "METRIC", value_parser = metric, default_value = "cube-root")]
+    metric: Metric,
+
+    /// Readings count up to this angle of light and detector from the normal
+    #[arg(long, value_name = "DEGREES", default_value_t = 80.0)]
+    most_theta: f64,
+
+    /// Of more readings every n-th counts
+    #[arg(long, value_name = "N", default_value_t = 20_000)]
+    most_readings: usize,
+
+    /// The scene file with the best one as a material
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    output: Option<PathBuf>,
+
+    #[command(flatten)]
+    read: ReadArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+fn metric(text: &str) -> Result<Metric, String> {
+    Metric::named(text).ok_or_else(|| "expected l2, log or cube-root".to_owned())
+}
+
+/// Fits, the best first.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Document {
+    /// l2, log or cube-root
+    metric: &'static str,
+    /// Names of the channels
+    channels: Vec<String>,
+    fits: Vec<FitFacts>,
+    /// The file that was written
+    file: Option<String>,
+    notes: Vec<String>,
+}
+
+/// One candidate.
+#[derive(Debug, Serialize, JsonSchema)]
+struct FitFacts {
+    /// As it was asked for
+    models: String,
+    /// Root mean square of the metric's differences
+    error: f64,
+    /// The same as a part of the readings' own
+    relative: f64,
+    /// Readings that counted
+    readings: usize,
+    lobes: Vec<LobeFacts>,
+}
+
+/// A lobe.
+#[derive(Debug, Serialize, JsonSchema)]
+struct LobeFacts {
+    model: &'static str,
+    /// The parameter that was searched
+    parameter: Option<&'static str>,
+    value: Option<f64>,
+    /// Its standard error, as a part of it; null where it cannot be told
+    standard_error: Option<f64>,
+    /// Whether it is at the end of its range
+    at_bound: bool,
+    /// Per channel
+    tint: Vec<f64>,
+}
+
+impl FitArgs {
+    /// Fits.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        if !(self.most_theta > 5.0 && self.most_theta < 90.0) {
+            let message = format!("--most-theta is {}, but must be above 5 and below 90", self.most_theta);
+            return Err(Failure::Usage(message));
+        }
+        let candidates = candidates(&self.models)?;
+        if let Some(output) = &self.output {
+            check_folder(output)?;
+        }
+        let measured = read(&self.file, &self.read)?;
+        let readings = measured.readings();
+        let options = FitOptions {
+            metric: self.metric,
+            most_theta_deg: self.most_theta,
+            most_readings: self.most_readings,
+        };
+        let mut fits = Vec::new();
+        for (name, lobes) in &candidates {
+            let lobes: Vec<&str> = lobes.iter().map(String::as_str).collect();
+            match fit(&readings, &lobes, &options) {
+                Ok(found) => fits.push((name.clone(), found)),
+                Err(FitError::Model(message)) => {
+                    return Err(Failure::Usage(format!("--models {name}: {message}")));
+                }
+                Err(error) => return Err(Report::new(error).file(&self.file).into()),
+            }
+        }
+        fits.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
+        let mut notes = measured.notes.clone();
+        notes.extend(remarks(&fits));
+        let file = self.write(&readings, &fits[0].1)?;
+        let document = self.document(&readings, &fits, file, notes);
+        if self.format.is_json() {
+            return print::json(&document);
+        }
+        print::text(&text(&document))
+    }
+
+    /// Writes the best one.
+    fn write(&self, readings: &Readings, best: &Fit) -> Result<Option<String>, Failure> {
+        let Some(output) = &self.output else { return Ok(None) };
+        let Some(text) = material(readings.channels(), best) else {
+            let report = Report::new("readings in XYZ are no colours of a material");
+            return Err(report
+                .file(&self.file)
+                .help("leave -o out, or give readings in RGB or wavelengths")
+                .into());
+        };
+        write_atomically(output, |out| out.write_all(text.as_bytes()).map_err(OutputError::Stream))?;
+        print::note(format_args!("wrote {}", output.display()));
+        Ok(Some(output.display().to_string()))
+    }
+
+    fn document(
+        &self,
+        readings: &Readings,
+        fits: &[(String, Fit)],
+        file: Option<String>,
+        notes: Vec<String>,
+    ) -> Document {
+        let lobe = |lobe: &FittedLobe| LobeFacts {
+            model: lobe.shape.info().name,
+            parameter: lobe.parameter,
+            value: value(lobe),
+            standard_error: lobe.log_error,
+            at_bound: lobe.at_bound,
+            tint: lobe.tint.clone(),
+        };
+        let of = |(models, fit): &(String, Fit)| FitFacts {
+            models: models.clone(),
+            error: fit.error,
+            relative: fit.relative,
+            readings: fit.readings,
+            lobes: fit.lobes.iter().map(lobe).collect(),
+        };
+        Document {
+            metric: self.metric.name(),
+            channels: readings.channels().names(),
+            fits: fits.iter().map(of).collect(),
+            file,
+            notes,
+        }
+    }
+}
+
+/// `ggx*2+lambert,ward`: each with the names of its lobes.
+fn candidates(text: &str) -> Result<Vec<(String, Vec<String>)>, Failure> {
+    let mut all = Vec::new();
+    for candidate in text.split(',').map(str::trim).filter(|candidate| !candidate.is_empty()) {
+        let mut lobes = Vec::new();
+        for part in candidate.split('+').map(str::trim) {
+            let (name, times) = part.split_once('*').unwrap_or((part, "1"));
+            let times: usize =
+                times.trim().parse().ok().filter(|n| (1..=3).contains(n)).ok_or_else(|| {
+                    Failure::Usage(format!(
+                        "--models {candidate}: '{part}' is no lobe, or more than three of one"
+                    ))
+                })?;
+            lobes.extend(std::iter::repeat_n(name.trim().to_owned(), times));
+        }
+        all.push((candidate.to_owned(), lobes));
+    }
+    match all.is_empty() {
+        true => Err(Failure::Usage("--models names no candidate".to_owned())),
+        false => Ok(all),
+    }
+}
+
+/// The value of the parameter that was searched.
+fn value(lobe: &FittedLobe) -> Option<f64> {
+    let params = lobe.shape.info().params.iter().zip(lobe.shape.params());
+    params.into_iter().find(|(param, _)| Some(param.name) == lobe.parameter).map(|(_, value)| value)
+}
+
+/// What a reader of the fits should know.
+fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
+    let mut notes = Vec::new();
+    let (name, best) = &fits[0];
+    for lobe in best.lobes.iter().filter(|lobe| lobe.at_bound) {
+        let model = lobe.shape.info().name;
+        notes.push(format!("{name}: {} of {model} is at the end of its range", lobe.parameter.unwrap_or("")));
+    }
+    if best.lobes.iter().any(|lobe| lobe.tint.iter().all(|tint| *tint == 0.0)) {
+        notes.push(format!("{name}: one of its lobes is not there; fewer say the same"));
+    }
+    if let Some((simpler, fit)) = fits.iter().find(|(_, fit)| fit.lobes.len() < best.lobes.len())
+        && fit.error < 1.05 * best.error
+    {
+        let percent = 100.0 * (fit.error / best.error - 1.0);
+        notes.push(format!("{simpler} has fewer lobes and is {percent:.1} % worse: no better than that"));
+    }
+    notes
+}
+
+/// A scene file with the fit as a material; nothing for channels that are no colours.
+fn material(channels: &Channels, fit: &Fit) -> Option<String> {
+    let list = |values: &[f64]| values.iter().map(|x| format!("{x:.6}")).collect::<Vec<_>>().join(", ");
+    let mut text = String::from("# Fitted by glanz measure fit.\n\n[materials.fitted]\nlobes = [\n");
+    for lobe in fit.lobes.iter().filter(|lobe| lobe.tint.iter().any(|tint| *tint > 0.0)) {
+        let tint = match channels {
+            Channels::Luminance => format!("{:.6}", lobe.tint[0]),
+            Channels::Rgb => format!("[{}]", list(&lobe.tint)),
+            Channels::Wavelengths(nm) => {
+                let nm = nm.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+                format!("{{ nm = [{nm}], value = [{}] }}", list(&lobe.tint))
+            }
+            Channels::Xyz => return None,
+        };
+        let parameter = lobe.parameter.zip(value(lobe));
+        let parameter = parameter.map(|(name, value)| format!(", {name} = {value:.6}")).unwrap_or_default();
+        writeln!(text, "    {{ shape = \"{}\"{parameter}, tint = {tint} }},", lobe.shape.info().name)
+            .expect("a string takes everything");
+    }
+    text += "]\n";
+    Some(text)
+}
+
+/// For people.
+fn text(facts: &Document) -> String {
+    let mut text = String::new();
+    for (rank, fit) in facts.fits.iter().enumerate() {
+        let (error, relative) = (number(fit.error), 100.0 * fit.relative);
+        writeln!(
+            text,
+            "{}. {}: error {error} ({relative:.1} %), {} readings",
+            rank + 1,
+            fit.models,
+            fit.readings
+        )
+        .expect("a string takes everything");
+        for lobe in &fit.lobes {
+            let error = lobe.standard_error.map(|x| format!(" ± {:.1} %", 100.0 * x)).unwrap_or_default();
+            let bound = if lobe.at_bound { ", at the end of its range" } else { "" };
+            let parameter = lobe.parameter.zip(lobe.value);
+            let parameter =
+                parameter.map(|(name, value)| format!(" {name} = {}{error}{bound},", number(value)));
+            let few: Vec<String> = lobe.tint.iter().take(6).map(|x| format!("{x:.3}")).collect();
+            let more = if lobe.tint.len() > few.len() { " …" } else { "" };
+            writeln!(text, "   {}{} tint {}{more}", lobe.model, parameter.unwrap_or_default(), few.join(" "))
+                .expect("a string takes everything");
+        }
+    }
+    for note in &facts.notes {
+        writeln!(text, "note: {note}").expect("a string takes everything");
+    }
+    text
+}
