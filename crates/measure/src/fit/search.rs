@@ -26,6 +26,9 @@ pub(super) struct Problem<'a> {
     evaluations: usize,
 }
 
+/// A corner of a simplex: the sum of squares there, and the logarithms of the widths.
+type Corner = (f64, Vec<f64>);
+
 /// The best tints for widths.
 struct Solved {
     /// Channel by channel.
@@ -168,42 +171,51 @@ impl<'a> Problem<'a> {
         }
         for _ in 0..MOST_STEPS {
             corners.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let size = corners[1..]
-                .iter()
-                .flat_map(|(_, x)| x.iter().zip(&corners[0].1).map(|(a, b)| (a - b).abs()));
-            if size.fold(0.0, f64::max) < 1e-5 {
+            let best = &corners[0].1;
+            let sizes = corners[1..].iter().flat_map(|(_, x)| x.iter().zip(best).map(|(a, b)| (a - b).abs()));
+            if sizes.fold(0.0, f64::max) < 1e-5 {
                 break;
             }
-            let worst = corners[n].clone();
-            let centre: Vec<f64> =
-                (0..n).map(|i| corners[..n].iter().map(|(_, x)| x[i]).sum::<f64>() / n as f64).collect();
-            let along =
-                |t: f64| -> Vec<f64> { centre.iter().zip(&worst.1).map(|(c, w)| c + t * (c - w)).collect() };
-            let mirrored = along(1.0);
-            let value = self.squares(&mirrored)?;
-            corners[n] = if value < corners[0].0 {
-                let far = along(2.0);
-                let farther = self.squares(&far)?;
-                if farther < value { (farther, far) } else { (value, mirrored) }
-            } else if value < corners[n - 1].0 {
-                (value, mirrored)
-            } else {
-                let near = if value < worst.0 { along(0.5) } else { along(-0.5) };
-                let nearer = self.squares(&near)?;
-                if nearer < value.min(worst.0) {
-                    (nearer, near)
-                } else {
-                    let best = corners[0].1.clone();
-                    for corner in corners.iter_mut().skip(1) {
-                        let x: Vec<f64> = corner.1.iter().zip(&best).map(|(x, b)| 0.5 * (x + b)).collect();
-                        *corner = (self.squares(&x)?, x);
-                    }
-                    continue;
-                }
-            };
+            match self.moved(&corners)? {
+                Some(corner) => corners[n] = corner,
+                None => self.shrink(&mut corners)?,
+            }
         }
         corners.sort_by(|a, b| a.0.total_cmp(&b.0));
         Ok(corners.swap_remove(0))
+    }
+
+    /// What stands for the worst corner, the last one: its mirror image, farther or nearer; nothing where none is better.
+    fn moved(&mut self, corners: &[Corner]) -> Result<Option<Corner>, FitError> {
+        let n = corners.len() - 1;
+        let (worst, at_worst) = &corners[n];
+        let mean = |i: usize| corners[..n].iter().map(|(_, x)| x[i]).sum::<f64>() / n as f64;
+        let centre: Vec<f64> = (0..n).map(mean).collect();
+        let along =
+            |t: f64| -> Vec<f64> { centre.iter().zip(at_worst).map(|(c, w)| c + t * (c - w)).collect() };
+        let mirrored = along(1.0);
+        let value = self.squares(&mirrored)?;
+        if value < corners[0].0 {
+            let far = along(2.0);
+            let farther = self.squares(&far)?;
+            return Ok(Some(if farther < value { (farther, far) } else { (value, mirrored) }));
+        }
+        if value < corners[n - 1].0 {
+            return Ok(Some((value, mirrored)));
+        }
+        let near = if value < *worst { along(0.5) } else { along(-0.5) };
+        let nearer = self.squares(&near)?;
+        Ok((nearer < value.min(*worst)).then_some((nearer, near)))
+    }
+
+    /// All corners half the way to the best one.
+    fn shrink(&mut self, corners: &mut [Corner]) -> Result<(), FitError> {
+        let best = corners[0].1.clone();
+        for corner in corners.iter_mut().skip(1) {
+            let x: Vec<f64> = corner.1.iter().zip(&best).map(|(x, b)| 0.5 * (x + b)).collect();
+            *corner = (self.squares(&x)?, x);
+        }
+        Ok(())
     }
 
     /// The fit at these logarithms of widths.

@@ -10,65 +10,53 @@ pub(super) fn is_astm(text: &str) -> bool {
     text.lines().take(200).any(|line| line.trim_start().starts_with("VARS"))
 }
 
+/// What stands above the rows.
+struct Head {
+    description: String,
+    /// How many rows are announced.
+    announced: Option<usize>,
+    /// The line that names the columns: its number and its words.
+    vars: (u32, String),
+}
+
+/// Where the numbers of a row are.
+struct Columns {
+    theta: [usize; 2],
+    phi: [Option<usize>; 2],
+    /// The first value.
+    first: usize,
+    channels: Channels,
+}
+
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
     let quantity = options.quantity.unwrap_or_default();
     let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
-    let (mut description, mut announced) = (String::new(), None);
-    let vars = loop {
-        let Some((number, line)) = lines.next() else {
-            return Err(ReadError::broken("there is no line VARS that names the columns"));
-        };
-        let (key, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
-        match key {
-            "VARS" => break (number, rest.to_owned()),
-            "NUM_POINTS" => announced = rest.trim().trim_matches('"').parse::<usize>().ok(),
-            "COMMENT" | "SAMPLE" | "MATERIAL" | "SAMPLE_DESCRIPTION" if description.is_empty() => {
-                rest.trim().trim_matches('"').clone_into(&mut description);
-            }
-            _ => {}
-        }
-    };
-    let names: Vec<&str> = vars.1.trim().trim_matches('"').split(',').map(str::trim).collect();
-    let place = |name: &str| names.iter().position(|own| own.eq_ignore_ascii_case(name));
-    // With three angles the azimuth that is there is the difference.
-    let [phi_i, phi_o] = ["phi_i", "phi_s"].map(place);
-    let (Some(theta_i), Some(theta_o), Some(_)) = (place("theta_i"), place("theta_s"), phi_i.or(phi_o))
-    else {
-        let message = format!("VARS names no theta_i, theta_s and phi_s: {}", vars.1.trim());
-        return Err(ReadError::at(vars.0, message));
-    };
-    let first = [Some(theta_i), phi_i, Some(theta_o), phi_o].into_iter().flatten().max().unwrap_or(0) + 1;
-    let channels = channels(&names[first.min(names.len())..]).ok_or_else(|| {
-        ReadError::at(vars.0, format!("VARS names no values behind the angles: {}", vars.1.trim()))
-    })?;
-    let count = channels.count();
-    let mut readings = Readings::new(channels);
+    let head = Head::read(&mut lines)?;
+    let columns = Columns::of(&head.vars)?;
+    let mut readings = Readings::new(columns.channels.clone());
     let (mut negative, mut below) = (0, 0);
     for (number, line) in lines {
-        let row: Result<Vec<f64>, _> = line.split(',').map(|word| word.trim().parse::<f64>()).collect();
-        let row = row
-            .map_err(|_| ReadError::at(number, format!("expected numbers between commas, found '{line}'")))?;
-        if row.len() < first + count {
-            let message = format!("expected {} numbers, found {}", first + count, row.len());
-            return Err(ReadError::at(number, message));
-        }
-        let azimuth = |place: Option<usize>| place.map_or(0.0, |at| row[at]);
-        let wi = Vec3::from_angles(row[theta_i], azimuth(phi_i));
-        let wo = Vec3::from_angles(row[theta_o], azimuth(phi_o));
-        if wi.z < 0.0 || wo.z < 0.0 {
+        let row = columns.row(number, line)?;
+        let [wi, wo] = columns.pair(&row);
+        // What is no number is nowhere.
+        let is_above = wi.z >= 0.0 && wo.z >= 0.0;
+        if !is_above {
             below += 1;
             continue;
         }
-        let values: Vec<f32> = row[first..first + count]
-            .iter()
-            .map(|value| quantity.brdf(*value, wo.z).unwrap_or(f64::NAN) as f32)
-            .collect();
+        let value = |value: &f64| quantity.brdf(*value, wo.z).unwrap_or(f64::NAN) as f32;
+        let values: Vec<f32> =
+            row[columns.first..].iter().take(columns.channels.count()).map(value).collect();
         negative += usize::from(values.iter().any(|value| *value < 0.0));
         readings.push(wi, wo, &values);
     }
+    if readings.is_empty() {
+        return Err(ReadError::broken("there are no rows of readings"));
+    }
     let mut notes = Vec::new();
-    if let Some(announced) = announced.filter(|n| *n != readings.len() + below) {
-        notes.push(format!("NUM_POINTS is {announced}, but there are {} rows", readings.len() + below));
+    let rows = readings.len() + below;
+    if let Some(announced) = head.announced.filter(|n| *n != rows) {
+        notes.push(format!("NUM_POINTS is {announced}, but there are {rows} rows"));
     }
     if negative > 0 {
         notes.push(format!("{negative} readings have negative values, which are kept"));
@@ -76,10 +64,65 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadEr
     if below > 0 {
         notes.push(format!("{below} rows below the horizon were dropped"));
     }
-    if readings.is_empty() {
-        return Err(ReadError::broken("there are no rows of readings"));
-    }
+    let description = head.description;
     Ok(Measured { format: Format::Astm, quantity, description, data: Data::Readings(readings), notes })
+}
+
+impl Head {
+    fn read<'a>(lines: &mut impl Iterator<Item = (u32, &'a str)>) -> Result<Self, ReadError> {
+        let (mut description, mut announced) = (String::new(), None);
+        for (number, line) in lines {
+            let (key, rest) = line.trim().split_once(char::is_whitespace).unwrap_or((line.trim(), ""));
+            let rest = rest.trim().trim_matches('"');
+            match key {
+                "VARS" => return Ok(Self { description, announced, vars: (number, rest.to_owned()) }),
+                "NUM_POINTS" => announced = rest.parse::<usize>().ok(),
+                "COMMENT" | "SAMPLE" | "SAMPLE_NAME" | "MATERIAL" | "SAMPLE_DESCRIPTION"
+                    if description.is_empty() =>
+                {
+                    rest.clone_into(&mut description);
+                }
+                _ => {}
+            }
+        }
+        Err(ReadError::broken("there is no line VARS that names the columns"))
+    }
+}
+
+impl Columns {
+    fn of((line, words): &(u32, String)) -> Result<Self, ReadError> {
+        let names: Vec<&str> = words.split(',').map(str::trim).collect();
+        let place = |name: &str| names.iter().position(|own| own.eq_ignore_ascii_case(name));
+        // With three angles the azimuth that is there is the difference.
+        let phi = ["phi_i", "phi_s"].map(place);
+        let (Some(theta_i), Some(theta_o), Some(_)) = (place("theta_i"), place("theta_s"), phi[0].or(phi[1]))
+        else {
+            return Err(ReadError::at(*line, format!("VARS names no theta_i, theta_s and phi_s: {words}")));
+        };
+        let first =
+            [Some(theta_i), Some(theta_o), phi[0], phi[1]].into_iter().flatten().max().unwrap_or(0) + 1;
+        let channels = channels(&names[first.min(names.len())..]).ok_or_else(|| {
+            ReadError::at(*line, format!("VARS names no values behind the angles: {words}"))
+        })?;
+        Ok(Self { theta: [theta_i, theta_o], phi, first, channels })
+    }
+
+    /// The numbers of a row.
+    fn row(&self, number: u32, line: &str) -> Result<Vec<f64>, ReadError> {
+        let row: Result<Vec<f64>, _> = line.split(',').map(|word| word.trim().parse::<f64>()).collect();
+        let row = row
+            .map_err(|_| ReadError::at(number, format!("expected numbers between commas, found '{line}'")))?;
+        let least = self.first + self.channels.count();
+        match row.len() < least {
+            true => Err(ReadError::at(number, format!("expected {least} numbers, found {}", row.len()))),
+            false => Ok(row),
+        }
+    }
+
+    /// The directions of a row, to the light and to the detector.
+    fn pair(&self, row: &[f64]) -> [Vec3<f64>; 2] {
+        [0, 1].map(|i| Vec3::from_angles(row[self.theta[i]], self.phi[i].map_or(0.0, |at| row[at])))
+    }
 }
 
 /// What the names behind the angles are.

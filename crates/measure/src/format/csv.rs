@@ -35,70 +35,23 @@ const ANGLES: [(usize, &[&str]); 4] = [
 
 /// Reads a table. Lines with `#` are comments; `# quantity reflectance_factor` says what the numbers are.
 pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
-    let said = text.lines().filter_map(|line| line.trim().strip_prefix('#')).find_map(|words| {
-        words
-            .trim()
-            .strip_prefix("quantity")
-            .map(|rest| rest.trim().trim_start_matches([':', '=']).trim().to_owned())
-    });
-    let said = match said {
-        Some(word) => Some(Quantity::named(&word).ok_or_else(|| {
-            ReadError::broken(format!(
-                "'{word}' is no quantity: expected brdf, brdf_cos or reflectance_factor"
-            ))
-        })?),
-        None => None,
-    };
-    let quantity = options.quantity.or(said).unwrap_or_default();
+    let said = said_quantity(text)?;
     let mut reader = reader(text);
-    let wrong = |error: &::csv::Error| {
-        let line = error.position().map(|at| at.line() as u32);
-        ReadError::Broken { message: format!("the table cannot be read: {error}"), line }
-    };
     let head: Vec<String> =
         reader.headers().map_err(|error| wrong(&error))?.iter().map(str::to_owned).collect();
-    let line = reader.position().line() as u32;
-    let mut directions = directions(&head).ok_or_else(|| match head.len() {
-        0 | 1 => ReadError::Unknown(format!("'{name}' is neither binary nor a table")),
-        _ => ReadError::at(
-            line.saturating_sub(1).max(1),
-            format!("no columns of directions: expected theta_i_deg and theta_o_deg (phi_i_deg, phi_o_deg), or wi_x to wo_z, found {}", head.join(", ")),
-        ),
-    })?;
-    let (channels, columns) = channels(&head).ok_or_else(|| {
-        ReadError::at(
-            1,
-            "no columns of values: expected r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y",
-        )
-    })?;
+    let line = (reader.position().line() as u32).saturating_sub(1).max(1);
+    let mut table = Table::of(&head, name, line, options.quantity.or(said).unwrap_or_default())?;
     let mut notes = Vec::new();
-    if let Directions::Angles { columns, unit: unit @ Unit::Unknown } = &mut directions {
-        let most = most_theta(text, columns);
-        *unit = if (0.2..1.6).contains(&most) { Unit::Radians } else { Unit::Degrees };
-        if *unit == Unit::Radians {
-            notes.push(format!("no angle is above {most}: taken as radians; names with _deg or _rad say it"));
-        }
-    }
-    let mut readings = Readings::new(channels);
+    notes.extend(table.settle_unit(text));
+    let mut readings = Readings::new(table.channels.clone());
     let (mut below, mut unknown) = (0, 0);
     for record in reader.records() {
         let record = record.map_err(|error| wrong(&error))?;
-        let line = record.position().map_or(0, |at| at.line() as u32);
-        let number = |column: usize| number(&record, column, &head, line);
-        let [wi, wo] = pair(&directions, &number)?;
-        if wi.z < 0.0 || wo.z < 0.0 {
-            below += 1;
-            continue;
+        match table.row(&record)? {
+            Row::Reading(wi, wo, values) => readings.push(wi, wo, &values),
+            Row::Below => below += 1,
+            Row::Unknown => unknown += 1,
         }
-        let mut values = Vec::with_capacity(columns.len());
-        for column in &columns {
-            values.push(quantity.brdf(number(*column)?, wo.z).unwrap_or(f64::NAN) as f32);
-        }
-        if values.iter().all(|value| value.is_nan()) {
-            unknown += 1;
-            continue;
-        }
-        readings.push(wi, wo, &values);
     }
     if readings.is_empty() {
         return Err(ReadError::broken("the table has no rows of readings"));
@@ -106,14 +59,95 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
     if options.quantity.is_none() && said.is_none() {
         notes.push("nothing says what the numbers are: taken as BRDF in 1/sr".to_owned());
     }
-    if below > 0 {
-        notes.push(format!("{below} rows below the horizon were dropped"));
+    for (count, what) in [(below, "below the horizon"), (unknown, "without a direction or a value")] {
+        if count > 0 {
+            notes.push(format!("{count} rows {what} were dropped"));
+        }
     }
-    if unknown > 0 {
-        notes.push(format!("{unknown} rows without a value were dropped"));
-    }
-    let description = comment(text);
+    let (quantity, description) = (table.quantity, comment(text));
     Ok(Measured { format: Format::Csv, quantity, description, data: Data::Readings(readings), notes })
+}
+
+/// A table's columns, and what they mean.
+struct Table<'a> {
+    head: &'a [String],
+    directions: Directions,
+    channels: Channels,
+    /// The columns of the channels.
+    columns: Vec<usize>,
+    quantity: Quantity,
+}
+
+/// A row of a table.
+enum Row {
+    Reading(Vec3<f64>, Vec3<f64>, Vec<f32>),
+    /// Light or detector is below the horizon.
+    Below,
+    /// There is no direction or no value.
+    Unknown,
+}
+
+impl<'a> Table<'a> {
+    fn of(head: &'a [String], name: &str, line: u32, quantity: Quantity) -> Result<Self, ReadError> {
+        let directions = directions(head).ok_or_else(|| match head.len() {
+            0 | 1 => ReadError::Unknown(format!("'{name}' is neither binary nor a table")),
+            _ => {
+                let expected = "theta_i_deg and theta_o_deg (phi_i_deg, phi_o_deg), or wi_x to wo_z";
+                let found = head.join(", ");
+                ReadError::at(line, format!("no columns of directions: expected {expected}, found {found}"))
+            }
+        })?;
+        let (channels, columns) = channels(head).ok_or_else(|| {
+            let expected = "r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y";
+            ReadError::at(line, format!("no columns of values: expected {expected}"))
+        })?;
+        Ok(Self { head, directions, channels, columns, quantity })
+    }
+
+    /// Decides on the unit of angles where the names do not say it, and tells what was decided.
+    fn settle_unit(&mut self, text: &str) -> Option<String> {
+        let Directions::Angles { columns, unit: unit @ Unit::Unknown } = &mut self.directions else {
+            return None;
+        };
+        let most = most_theta(text, columns);
+        let is_radians = (0.2..1.6).contains(&most);
+        *unit = if is_radians { Unit::Radians } else { Unit::Degrees };
+        is_radians
+            .then(|| format!("no angle is above {most}: taken as radians; names with _deg or _rad say it"))
+    }
+
+    fn row(&self, record: &::csv::StringRecord) -> Result<Row, ReadError> {
+        let line = record.position().map_or(0, |at| at.line() as u32);
+        let number = |column: usize| number(record, column, self.head, line);
+        let [wi, wo] = pair(&self.directions, &number)?;
+        if wi.z < 0.0 || wo.z < 0.0 {
+            return Ok(Row::Below);
+        }
+        let mut values = Vec::with_capacity(self.columns.len());
+        for column in &self.columns {
+            values.push(self.quantity.brdf(number(*column)?, wo.z).unwrap_or(f64::NAN) as f32);
+        }
+        let is_unknown = !(wi.z + wo.z).is_finite() || values.iter().all(|value| value.is_nan());
+        Ok(if is_unknown { Row::Unknown } else { Row::Reading(wi, wo, values) })
+    }
+}
+
+/// What the table says that its numbers are.
+fn said_quantity(text: &str) -> Result<Option<Quantity>, ReadError> {
+    let mut comments = text.lines().filter_map(|line| line.trim().strip_prefix('#'));
+    let Some(word) = comments.find_map(|words| words.trim().strip_prefix("quantity")) else {
+        return Ok(None);
+    };
+    let word = word.trim().trim_start_matches([':', '=']).trim();
+    let found = Quantity::named(word).ok_or_else(|| {
+        ReadError::broken(format!("'{word}' is no quantity: expected brdf, brdf_cos or reflectance_factor"))
+    });
+    found.map(Some)
+}
+
+fn wrong(error: &::csv::Error) -> ReadError {
+    let line = error.position().map(|at| at.line() as u32);
+    ReadError::Broken { message: format!("the table cannot be read: {error}"), line }
 }
 
 /// The first comment that is no key.

@@ -57,9 +57,9 @@ impl Rgl {
     ) -> Result<Self, ReadError> {
         let distribution = Distribution::of(f);
         let theta_i = distribution.lights();
-        let (phi, theta): (Vec<f32>, Vec<f32>) = (vec![0.0], theta_i.iter().map(|x| *x as f32).collect());
+        let theta: Vec<f32> = theta_i.iter().map(|x| *x as f32).collect();
         let visible: Vec<f32> = theta_i.iter().flat_map(|theta| distribution.visible(*theta)).collect();
-        let parameters = vec![phi.clone(), theta.clone()];
+        let parameters = vec![vec![0.0], theta.clone()];
         let grid = Grid::new([NODES, NODES], parameters, visible.clone());
         let warp = Warp::new(grid.ok_or_else(|| ReadError::broken("there are no angles of the light"))?);
         let count = channels.count();
@@ -73,32 +73,44 @@ impl Rgl {
             );
             values.extend(table);
         }
-        let two = |list: &[f64]| [list, list].concat().iter().map(|x| *x as f32).collect::<Vec<f32>>();
-        let mut fields = vec![
-            Field {
-                name: "version".to_owned(),
-                kind: 5,
-                shape: vec![2],
-                bytes: [1_u32, 0].iter().flat_map(|n| n.to_le_bytes()).collect(),
-            },
-            Field::of_bytes("description", description.as_bytes()),
-            Field::of_floats("phi_i", &[1], &phi),
-            Field::of_floats("theta_i", &[LIGHTS], &theta),
-            Field::of_floats("sigma", &[2, NODES], &two(&distribution.area)),
-            Field::of_floats("ndf", &[2, NODES], &two(&distribution.density)),
-            Field::of_floats("vndf", &[1, LIGHTS, NODES, NODES], &visible),
-            Field::of_floats("luminance", &[1, LIGHTS, SIDE, SIDE], &luminance),
-        ];
-        if let Channels::Wavelengths(list) = &channels {
-            let list: Vec<f32> = list.iter().map(|nm| *nm as f32).collect();
-            fields.insert(4, Field::of_floats("wavelengths", &[list.len()], &list));
-        }
-        let name = if matches!(channels, Channels::Wavelengths(_)) { "spectra" } else { "rgb" };
-        fields.push(Field::of_floats(name, &[1, LIGHTS, count, SIDE, SIDE], &values));
-        fields.push(Field::of_bytes("jacobian", &[1]));
-        fields.push(Field::of_bytes("valid", &vec![u8::MAX; (LIGHTS * SIDE * SIDE).div_ceil(8)]));
+        let fields = fields(&channels, description, &distribution, [&theta, &visible, &luminance, &values]);
         Self::of(fields)
     }
+}
+
+/// The fields of a file, in their order; of the tables the angles of the light, the visible normals, the means of the
+/// channels, and the values.
+fn fields(
+    channels: &Channels,
+    description: &str,
+    distribution: &Distribution,
+    [theta, visible, luminance, values]: [&[f32]; 4],
+) -> Vec<Field> {
+    let count = channels.count();
+    let two = |list: &[f64]| [list, list].concat().iter().map(|x| *x as f32).collect::<Vec<f32>>();
+    let version = [1_u32, 0].iter().flat_map(|n| n.to_le_bytes()).collect();
+    let mut fields = vec![
+        Field { name: "version".to_owned(), kind: 5, shape: vec![2], bytes: version },
+        Field::of_bytes("description", description.as_bytes()),
+        Field::of_floats("phi_i", &[1], &[0.0]),
+        Field::of_floats("theta_i", &[LIGHTS], theta),
+        Field::of_floats("sigma", &[2, NODES], &two(&distribution.area)),
+        Field::of_floats("ndf", &[2, NODES], &two(&distribution.density)),
+        Field::of_floats("vndf", &[1, LIGHTS, NODES, NODES], visible),
+        Field::of_floats("luminance", &[1, LIGHTS, SIDE, SIDE], luminance),
+    ];
+    let name = match channels {
+        Channels::Wavelengths(list) => {
+            let list: Vec<f32> = list.iter().map(|nm| *nm as f32).collect();
+            fields.insert(4, Field::of_floats("wavelengths", &[list.len()], &list));
+            "spectra"
+        }
+        _ => "rgb",
+    };
+    fields.push(Field::of_floats(name, &[1, LIGHTS, count, SIDE, SIDE], values));
+    fields.push(Field::of_bytes("jacobian", &[1]));
+    fields.push(Field::of_bytes("valid", &vec![u8::MAX; (LIGHTS * SIDE * SIDE).div_ceil(8)]));
+    fields
 }
 
 /// The bytes of an RGL file: those of a file that was read are the same.
