@@ -9,7 +9,6 @@ use glanz_shader::{Machine, Pair, RecordKind, Trace};
 
 use super::{ObjectProgram, Programs};
 use crate::cpu::shading::shade_block::Shaded;
-use crate::view::program::StageValues;
 
 /// What to look for.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,10 +99,8 @@ pub(super) fn look<S: Simd>(
         Wanted::Value { .. } => 0,
     };
     let Some(pair) = inspection.pair(program.number) else { return };
-    let StageValues { fragment: values, .. } = &program.values;
-    let mut machine =
-        Machine::<1>::new(&pair.fragment, values, &program.fragment_textures, programs.all.level)
-            .with_rows_down();
+    let mut machine = Machine::<1>::of(program.traced(pair), &program.fragment_textures, programs.all.level)
+        .with_rows_down();
     fill(&mut machine);
     let trace = machine.trace();
     match &inspection.wanted {

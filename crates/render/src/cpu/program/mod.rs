@@ -55,6 +55,7 @@ pub(crate) struct ObjectProgram<'a> {
     /// The stages with their uniforms, once a machine is made.
     specialized_vertex: OnceLock<Specialized>,
     specialized_fragment: OnceLock<Specialized>,
+    specialized_traced: OnceLock<Specialized>,
     vertex_textures: ProgramTextures<'a>,
     fragment_textures: ProgramTextures<'a>,
     /// What vertices are given.
@@ -156,6 +157,7 @@ impl<'a> ObjectProgram<'a> {
             color: program.color?,
             specialized_vertex: OnceLock::new(),
             specialized_fragment: OnceLock::new(),
+            specialized_traced: OnceLock::new(),
             vertex_textures: textures(&values.vertex_textures),
             fragment_textures: textures(&values.fragment_textures),
             values,
@@ -174,6 +176,11 @@ impl<'a> ObjectProgram<'a> {
                 self.specialized_fragment.get_or_init(|| self.pair.fragment.specialize(&values.fragment))
             }
         }
+    }
+
+    /// The traced fragment stage with the uniforms.
+    fn traced(&self, pair: &Pair) -> &Specialized {
+        self.specialized_traced.get_or_init(|| pair.fragment.specialize(&self.values.fragment))
     }
 
     /// Whether the vertex shader is the user's, and says where vertices are.
