@@ -132,7 +132,7 @@ fn what_cannot_be_a_cube_map_is_refused_and_what_is_not_set_is_black() {
     assert!(error(&flat).contains("six are the faces of a samplerCube"), "{}", error(&flat));
     let text = "uniform sampler3D sky; out vec4 c; void main() { c = texture(sky, vec3(0.5)); }";
     flat.programs[0].fragment = Some(ProgramText::new("own.frag", text));
-    assert!(error(&flat).contains("only sampler2D and samplerCube do"), "{}", error(&flat));
+    assert!(error(&flat).contains("only sampler2D, sampler2DShadow and samplerCube do"), "{}", error(&flat));
 
     let mut unset = scene("shadowMap", &[("d", numbers(&[1.0, 0.0, 0.0]))]);
     unset.lights = vec![light(None, [1.0; 3])];

@@ -116,7 +116,7 @@ fn unset_of(
         } else if is_flat(texture) {
             format!("nobody gives the sampler '{name}' a picture, so it is black: --uniform {name}=FILE does")
         } else {
-            format!("the sampler '{name}' is black: only sampler2D and samplerCube are given pictures")
+            format!("the sampler '{name}' is black: only sampler2D, sampler2DShadow and samplerCube are given pictures")
         });
     }
     texts
