@@ -95,6 +95,14 @@ fn reflectance(n: f64, theta: f64) -> f64 {
 
 /// The radiance factors πf of a multi-angle instrument: light at 45°, and detectors by the angle from the mirror direction
 /// towards the light, in degrees, as −15, 15, 25, 45, 75, 110.
+///
+/// ```
+/// use std::f64::consts::FRAC_1_PI;
+///
+/// // A perfect diffuser looks the same from everywhere.
+/// let factor = glanz_measure::multi_angle(&mut |_, _| vec![FRAC_1_PI], 25.0);
+/// assert!((factor[0] - 1.0).abs() < 1e-12);
+/// ```
 pub fn multi_angle(f: &mut Function<'_>, aspecular_deg: f64) -> Vec<f64> {
     // The mirror direction lies at +45° in the plane, the light at −45°.
     let angle = (45.0 - aspecular_deg).to_radians();
@@ -105,6 +113,13 @@ pub fn multi_angle(f: &mut Function<'_>, aspecular_deg: f64) -> Vec<f64> {
 
 /// What an integrating sphere measures, 8°/d: the part of the light at 8° that is reflected into the hemisphere, with all of
 /// it, and without what lies within `port_deg` of the mirror direction. Instruments' ports are 4 to 5°.
+///
+/// ```
+/// use std::f64::consts::FRAC_1_PI;
+///
+/// let [included, excluded] = glanz_measure::sphere(&mut |_, _| vec![0.5 * FRAC_1_PI], 4.1);
+/// assert!((included[0] - 0.5).abs() < 1e-3 && excluded[0] < included[0]);
+/// ```
 pub fn sphere(f: &mut Function<'_>, port_deg: f64) -> [Vec<f64>; 2] {
     let wi = Vec3::from_angles(8.0_f64.to_radians(), PI);
     let mirror = Vec3::new(-wi.x, -wi.y, wi.z);
@@ -141,6 +156,12 @@ fn turned(w: Vec3<f64>, about: Vec3<f64>) -> Vec3<f64> {
 }
 
 /// The radiance factor πf of 45°/0°: light at 45° in the plane of x, the detector above.
+///
+/// ```
+/// use std::f64::consts::FRAC_1_PI;
+///
+/// assert!((glanz_measure::forty_five_zero(&mut |_, _| vec![0.8 * FRAC_1_PI])[0] - 0.8).abs() < 1e-12);
+/// ```
 pub fn forty_five_zero(f: &mut Function<'_>) -> Vec<f64> {
     let values = f(Vec3::from_angles(PI / 4.0, PI), Vec3::from_angles(0.0, 0.0));
     values.into_iter().map(|value| value / FRAC_1_PI).collect()

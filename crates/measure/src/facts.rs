@@ -170,9 +170,9 @@ fn reciprocity(measured: &Measured) -> Option<Reciprocity> {
 
 /// What the numbers probably are.
 fn guess(readings: &Readings, albedos: &[Albedo], read_as: Quantity) -> Option<(Quantity, String)> {
-    let white = white(readings).unwrap_or(0.0);
+    let matte = matte_albedo(readings).unwrap_or(0.0);
     let most = albedos.iter().filter(|own| own.known > 0.6).flat_map(|own| &own.values).copied();
-    let most = most.fold(white, f64::max);
+    let most = most.fold(matte, f64::max);
     if read_as == Quantity::Brdf && most > 1.3 {
         let why = format!("as BRDF they reflect up to {most:.2} of the light, which is more than there is");
         return Some((Quantity::RadianceFactor, why));
@@ -196,7 +196,7 @@ const AWAY: f64 = 0.75;
 
 /// About the albedo of the matte part of readings, from their medians in rings of the detector's angle, which highlights do
 /// not count in. Nothing where fewer than six of the eight rings have readings.
-fn white(readings: &Readings) -> Option<f64> {
+fn matte_albedo(readings: &Readings) -> Option<f64> {
     let mut rings: [Vec<f64>; 8] = Default::default();
     for index in 0..readings.len() {
         let [wi, wo] = readings.pair(index);

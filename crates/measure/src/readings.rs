@@ -5,6 +5,14 @@ use std::fmt;
 use glanz_math::Vec3;
 
 /// What the numbers of a file are.
+///
+/// ```
+/// use glanz_measure::Quantity;
+///
+/// let quantity = Quantity::named("reflectance-factor").expect("it is one");
+/// assert_eq!(quantity.brdf(std::f64::consts::PI, 0.5), Some(1.0));
+/// assert_eq!(Quantity::BrdfCos.brdf(0.1, 0.5), Some(0.2));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quantity {
     /// The BRDF f, in 1/sr.

@@ -9,7 +9,7 @@ use crate::lower::Placed;
 use crate::machine::{
     Host, NoTextures, Op, OutOfFuel, Recorder, RegisterFile, Row, Silent, Textures, execute,
 };
-use crate::specialize::Inner;
+use crate::specialize::SpecializedCode;
 use crate::trace::TraceRecorder;
 use crate::{Place, Program, RunError, Specialized, Trace, UniformValues};
 
@@ -21,7 +21,7 @@ const FUEL: u32 = 1 << 20;
 /// In a fragment shader 16 lanes are 4×4 pixels, row by row, so that derivatives are differences in the quads of 2×2;
 /// with `G` = 4 each row of the register is such a block.
 pub struct Machine<'a, const G: usize> {
-    code: Arc<Inner>,
+    code: Arc<SpecializedCode>,
     textures: &'a dyn Textures,
     level: SimdLevel,
     file: RegisterFile<G>,

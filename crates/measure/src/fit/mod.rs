@@ -11,6 +11,13 @@ use glanz_bsdf::{DirectionPair, ParamError, Shape, Side};
 use crate::Readings;
 
 /// What is made as small as possible: the squares of differences of g(f cosθi).
+///
+/// ```
+/// use glanz_measure::Metric;
+///
+/// assert_eq!(Metric::named("log"), Some(Metric::Log));
+/// assert_eq!(Metric::default().name(), "cube-root");
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Metric {
     /// g(x) = x: the peaks of highlights count most.

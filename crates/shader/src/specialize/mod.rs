@@ -45,10 +45,10 @@ use crate::{Place, Program, RunError, UniformValues};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Specialized(pub(crate) Arc<Inner>);
+pub struct Specialized(pub(crate) Arc<SpecializedCode>);
 
 #[derive(Debug)]
-pub(crate) struct Inner {
+pub(crate) struct SpecializedCode {
     pub(crate) placed: Placed,
     /// The uniforms, a word per scalar: what is picked by an index that differs between lanes.
     pub(crate) words: Vec<u32>,
@@ -57,7 +57,7 @@ pub(crate) struct Inner {
     pub(crate) points: Vec<PlacedPoint>,
 }
 
-impl Inner {
+impl SpecializedCode {
     /// The error of a run that was stopped.
     pub(crate) fn endless(&self, stopped: OutOfFuel, turns: u32) -> RunError {
         endless(&self.placed, &self.loop_places, stopped, turns)
@@ -74,7 +74,7 @@ impl Specialized {
         let events = placed.events.iter().zip(&program.event_places);
         let points = events.map(|(event, place)| PlacedPoint::new(event, place.clone())).collect();
         let loop_places = Arc::clone(&program.loop_places);
-        Self(Arc::new(Inner { placed, words, loop_places, points }))
+        Self(Arc::new(SpecializedCode { placed, words, loop_places, points }))
     }
 
     /// How many instructions run for each fragment, loops once.
