@@ -1,7 +1,10 @@
 //! Angular weights of layers above a lobe: Schlick's approximation, the transmittance of a clear coat, sheen scaling.
 //!
 //! A clear coat attenuates the lobes below it by what it reflects, a dielectric interface its diffuse base. None of these
-//! depends on the wavelength, so they belong to the shape.
+//! depends on the wavelength, so they belong to the shape. So does the table by which measured reflectance differs from the
+//! model that was fitted to it.
+
+use std::sync::Arc;
 
 use glanz_math::{GaussLegendre, PI, Real, Vec3};
 use serde::{Deserialize, Serialize};
@@ -9,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::albedo::directional;
 use crate::models::charlie;
 use crate::terms::{fresnel_dielectric, lambda_ggx};
-use crate::{Chebyshev, DirectionPair, Shape};
+use crate::{Chebyshev, DirectionPair, FactorTable, Shape};
 
 /// The angle whose cosine a weight depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -94,6 +97,13 @@ pub enum LayerWeight {
         /// The albedo of the sheen lobe.
         albedo: charlie::Albedo,
     },
+    /// A rank of a table over half and difference angles: what measured reflectance is over the lobe.
+    Table {
+        /// The table.
+        table: Arc<FactorTable>,
+        /// Which of its ranks.
+        rank: usize,
+    },
 }
 
 impl LayerWeight {
@@ -113,6 +123,11 @@ impl LayerWeight {
     /// "Diffuse-reflectance model for smooth dielectric surfaces", JOSA A 11, 1994.
     pub fn over_matte(coat: &CoatSurface) -> Self {
         Self::Coat { transmittance: coat.transmittance.clone(), gain: 1.0 / (1.0 - coat.diffuse) }
+    }
+
+    /// Whether it depends on where the tangent is.
+    pub fn is_anisotropic(&self) -> bool {
+        matches!(self, Self::Table { table, .. } if table.is_anisotropic())
     }
 
     /// The factor.
@@ -139,6 +154,7 @@ impl LayerWeight {
                 let taken = albedo.at(pair.cos_o.abs()).max(albedo.at(pair.cos_i.abs()));
                 (one - taken * one.lit(*strength)).max(one.zero())
             }
+            Self::Table { table, rank } => table.factors(pair).get(*rank).copied().unwrap_or(one.zero()),
         }
     }
 }

@@ -20,6 +20,7 @@
 
 mod appearance;
 mod error;
+mod factored;
 mod facts;
 mod fit;
 mod format;
@@ -27,6 +28,7 @@ mod readings;
 
 pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
 pub use error::ReadError;
+pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{Fit, FitError, FitOptions, FittedLobe, Metric, fit, fit_shapes};
 pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};

@@ -5,9 +5,10 @@
 mod common;
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use common::everything::{GLASS, everything, punctual};
-use glanz_bsdf::{LayerWeight, Shape};
+use glanz_bsdf::{FactorTable, LayerWeight, Shape};
 use glanz_math::Chebyshev;
 use glanz_render::prepare::{
     AreaIntegral, EnvironmentMap, LightShape, LobeIntegrals, NO_RECORD, Packed, Pool, PreparedLight,
@@ -28,11 +29,14 @@ fn scene() -> Scene {
     let angle = glanz_bsdf::Angle::HalfThrough;
     let lobe = &mut scene.materials[0].lobes[0];
     lobe.metalness = Metalness::Dielectric { factor: 0.25 };
+    let values = (0..24).map(|i| 0.5 + 0.01 * i as f32).collect();
+    let table = FactorTable::new([2, 3, 2, 1], 2, values).unwrap();
     lobe.layers = vec![
         LayerWeight::Constant(0.5),
         LayerWeight::Schlick { angle, at_zero: 0.9, at_grazing: 0.1 },
         LayerWeight::Series { angle: glanz_bsdf::Angle::View, factor: Chebyshev::interpolate(3, |x| x) },
         LayerWeight::Sheen { strength: 0.3, albedo: glanz_bsdf::models::charlie::Albedo::new(0.4) },
+        LayerWeight::Table { table: Arc::new(table), rank: 1 },
     ];
     let colored =
         Object { shading: Some(Shading::Flat), interpolation: None, ..scene.objects[GLASS].clone() };
@@ -283,6 +287,16 @@ fn check_layer(reader: &mut Reader, number: usize, layer: &LayerWeight) {
         LayerWeight::Sheen { strength, albedo } => {
             assert_eq!((kind, values[0]), (4, *strength as f32));
             check_sheen(reader, series, albedo);
+        }
+        LayerWeight::Table { table, rank } => {
+            assert_eq!((kind, angle as usize), (6, *rank));
+            let [x, y, z, w, ranks, first] = *reader.words(Section::FactorTables, series as usize) else {
+                unreachable!()
+            };
+            assert_eq!([x, y, z, w].map(|size| size as usize), table.sizes());
+            assert_eq!(ranks as usize, table.ranks());
+            let values: Vec<[f32; 1]> = table.values().into_iter().map(|value| [value]).collect();
+            reader.same(Section::Factors, first, &values);
         }
     }
 }

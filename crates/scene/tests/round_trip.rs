@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 use glanz_bsdf::models::charlie::Albedo;
-use glanz_bsdf::{Angle, Chebyshev, LayerWeight, MODELS, Shape};
+use glanz_bsdf::{Angle, Chebyshev, FactorTable, LayerWeight, MODELS, Shape};
 use glanz_color::{Channel, Ior, Observer, ObserverKind, Reradiation, Rgb, Spectrum};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::file::{LoadOptions, WriteError, load, save, write};
@@ -298,6 +298,10 @@ fn layer() -> impl Strategy<Value = LayerWeight> {
         (series, 1.0..3.0f64).prop_map(|(transmittance, gain)| LayerWeight::Coat { transmittance, gain }),
         (0.0..1.0f64, 0.01..1.0f64)
             .prop_map(|(strength, alpha)| LayerWeight::Sheen { strength, albedo: Albedo::new(alpha) }),
+        proptest::collection::vec(0.1..2.0f32, 24).prop_map(|values| {
+            let table = FactorTable::new([2, 3, 2, 1], 2, values).expect("twelve nodes of two ranks");
+            LayerWeight::Table { table: Arc::new(table), rank: 1 }
+        }),
     ]
 }
 

@@ -24,6 +24,7 @@
 mod build;
 mod error;
 mod explain;
+mod factors;
 pub(crate) mod near;
 mod schema;
 mod sets;

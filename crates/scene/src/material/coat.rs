@@ -2,12 +2,18 @@
 
 use std::sync::Arc;
 
-use glanz_bsdf::{CoatSurface, LayerWeight, LightTerm, ParamError, Shape, Side};
+use glanz_bsdf::{CoatSurface, LayerWeight, LightTerm, ParamError, Shape, Side, layered_albedo};
 use glanz_color::{Ior, Rgb, Spectrum};
 use serde::{Deserialize, Serialize};
 
 use crate::material::coated_boundary::MIDDLE_NM;
 use crate::{Absorption, Boundary, CoatedBoundary, Lobe, Material, Tint};
+
+/// The cosine to the viewer at which the reflectance of a measured base is looked at.
+const MEAN_COSINE: f64 = 0.7;
+
+/// What reflects less than this is as black as this under a coat.
+const LEAST_REFLECTANCE: f64 = 1e-6;
 
 /// A layer over a material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -56,9 +62,14 @@ impl Coat {
     }
 
     /// What becomes of a lobe below it.
-    fn over(&self, surface: &CoatSurface, lobe: Lobe, absorption: &Option<Arc<Absorption>>) -> Lobe {
-        let is_matte =
-            lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection;
+    fn over(
+        &self,
+        surface: &CoatSurface,
+        lobe: Lobe,
+        measured: &Spectrum,
+        absorption: &Option<Arc<Absorption>>,
+    ) -> Lobe {
+        let is_matte = is_matte(&lobe);
         // What comes back to the base from below the coat depends on its colour: where a texture darkens it further,
         // this is a little too bright.
         let boundary = self.boundary(&lobe);
@@ -68,6 +79,7 @@ impl Coat {
             None => LayerWeight::over_glossy(surface),
         };
         let tint = match boundary {
+            _ if is_matte && is_measured(&lobe) => darker_by(&lobe.tint, measured, surface),
             _ if is_matte => darker(&lobe.tint, surface),
             Some(boundary) => Tint::Coated(Arc::new(boundary)),
             None => lobe.tint.clone(),
@@ -85,6 +97,37 @@ fn darker(tint: &Tint, coat: &CoatSurface) -> Tint {
     }
 }
 
+fn is_matte(lobe: &Lobe) -> bool {
+    lobe.shape.info().term == LightTerm::Diffuse && lobe.shape.info().side == Side::Reflection
+}
+
+fn is_measured(lobe: &Lobe) -> bool {
+    lobe.layers.iter().any(|layer| matches!(layer, LayerWeight::Table { .. }))
+}
+
+/// The reflectance of all matte lobes together that are ranks of measured reflectance, of which each may be negative.
+fn measured_matte(lobes: &[Lobe]) -> Spectrum {
+    let mut whole = Spectrum::ZERO;
+    for lobe in lobes.iter().filter(|lobe| is_matte(lobe) && is_measured(lobe)) {
+        if let Tint::Spectrum(tint) = &lobe.tint {
+            whole = whole + **tint * layered_albedo(&lobe.shape, &lobe.layers, MEAN_COSINE);
+        }
+    }
+    whole.map(|rho| rho.clamp(0.0, 1.0))
+}
+
+/// A rank's part of a matte tint, as the whole of all ranks gets darker under a coat.
+fn darker_by(tint: &Tint, whole: &Spectrum, coat: &CoatSurface) -> Tint {
+    let left = whole.map(|rho| {
+        let rho = rho.max(LEAST_REFLECTANCE);
+        coat.reflectance_of_coated(rho) / rho
+    });
+    match tint {
+        Tint::Spectrum(spectrum) => Tint::Spectrum(Arc::new(**spectrum * left)),
+        other => other.clone(),
+    }
+}
+
 impl Material {
     /// The material under a coat. Ambient light and the surface's own pass it unchanged.
     ///
@@ -98,6 +141,7 @@ impl Material {
         let shape = Shape::named("ggx", &[("alpha", coat.alpha), ("multiscatter", 0.0)])?;
         let surface = CoatSurface::new(coat.eta(), coat.alpha);
         let absorption = coat.absorption();
+        let measured = measured_matte(&self.lobes);
         let mut lobes = Vec::new();
         for lobe in self.lobes {
             if !matches!(lobe.shape.info().term, LightTerm::Diffuse | LightTerm::Specular) {
@@ -107,7 +151,7 @@ impl Material {
             if coat.weight < 1.0 {
                 lobes.push(lobe.clone().under(LayerWeight::Constant(1.0 - coat.weight)));
             }
-            let covered = coat.over(&surface, lobe, &absorption);
+            let covered = coat.over(&surface, lobe, &measured, &absorption);
             lobes.push(if coat.weight < 1.0 {
                 covered.under(LayerWeight::Constant(coat.weight))
             } else {

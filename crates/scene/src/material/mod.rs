@@ -5,6 +5,7 @@ mod classic;
 mod coat;
 mod coated_boundary;
 mod lobe;
+mod measured;
 mod pane;
 mod parameters;
 mod surface;

@@ -1,6 +1,6 @@
 //! The sum of light at a point of any material, and what adds to it.
 
-use glanz_bsdf::{DirectionPair, Side};
+use glanz_bsdf::{DirectionPair, FactorTable, LayerWeight, Side};
 use glanz_math::{Frame, Real, Vec3};
 use glanz_scene::Metalness;
 
@@ -163,6 +163,40 @@ pub(crate) fn layered<R: Real>(lobe: &DirectLobe, mut value: R, pair: &Direction
             value
         },
     )
+}
+
+/// The factors of a table at a pair of directions, looked up once for all ranks.
+pub(crate) struct KnownFactors<'a, R> {
+    table: Option<&'a FactorTable>,
+    factors: [R; FactorTable::MOST_RANKS],
+}
+
+impl<'a, R: Real> KnownFactors<'a, R> {
+    /// None yet.
+    #[inline(always)]
+    pub(crate) fn new(like: R) -> Self {
+        Self { table: None, factors: [like.zero(); FactorTable::MOST_RANKS] }
+    }
+
+    /// As [`layered`], for lobes one after the other at the same pair.
+    #[inline(never)]
+    pub(crate) fn layered(&mut self, lobe: &'a DirectLobe, mut value: R, pair: &DirectionPair<R>) -> R {
+        for layer in &lobe.layers {
+            let LayerWeight::Table { table, rank } = layer else {
+                value = value.at_own_level(
+                    #[inline(always)]
+                    || value * layer.factor(pair),
+                );
+                continue;
+            };
+            if !self.table.is_some_and(|known| core::ptr::eq(known, &**table)) {
+                self.factors = table.factors(pair);
+                self.table = Some(table);
+            }
+            value = value * self.factors[*rank];
+        }
+        value
+    }
 }
 
 /// A shape's value.

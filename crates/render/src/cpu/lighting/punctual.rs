@@ -3,6 +3,7 @@
 use glanz_math::Real;
 
 use crate::cpu::lighting::incident::arrive;
+use crate::cpu::lighting::light_sum::KnownFactors;
 use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
@@ -34,7 +35,7 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
     if let Some(bvh) = lights.bvh {
         attenuation = attenuation * shadow::free(bvh, point, incident.wi, incident.distance);
     }
-    let mut last = like.zero();
+    let (mut last, mut known) = (like.zero(), KnownFactors::new(like));
     for (k, lobe) in sum.material.lobes.iter().enumerate() {
         let is_lit =
             if is_transmitting(lobe) { pair.cos_i.lt(like.zero()) } else { like.zero().lt(pair.cos_i) };
@@ -45,6 +46,10 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
         if !sum.material.repeats[k] {
             last = shape_value(lobe, &pair) * attenuation;
         }
-        sum.add(row, k, layered(lobe, last, &pair), &pair);
+        let value = match sum.material.has_tables {
+            true => known.layered(lobe, last, &pair),
+            false => layered(lobe, last, &pair),
+        };
+        sum.add(row, k, value, &pair);
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Deref;
 
-use glanz_bsdf::Shape;
+use glanz_bsdf::{LayerWeight, Shape};
 use glanz_scene::Metalness;
 
 use crate::cpu::lighting::inlined_models::is_inlined;
@@ -17,6 +17,8 @@ pub(crate) struct ShadeMaterial<'a> {
     pub fast_path: bool,
     /// Of each lobe whether its shape is that of the lobe before, so that its value is known already.
     pub repeats: Vec<bool>,
+    /// Whether tables of factors are layers of lobes, so that several lobes look up the same.
+    pub has_tables: bool,
 }
 
 impl<'a> ShadeMaterial<'a> {
@@ -32,7 +34,9 @@ impl<'a> ShadeMaterial<'a> {
         let fast_path = data.lobes.iter().all(is_simple) && data.metal_rough_map.is_none();
         let pairs = data.lobes.windows(2).map(|pair| pair[0].shape == pair[1].shape);
         let repeats = std::iter::once(false).chain(pairs).collect();
-        Self { data, fast_path, repeats }
+        let mut layers = data.lobes.iter().flat_map(|lobe| &lobe.layers);
+        let has_tables = layers.any(|layer| matches!(layer, LayerWeight::Table { .. }));
+        Self { data, fast_path, repeats, has_tables }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Materials with their rows of the tint table.
 
-use glanz_bsdf::{LightTerm, Side};
+use glanz_bsdf::{LayerWeight, LightTerm, Side};
 use glanz_scene::{Lobe, Material, Tint};
 
 use crate::prepare::PrepareError;
@@ -26,7 +26,7 @@ pub(crate) fn prepare(
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
     add(&mut ambient[0], table.emission(&terms.textured_emission, None));
     Ok(PreparedMaterial {
-        anisotropic: lobes.iter().any(|lobe| lobe.shape.is_anisotropic()),
+        anisotropic: lobes.iter().any(DirectLobe::is_anisotropic),
         transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
         lobes,
         tints: table.direct(&direct, None),
@@ -67,21 +67,18 @@ fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&
 
 fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
     let term = term_of(lobe);
-    let shape = match model {
-        Some(name) if term == LightTerm::Specular => lobe.shape.as_model(name)?,
-        _ => lobe.shape.clone(),
+    let (shape, mut layers) = match model {
+        Some(name) if term == LightTerm::Specular => (lobe.shape.as_model(name)?, lobe.layers.clone()),
+        _ => (lobe.shape.clone(), lobe.layers.clone()),
     };
+    // What data are over one model they are not over another: the fitted lobes remain.
+    if model.is_some() {
+        layers.retain(|layer| !matches!(layer, LayerWeight::Table { .. }));
+    }
     // A texel has no say in a tint that is a curve.
     let coordinate = coordinate_of(lobe);
     let textured = lobe.textured && coordinate == TintCoordinate::None;
-    Ok(DirectLobe {
-        shape,
-        term,
-        textured,
-        coordinate,
-        layers: lobe.layers.clone(),
-        metalness: lobe.metalness,
-    })
+    Ok(DirectLobe { shape, term, textured, coordinate, layers, metalness: lobe.metalness })
 }
 
 /// The tints of a material's lobes that no light with a direction touches.

@@ -89,4 +89,9 @@ impl DirectLobe {
         let (term, coordinate) = (shape.info().term, TintCoordinate::None);
         Self { shape, term, textured: false, coordinate, layers: Vec::new(), metalness: Metalness::Any }
     }
+
+    /// Whether it depends on where the tangent is: by its shape, or by a layer.
+    pub fn is_anisotropic(&self) -> bool {
+        self.shape.is_anisotropic() || self.layers.iter().any(LayerWeight::is_anisotropic)
+    }
 }

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::DMat4;
+use glanz_bsdf::FactorTable;
 
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
-use crate::{Camera, EnvironmentMap, Profile, Scene};
+use crate::{Camera, EnvironmentMap, Lobe, Profile, Scene};
 
 /// The way from tables to a scene.
 pub(in crate::file) struct Builder {
@@ -65,6 +66,10 @@ pub(in crate::file) struct Made {
     pub environments: HashMap<String, Arc<EnvironmentMap>>,
     /// Luminaire profiles, by the names of their files.
     pub profiles: HashMap<String, Arc<Profile>>,
+    /// Measured reflectance, by what is said of it.
+    pub measured: HashMap<String, Vec<Lobe>>,
+    /// Tables of factors, by the names of their files.
+    pub factors: HashMap<String, Arc<FactorTable>>,
     /// Textures, by file and use.
     pub textures: HashMap<String, usize>,
 }

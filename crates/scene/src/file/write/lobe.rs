@@ -5,6 +5,7 @@ use glanz_bsdf::{Angle, Chebyshev, LayerWeight, LightTerm, ModelSource, Shape};
 use super::color::{is_white, tint};
 use super::side_files::SideFiles;
 use super::text::{Table, inline, list, number, numbers, samples, string};
+use crate::file::factors;
 use crate::{Lobe, Metalness, Tint};
 
 /// A lobe on one line.
@@ -33,7 +34,7 @@ pub(super) fn lobe(lobe: &Lobe, files: &mut SideFiles) -> String {
         [LayerWeight::Constant(weight)] if is_lit && (0.0..1.0).contains(weight) => {
             table.put("weight", number(*weight));
         }
-        layers => table.put("layers", list(layers.iter().map(layer))),
+        layers => table.put("layers", list(layers.iter().map(|own| layer(own, files)))),
     }
     if let Some(absorption) = &lobe.absorption {
         let depth = samples(&absorption.depth);
@@ -65,7 +66,7 @@ fn brdf(source: &ModelSource, shape: &Shape, files: &mut SideFiles) -> String {
     table.inline()
 }
 
-fn layer(layer: &LayerWeight) -> String {
+fn layer(layer: &LayerWeight, files: &mut SideFiles) -> String {
     let (kind, value) = match layer {
         LayerWeight::Constant(weight) => ("constant", number(*weight)),
         LayerWeight::Schlick { angle, at_zero, at_grazing } => (
@@ -87,6 +88,10 @@ fn layer(layer: &LayerWeight) -> String {
         }
         LayerWeight::Sheen { strength, albedo } => {
             ("sheen", inline([("strength", number(*strength)), ("terms", numbers(albedo.series()))]))
+        }
+        LayerWeight::Table { table, rank } => {
+            let file = files.add("measured", "factors", factors::bytes(table));
+            ("table", inline([("file", string(&file)), ("rank", rank.to_string())]))
         }
     };
     inline([(kind, value)])

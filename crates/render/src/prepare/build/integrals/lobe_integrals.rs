@@ -82,16 +82,17 @@ impl Maker {
                 true => Chebyshev::interpolate(TERMS, |cosine| ltc::mean_direction(shape, cosine)[i]),
                 false => Chebyshev::default(),
             }),
-            area: self.area(shape),
+            area: self.area(lobe),
             prefiltered: self.maps.iter().zip(&self.pyramids).map(blurred).collect(),
         }
     }
 
-    fn area(&self, shape: &Shape) -> AreaIntegral {
+    fn area(&self, lobe: &DirectLobe) -> AreaIntegral {
+        let shape = &lobe.shape;
         match shape.info().delta {
             true => AreaIntegral::Mirror,
             false if is_cosine(shape) => AreaIntegral::Cosine,
-            false if self.has_areas && !shape.is_anisotropic() => {
+            false if self.has_areas && !lobe.is_anisotropic() => {
                 AreaIntegral::Ltc(Arc::new(ltc::fit_table(shape)))
             }
             false => AreaIntegral::Points,

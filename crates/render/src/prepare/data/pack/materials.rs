@@ -1,6 +1,6 @@
 //! Materials, lobes and the tint table.
 
-use glanz_bsdf::LayerWeight;
+use glanz_bsdf::{FactorTable, LayerWeight};
 use glanz_math::Chebyshev;
 use glanz_scene::{AlphaMode, Metalness, TextureUse};
 
@@ -102,9 +102,18 @@ impl Packer {
                 let series = self.scalar_series(&Chebyshev::interpolate(SHEEN_TERMS, at));
                 (4, 0, series, [*strength, 0.0])
             }
+            LayerWeight::Table { table, rank } => {
+                (6, *rank as u32, self.once(table, Self::factor_table), [0.0; 2])
+            }
         };
         self.words(Section::Layers, &[kind, angle, series]);
         self.floats(Section::LayerValues, &values.map(|value| value as f32));
+    }
+
+    fn factor_table(&mut self, table: &FactorTable) -> u32 {
+        let first = self.floats(Section::Factors, &table.values());
+        let [x, y, z, w] = table.sizes().map(|size| size as u32);
+        self.words(Section::FactorTables, &[x, y, z, w, table.ranks() as u32, first])
     }
 
     /// The numbers of the first entry, of the first light and of the values that no light has a part in.

@@ -82,8 +82,11 @@ sections! {
         of Layers, layers";
     LobeValues: Floats 2, "of each lobe: the coat's index of refraction, the factor of its metalness; 0 where there is none";
     Params: Floats 1, "a parameter of a model, in the order of its list";
-    Layers: Words 3, "kind (0 constant, 1 Schlick, 2 series, 3 coat, 4 sheen, 5 coat over a boundary), angle, ScalarSeries: of a series the factor, \
-        of a coat its transmittance, of a sheen its albedo over (√cosθ − √0.002) / (1 − √0.002)";
+    Layers: Words 3, "kind (0 constant, 1 Schlick, 2 series, 3 coat, 4 sheen, 5 coat over a boundary, 6 table), angle or rank, ScalarSeries: of a \
+        series the factor, of a coat its transmittance, of a sheen its albedo over (√cosθ − √0.002) / (1 − √0.002); of a table its \
+        number in FactorTables";
+    FactorTables: Words 6, "nodes along x, y, z and around the normal, ranks, first of Factors";
+    Factors: Floats 1, "the ranks of each node, along x fastest";
     LayerValues: Floats 2, "of each layer: the constant, the values at 0 and grazing, the gain or the strength";
     Tints: Floats 3, "channels";
     Series: Words 2, "first of Terms, terms; 0 terms for 0 everywhere";

@@ -8,7 +8,7 @@ use glanz_color::Rgb;
 use crate::file::build::builder::Builder;
 use crate::file::error::Problem;
 use crate::file::near::{did_you_mean, list};
-use crate::file::tables::appearance::layer_weights::{LayerTable, MetalnessTable};
+use crate::file::tables::appearance::layer_weights::MetalnessTable;
 use crate::file::tables::appearance::lobes::{FresnelName, KEYS, LobeTable};
 use crate::file::tables::appearance::shapes::ShapeTable;
 use crate::file::tables::values::At;
@@ -50,7 +50,9 @@ impl LobeTable {
         }
         let weight = self.weight.as_ref().map(|weight| weight.0).filter(|weight| *weight < 1.0);
         let mut layers: Vec<_> = weight.map(LayerWeight::Constant).into_iter().collect();
-        layers.extend(self.layers.iter().flat_map(|layers| layers.iter().map(LayerTable::weight)));
+        for layer in self.layers.iter().flat_map(|layers| &layers.value) {
+            layers.push(layer.weight(builder)?);
+        }
         let absorption =
             self.absorption.as_ref().map(|table| Absorption { depth: table.depth.0, eta: table.eta.0 });
         let metalness = self.metalness.as_ref().map_or(Metalness::Any, MetalnessTable::metalness);

@@ -9,6 +9,7 @@ use crate::file::build::builder::Builder;
 use crate::file::error::Problem;
 use crate::file::near::{did_you_mean, list};
 use crate::file::tables::appearance::materials::{AlphaModeName, MaterialTable, highlight_names};
+use crate::file::tables::appearance::measured::MeasuredTable;
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::values::At;
 use crate::{AlphaMode, ClassicMaterial, Material, Tint};
@@ -65,6 +66,9 @@ impl MaterialTable {
 
     /// The lobes: those of a material of the library, those that are listed, or the classic terms.
     fn surface(&self, name: &str, builder: &mut Builder) -> Result<Material, Problem> {
+        if let Some(measured) = &self.measured {
+            return self.measured(name, measured, builder);
+        }
         match (&self.library, &self.lobes) {
             (Some(library), _) => {
                 self.refuse_terms(library)?;
@@ -79,6 +83,26 @@ impl MaterialTable {
             }
             (None, None) => self.classic(name, builder),
         }
+    }
+
+    /// Measured reflectance, and the lobes that are listed beside it.
+    fn measured(
+        &self,
+        name: &str,
+        measured: &At<MeasuredTable>,
+        builder: &mut Builder,
+    ) -> Result<Material, Problem> {
+        let others = self.classic_keys().into_iter().chain([("library", place(&self.library))]);
+        if let Some((key, span)) = others.into_iter().find_map(|(key, span)| Some((key, span?))) {
+            return Err(Problem::at(span, format!("'{key}' beside 'measured'"))
+                .help("terms beside measured reflectance are 'lobes'"));
+        }
+        self.refuse_others(name)?;
+        let mut lobes = measured.build(name, builder)?;
+        for lobe in self.lobes.iter().flat_map(|lobes| &lobes.value) {
+            lobes.push(lobe.build(builder)?);
+        }
+        Ok(Material::of_lobes(name, lobes))
     }
 
     /// What passes through: a pane, or a transmittance by itself.

@@ -2,8 +2,10 @@
 
 mod brdfs;
 pub(super) mod from_library;
+mod layer_weights;
 pub(super) mod layers;
 pub(super) mod lobes;
 pub(super) mod materials;
+mod measured;
 mod parameters;
 pub(super) mod textures;

@@ -1,12 +1,11 @@
 //! Layer weights of a lobe, by their numbers.
 
-use glanz_bsdf::models::charlie;
-use glanz_bsdf::{Angle, Chebyshev, LayerWeight};
+use glanz_bsdf::Angle;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::Metalness;
-use crate::file::tables::values::Number;
+use crate::file::tables::values::{At, Number};
 use crate::names::names;
 
 names! {
@@ -48,6 +47,18 @@ pub(crate) enum LayerTable {
     OverBoundary(OverBoundaryTable),
     /// What a sheen leaves to the layers below.
     Sheen(SheenTable),
+    /// A rank of a table over half and difference angles: what measured reflectance is over the lobe.
+    Table(FactorsTable),
+}
+
+/// A rank of a table of factors.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FactorsTable {
+    /// The file of the table, as saved scenes have it.
+    pub file: At<String>,
+    /// Which rank, from 0.
+    pub rank: usize,
 }
 
 /// Schlick's form of a weight.
@@ -98,32 +109,6 @@ pub(crate) struct SheenTable {
     pub strength: Number,
     /// The coefficients of the sheen's albedo over the root of the cosine, of degree 0 first.
     pub terms: [Number; 13],
-}
-
-impl LayerTable {
-    /// The weight.
-    pub(crate) fn weight(&self) -> LayerWeight {
-        let series = |terms: &[Number]| Chebyshev { terms: terms.iter().map(|term| [term.0]).collect() };
-        match self {
-            Self::Constant(weight) => LayerWeight::Constant(weight.0),
-            Self::Schlick(table) => LayerWeight::Schlick {
-                angle: table.angle.angle(),
-                at_zero: table.at_zero.0,
-                at_grazing: table.at_grazing.0,
-            },
-            Self::Series(table) => {
-                LayerWeight::Series { angle: table.angle.angle(), factor: series(&table.terms) }
-            }
-            Self::Coat(table) => {
-                LayerWeight::Coat { transmittance: series(&table.terms), gain: table.gain.0 }
-            }
-            Self::OverBoundary(table) => LayerWeight::OverBoundary { transmittance: series(&table.terms) },
-            Self::Sheen(table) => LayerWeight::Sheen {
-                strength: table.strength.0,
-                albedo: charlie::Albedo::from_series(table.terms.map(|term| term.0)),
-            },
-        }
-    }
 }
 
 /// Which part of a surface a lobe belongs to, as in the metallic-roughness model of glTF.

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::layers::{CoatTable, PaneTable};
 use super::lobes::LobeTable;
+use super::measured::MeasuredTable;
 use super::set_aside::{Other, SetAside};
 use super::textures::TextureValue;
 use crate::file::tables::colors::ColorValue;
@@ -42,6 +43,8 @@ pub(crate) struct MaterialKeys {
     /// The terms of a general material: shapes times tints.
     #[serde(default, deserialize_with = "lobes")]
     pub lobes: Option<At<Vec<LobeTable>>>,
+    /// Measured reflectance, from a file; `lobes` may stand beside it, and a `coat` lies over both.
+    pub measured: Option<At<MeasuredTable>>,
     /// A clear or coloured layer over all terms: varnish, glaze, the top of car paint.
     pub coat: Option<At<CoatTable>>,
     /// Makes the surface a sheet of glass: it reflects on both sides and transmits what is behind it.

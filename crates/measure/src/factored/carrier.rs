@@ -1,0 +1,86 @@
+//! The model that measured reflectance is a table of factors over.
+
+use glanz_bsdf::{DirectionPair, Shape};
+use glanz_math::Vec3;
+
+use crate::{Fit, FitError, FitOptions, Readings, fit};
+
+/// Candidates, the simplest first.
+const CANDIDATES: [&[&str]; 2] = [&["ggx", "lambert"], &["ggx", "ggx", "lambert"]];
+
+/// More lobes are taken where they leave no more than this part of the error.
+const WORTH: f64 = 0.85;
+
+/// A matte part of at least this much of the median reading keeps quotients finite far from the highlight.
+const LEAST_MATTE: f64 = 0.05;
+
+/// A lobe counts where its tint is at least this part of the greatest one.
+const LEAST_TINT: f64 = 1e-4;
+
+/// Nearer to the horizon products with the cosine are divided by this one.
+const LEAST_COSINE: f64 = 0.01;
+
+/// A sum of lobes, each with a tint for each channel.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Carrier {
+    pub(super) lobes: Vec<(Shape, Vec<f64>)>,
+}
+
+impl Carrier {
+    /// The one that fits the readings best, of few candidates.
+    pub(super) fn fitted(readings: &Readings) -> Result<Self, FitError> {
+        let options = FitOptions { most_readings: 6000, ..FitOptions::default() };
+        let mut best = fit(readings, CANDIDATES[0], &options)?;
+        for candidate in &CANDIDATES[1..] {
+            // Too few readings for more lobes are no reason to have none.
+            if let Ok(found) = fit(readings, candidate, &options)
+                && found.error < WORTH * best.error
+            {
+                best = found;
+            }
+        }
+        Ok(Self::of(best, readings))
+    }
+
+    fn of(fit: Fit, readings: &Readings) -> Self {
+        let mut lobes: Vec<_> = fit.lobes.into_iter().map(|lobe| (lobe.shape, lobe.tint)).collect();
+        let least = medians(readings).into_iter().map(|median| LEAST_MATTE * median * core::f64::consts::PI);
+        // Every candidate ends with its matte lobe.
+        if let Some((_, matte)) = lobes.last_mut() {
+            matte.iter_mut().zip(least).for_each(|(tint, least)| *tint = tint.max(least));
+        }
+        let most = |tint: &[f64]| tint.iter().fold(0.0, |most: f64, x| most.max(*x));
+        let greatest = lobes.iter().map(|(_, tint)| most(tint)).fold(0.0, f64::max);
+        lobes.retain(|(_, tint)| most(tint) > LEAST_TINT * greatest);
+        Self { lobes }
+    }
+
+    /// Its BRDF, in 1/sr, of each channel.
+    pub(super) fn values(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
+        let (cos_i, above) = (wi.z.max(LEAST_COSINE), raised(wi));
+        let pair = DirectionPair::new(raised(wo), above);
+        let channels = self.lobes.first().map_or(0, |(_, tint)| tint.len());
+        let mut values = vec![0.0; channels];
+        for (shape, tint) in &self.lobes {
+            let value = shape.f_cos(&pair) / cos_i;
+            values.iter_mut().zip(tint).for_each(|(sum, tint)| *sum += value * tint);
+        }
+        values
+    }
+}
+
+/// A direction that is a little above the horizon where it was not.
+fn raised(w: Vec3<f64>) -> Vec3<f64> {
+    if w.z >= LEAST_COSINE { w } else { Vec3::new(w.x, w.y, LEAST_COSINE).normalized() }
+}
+
+/// The median of each channel's readings that are above 0.
+fn medians(readings: &Readings) -> Vec<f64> {
+    let of = |c: usize| {
+        let values = (0..readings.len()).map(|i| f64::from(readings.values(i)[c]));
+        let mut values: Vec<f64> = values.filter(|value| *value > 0.0).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    };
+    (0..readings.channels().count()).map(of).collect()
+}

@@ -1,0 +1,76 @@
+//! Measured reflectance.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Error, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use crate::file::tables::values::At;
+use crate::names::names;
+
+/// A file of measured reflectance, and how it is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MeasuredTable {
+    /// A file of readings or a table, as `glanz measure info` tells it: CSV, MERL, RGL and others.
+    pub file: At<String>,
+    /// How many channels are kept apart, of which the others are mixtures: 1 to 8; `auto` for as few as look the same.
+    pub ranks: Option<At<RanksValue>>,
+    /// Whether tables are smoothed as readings always are, rather than taken at their word; false by default.
+    #[serde(default)]
+    pub smooth: bool,
+    /// What the file's numbers are, whatever it says itself.
+    pub quantity: Option<At<QuantityName>>,
+}
+
+names! {
+    /// What the numbers of a file of measured reflectance are.
+    pub(crate) QuantityName {
+        /// The BRDF, in 1/sr.
+        Brdf = "brdf",
+        /// The BRDF times the cosine of the detector's angle.
+        BrdfCos = "brdf_cos",
+        /// π times the BRDF.
+        ReflectanceFactor = "reflectance_factor",
+    } default Brdf
+}
+
+/// A number of ranks; none for `auto`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RanksValue(pub Option<usize>);
+
+impl<'de> Deserialize<'de> for RanksValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Form;
+        impl Visitor<'_> for Form {
+            type Value = RanksValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("\"auto\", or a number from 1 to 8")
+            }
+            fn visit_str<E: Error>(self, word: &str) -> Result<RanksValue, E> {
+                match word {
+                    "auto" => Ok(RanksValue(None)),
+                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
+                }
+            }
+            fn visit_i64<E: Error>(self, ranks: i64) -> Result<RanksValue, E> {
+                match ranks {
+                    1..=8 => Ok(RanksValue(Some(ranks as usize))),
+                    _ => Err(E::invalid_value(serde::de::Unexpected::Signed(ranks), &self)),
+                }
+            }
+        }
+        deserializer.deserialize_any(Form)
+    }
+}
+
+impl JsonSchema for RanksValue {
+    fn schema_name() -> Cow<'static, str> {
+        "Ranks".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "const": "auto" }, { "type": "integer", "minimum": 1, "maximum": 8 }] })
+    }
+}
