@@ -44,11 +44,13 @@ pub struct FactorOptions {
     pub most_delta_e: f64,
     /// Whether tables are smoothed, as readings always are, rather than taken at their word.
     pub smooth: bool,
+    /// How many readings stand for a direction between them; as many as tell readings best where nothing is said.
+    pub neighbours: Option<usize>,
 }
 
 impl Default for FactorOptions {
     fn default() -> Self {
-        Self { ranks: None, most_delta_e: 0.3, smooth: false }
+        Self { ranks: None, most_delta_e: 0.3, smooth: false, neighbours: None }
     }
 }
 
@@ -136,7 +138,7 @@ impl Factored {
         if let Some(asked) = options.ranks.filter(|asked| !(1..=most).contains(asked)) {
             return Err(FactorError::Ranks { asked, channels });
         }
-        let smoothed = Smoothed::of(measured)?;
+        let smoothed = Smoothed::of(measured, options.neighbours)?;
         Ok(Self::on_nodes(&smoothed, (!options.smooth).then_some(measured), options))
     }
 
@@ -192,11 +194,8 @@ impl Factored {
         for (shape, tint) in &self.lobes {
             for (rank, mix) in self.mix.iter().enumerate() {
                 let layer = LayerWeight::Table { table: Arc::clone(&self.table), rank };
-                all.push((
-                    shape.clone(),
-                    layer,
-                    tint.iter().zip(mix).map(|(tint, mix)| tint * mix).collect(),
-                ));
+                let tint = tint.iter().zip(mix).map(|(tint, mix)| tint * mix).collect();
+                all.push((shape.clone(), layer, self.channels.from(tint)));
             }
         }
         all

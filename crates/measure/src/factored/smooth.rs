@@ -87,8 +87,8 @@ pub(super) struct Smooth<P: Place> {
 }
 
 impl<P: Place> Smooth<P> {
-    /// Of readings whose values are all there.
-    pub(super) fn new(readings: &Readings, carrier: &Carrier) -> Self {
+    /// Of readings whose values are all there, with neighbourhoods of so many, or of as many as tell readings best.
+    pub(super) fn new(readings: &Readings, carrier: &Carrier, neighbours: Option<usize>) -> Self {
         let channels = readings.channels().count();
         let step = readings.len().div_ceil(MOST_READINGS).max(1);
         let mut points = Vec::new();
@@ -108,7 +108,7 @@ impl<P: Place> Smooth<P> {
         let tried: Vec<_> = points.iter().step_by((points.len() / TRIED).max(1)).copied().collect();
         let tree = RTree::bulk_load(points);
         let mut own = Self { channels, tree, logs, neighbours: NEIGHBOURS[0], error: f64::MAX };
-        own.choose(&tried);
+        own.choose(&tried, neighbours.as_slice());
         own
     }
 
@@ -118,9 +118,9 @@ impl<P: Place> Smooth<P> {
     }
 
     /// Takes the neighbourhood that tells readings best from the others.
-    fn choose(&mut self, tried: &[GeomWithData<P, usize>]) {
+    fn choose(&mut self, tried: &[GeomWithData<P, usize>], asked: &[usize]) {
         let mut best = (f64::MAX, NEIGHBOURS[0]);
-        for neighbours in NEIGHBOURS {
+        for &neighbours in if asked.is_empty() { &NEIGHBOURS } else { asked } {
             self.neighbours = neighbours;
             let mut sum = 0.0;
             for point in tried {
@@ -130,7 +130,7 @@ impl<P: Place> Smooth<P> {
                 sum += off.sum::<f64>() / self.channels as f64;
             }
             let error = sum / tried.len().max(1) as f64;
-            if error < best.0 {
+            if error < best.0 || !asked.is_empty() {
                 best = (error, neighbours);
             }
         }

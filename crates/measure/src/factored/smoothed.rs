@@ -29,7 +29,7 @@ const GRAIN: f64 = 0.7;
 ///     }
 /// }
 /// let measured = Measured::read(text.as_bytes(), "matte.csv", &Default::default())?;
-/// let smoothed = Smoothed::of(&measured)?;
+/// let smoothed = Smoothed::of(&measured, None)?;
 /// let (wi, wo) = (Vec3::from_angles(0.4, std::f64::consts::PI), Vec3::from_angles(0.63, 0.0));
 /// let (values, _) = smoothed.value(wi, wo);
 /// assert!((values[0] - 0.2).abs() < 0.002);
@@ -50,19 +50,21 @@ enum Kernel {
 }
 
 impl Smoothed {
-    /// The readings of a file, of tables those at their nodes.
+    /// The readings of a file, of tables those at their nodes. The neighbourhood of a direction has so many readings, or as
+    /// many as tell readings best from the others where nothing is said.
     ///
     /// # Errors
     ///
     /// [`FitError`] where no sum of lobes can be fitted.
-    pub fn of(measured: &Measured) -> Result<Self, FitError> {
+    pub fn of(measured: &Measured, neighbours: Option<usize>) -> Result<Self, FitError> {
+        let neighbours = neighbours.map(|count| count.max(1));
         let readings = measured.readings();
         let channels = Positive::new(readings.channels());
         let readings = channels.readings(&readings);
         let carrier = Carrier::fitted(&readings)?;
-        let mut kernel = Kernel::Isotropic(Smooth::new(&readings, &carrier));
+        let mut kernel = Kernel::Isotropic(Smooth::new(&readings, &carrier, neighbours));
         if may_have_grain(measured, &readings) {
-            let grained = Smooth::new(&readings, &carrier);
+            let grained = Smooth::new(&readings, &carrier, neighbours);
             if grained.error < GRAIN * kernel.error() {
                 kernel = Kernel::Grained(grained);
             }

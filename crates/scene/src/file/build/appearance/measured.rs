@@ -27,7 +27,8 @@ impl MeasuredTable {
             QuantityName::ReflectanceFactor => Quantity::RadianceFactor,
         });
         let ranks = self.ranks.as_ref().and_then(|ranks| ranks.0);
-        let key = format!("{} {ranks:?} {} {quantity:?}", self.file.value, self.smooth);
+        let neighbours = self.neighbours.as_ref().map(|neighbours| neighbours.0);
+        let key = format!("{} {ranks:?} {} {neighbours:?} {quantity:?}", self.file.value, self.smooth);
         if let Some(known) = builder.made.measured.get(&key) {
             return Ok(known.clone());
         }
@@ -39,7 +40,7 @@ impl MeasuredTable {
             let place = error.line().map(|line| format!("line {line}: ")).unwrap_or_default();
             wrong(format!("{place}{error}")).help("`glanz measure info` tells what a file holds")
         })?;
-        let options = FactorOptions { ranks, smooth: self.smooth, ..FactorOptions::default() };
+        let options = FactorOptions { ranks, smooth: self.smooth, neighbours, ..FactorOptions::default() };
         let factored = Factored::of(&measured, &options).map_err(|error| {
             let span = self.ranks.as_ref().map_or(&self.file.span, |ranks| &ranks.span);
             Problem::at(span, format!("'{}': {error}", self.file.value))

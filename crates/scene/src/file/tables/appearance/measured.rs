@@ -21,6 +21,8 @@ pub(crate) struct MeasuredTable {
     /// Whether tables are smoothed as readings always are, rather than taken at their word; false by default.
     #[serde(default)]
     pub smooth: bool,
+    /// How many readings stand for a direction between them, 1 to 1000; as many as tell readings best by default.
+    pub neighbours: Option<At<NeighboursValue>>,
     /// What the file's numbers are, whatever it says itself.
     pub quantity: Option<At<QuantityName>>,
 }
@@ -35,6 +37,30 @@ names! {
         /// π times the BRDF.
         ReflectanceFactor = "reflectance_factor",
     } default Brdf
+}
+
+/// How many readings are neighbours.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(try_from = "i64")]
+pub(crate) struct NeighboursValue(pub usize);
+
+impl TryFrom<i64> for NeighboursValue {
+    type Error = String;
+    fn try_from(count: i64) -> Result<Self, String> {
+        match count {
+            1..=1000 => Ok(Self(count as usize)),
+            _ => Err(format!("expected a number from 1 to 1000, found {count}")),
+        }
+    }
+}
+
+impl JsonSchema for NeighboursValue {
+    fn schema_name() -> Cow<'static, str> {
+        "Neighbours".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 1, "maximum": 1000 })
+    }
 }
 
 /// A number of ranks; none for `auto`.
