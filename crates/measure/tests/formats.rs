@@ -127,7 +127,7 @@ fn tables_say_what_they_are() {
     assert!((one(&measured) - 0.2).abs() < 1e-6);
     assert_eq!(measured.channels(), &Channels::Luminance);
     // What the reader is told wins.
-    let options = ReadOptions { quantity: Some(Quantity::Brdf) };
+    let options = ReadOptions { quantity: Some(Quantity::Brdf), ..ReadOptions::default() };
     let measured =
         Measured::read(format!("# quantity pi_f\n{head},Y\n0,0,0,0,2\n").as_bytes(), "a", &options);
     assert_eq!(one(&measured.unwrap()), 2.0);
