@@ -23,6 +23,7 @@ mod error;
 mod facts;
 mod fit;
 mod format;
+mod published;
 mod readings;
 
 pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
@@ -33,4 +34,5 @@ pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
+pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};
 pub use readings::{Channels, Quantity, Readings};

@@ -20,7 +20,7 @@ use std::borrow::Cow;
 
 use glanz_math::Vec3;
 
-use crate::{Channels, Quantity, ReadError, Readings};
+use crate::{Channels, Quantity, ReadError, Readings, published};
 
 pub use self::csv::write_csv;
 pub use coordinates::Coordinates;
@@ -273,6 +273,10 @@ fn read_text(text: &str, name: &str, options: &ReadOptions) -> Result<Measured, 
     }
     if text::has_keyword(text, "AOI") && text::has_keyword(text, "DataBegin") {
         return lighttools::read(text, options);
+    }
+    if published::is_fits(text) {
+        let message = "the file holds fitted models, not readings; PublishedFit::read takes it";
+        return Err(ReadError::broken(message));
     }
     if alta::is_alta(text) {
         return alta::read(text, options);
