@@ -4,6 +4,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use glanz_math::Vec3;
 
+use super::LEAST_COSINE;
+
 /// Which four angles name a pair of directions.
 ///
 /// ```
@@ -75,6 +77,16 @@ impl Coordinates {
             _ => PI,
         }
     }
+}
+
+/// A direction at or below the horizon, brought a little above it.
+pub(super) fn clamped(w: Vec3<f64>) -> Vec3<f64> {
+    if w.z >= LEAST_COSINE {
+        return w;
+    }
+    let around = libm::sqrt(w.x * w.x + w.y * w.y);
+    let scale = if around > 0.0 { libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) / around } else { 0.0 };
+    Vec3::new(w.x * scale, w.y * scale, LEAST_COSINE)
 }
 
 /// Angle from z and azimuth.

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use glanz_math::Vec3;
 
 use super::LEAST_COSINE;
-use super::coordinates::Coordinates;
+use super::coordinates::{Coordinates, clamped};
 use crate::{Channels, Quantity, ReadError, Readings};
 
 /// A table over four angles, linear between its nodes.
@@ -121,8 +121,9 @@ impl Table {
         let mut table = Self::new(Parts { coordinates, channels, axes, quantity: Quantity::Brdf, values })?;
         for node in 0..nodes {
             let [wi, wo] = table.pair(node);
-            if wi.z > 0.0 && wo.z > 0.0 {
-                let all = f(wi, wo);
+            // Some of them lie at the horizon, where functions may be without bounds.
+            if wi.z > -1e-9 && wo.z > -1e-9 {
+                let all = f(clamped(wi), clamped(wo));
                 (0..count).for_each(|c| table.values[node * count + c] = all[c] as f32);
             }
         }

@@ -5,6 +5,7 @@ pub(super) mod convert;
 pub(super) mod fit;
 pub(super) mod info;
 pub(super) mod sample;
+mod tristimulus;
 
 use std::path::Path;
 

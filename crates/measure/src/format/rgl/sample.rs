@@ -8,6 +8,8 @@ use glanz_math::Vec3;
 use super::grid::{Grid, Warp};
 use super::tensor::Field;
 use super::{Rgl, tensor};
+use crate::format::LEAST_COSINE;
+use crate::format::coordinates::clamped;
 use crate::{Channels, ReadError};
 
 /// How fine a table is.
@@ -34,8 +36,6 @@ const ROUNDS: usize = 10;
 const AROUND: usize = 64;
 /// The least of the distribution, as a part of its greatest: no place may be without nodes.
 const FLOOR: f64 = 1e-3;
-/// The least cosine with which a function is asked.
-const LEAST_COSINE: f64 = 0.01;
 
 /// A function that gives the BRDF, one number per channel.
 type Brdf<'a> = dyn FnMut(Vec3<f64>, Vec3<f64>) -> Vec<f64> + 'a;
@@ -307,16 +307,6 @@ impl Distribution {
         }
         table
     }
-}
-
-/// A direction at or below the horizon, brought a little above it.
-fn clamped(w: Vec3<f64>) -> Vec3<f64> {
-    if w.z >= LEAST_COSINE {
-        return w;
-    }
-    let around = libm::sqrt(w.x * w.x + w.y * w.y);
-    let scale = if around > 0.0 { libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) / around } else { 0.0 };
-    Vec3::new(w.x * scale, w.y * scale, LEAST_COSINE)
 }
 
 /// How much a distribution of 1 at a node and a step around shows towards each angle, by the trapezoidal rule: for pairs of
