@@ -100,13 +100,21 @@ fn errors_of_zemax_files_have_their_line() {
     let wrong = |from: &str, to: &str| line(&read(ZEMAX.replacen(from, to, 1)).unwrap_err());
     assert_eq!(wrong("BRDF", "BTDF").0, Some(5));
     assert_eq!(
-        wrong("0\t60", "0"),
-        (Some(10), "expected number 2 of 2 angles of incidence, found 'ScatterAzimuth'".to_owned())
+        wrong("0\t60", "0").1,
+        "expected 1 blocks that begin with TIS (1 × 1 rotations × 1 incidences), found 2"
+    );
+    assert_eq!(
+        wrong("0\t60", ""),
+        (Some(8), "there are no angles of incidence below their number".to_owned())
     );
     assert_eq!(wrong("0\t60", "60\t0").1, "angles of the table must ascend, and 60 is followed by 0");
     assert_eq!(wrong("1\t4\t5", "1\tx\t5"), (Some(19), "expected a value, found 'x'".to_owned()));
     assert_eq!(wrong("DataBegin", "").0, Some(17));
-    assert_eq!(wrong("AngleOfIncidence  2", "AngleOfIncidence  99999999999").0, Some(10));
+    // A number that the list does not need, and a total that nobody has.
+    let odd = read(
+        ZEMAX.replacen("AngleOfIncidence  2", "AngleOfIncidence  99999999999", 1).replacen("0.2", "N/A", 1),
+    );
+    assert_eq!(odd.unwrap().notes, ["99999999999 angles of incidence are announced, and 2 are there"]);
     let cut = ZEMAX.find("TIS 0.2").unwrap();
     let error = line(&read(&ZEMAX[..cut]).unwrap_err());
     assert!(

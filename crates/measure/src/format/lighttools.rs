@@ -18,6 +18,7 @@ struct Head {
     is_xyz: bool,
     azimuths: Vec<f64>,
     radials: Vec<f64>,
+    notes: Vec<String>,
 }
 
 /// Values for one direction of the light.
@@ -40,7 +41,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadEr
     while let Some(block) = Block::read(&mut words, &head)? {
         blocks.push(block);
     }
-    let mut notes = Vec::new();
+    let mut notes = head.notes.clone();
     let blocks = reflected(blocks, &mut notes)?;
     let quantity = options.quantity.unwrap_or_default();
     let table = table(&head, &blocks, quantity, &mut notes)?;
@@ -60,8 +61,8 @@ impl Head {
                 "spectralcontent" => {
                     head.is_xyz = words.word("a spectral content")?.eq_ignore_ascii_case("XYZ");
                 }
-                "scatterazimuth" => head.azimuths = words.list("azimuths")?,
-                "scatterradial" => head.radials = words.list("radial angles")?,
+                "scatterazimuth" => head.azimuths = words.list("azimuths", &mut head.notes)?,
+                "scatterradial" => head.radials = words.list("radial angles", &mut head.notes)?,
                 "databegin" => break,
                 // Keywords of no meaning here have one word behind them, or none.
                 _ => {}
@@ -92,7 +93,7 @@ impl Block {
                 "tristimulusvalue" => block.tristimulus = tristimulus(words)?,
                 "dataend" => return Ok(None),
                 "tis" => {
-                    words.number("the total scatter")?;
+                    words.word("the total scatter")?;
                     for _ in 0..head.azimuths.len().saturating_mul(head.radials.len()) {
                         block.values.push(words.number("a value")? as f32);
                     }

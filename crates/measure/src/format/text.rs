@@ -3,6 +3,7 @@
 use crate::ReadError;
 
 /// The words of a text, one after the other; lines that begin with `#` and blank ones are left out.
+#[derive(Clone)]
 pub(super) struct Words<'a> {
     lines: std::str::Lines<'a>,
     /// The rest of the line.
@@ -54,12 +55,24 @@ impl<'a> Words<'a> {
         count.ok_or_else(|| ReadError::at(self.line, format!("expected {what}, found '{word}'")))
     }
 
-    /// As many numbers as a count before them says.
-    pub(super) fn list(&mut self, what: &str) -> Result<Vec<f64>, ReadError> {
+    /// The numbers up to the next word that is none. A count stands before them; where it is another one, which readers
+    /// can do without, that is noted.
+    pub(super) fn list(&mut self, what: &str, notes: &mut Vec<String>) -> Result<Vec<f64>, ReadError> {
         let count = self.count(&format!("the number of {what}"))?;
         let mut list = Vec::new();
-        for number in 1..=count {
-            list.push(self.number(&format!("number {number} of {count} {what}"))?);
+        loop {
+            let mut ahead = self.clone();
+            let Some(value) = ahead.next().and_then(|word| number(word, ahead.has_decimal_commas)) else {
+                break;
+            };
+            list.push(value);
+            *self = ahead;
+        }
+        if list.is_empty() {
+            return Err(ReadError::at(self.line, format!("there are no {what} below their number")));
+        }
+        if list.len() != count {
+            notes.push(format!("{count} {what} are announced, and {} are there", list.len()));
         }
         Ok(list)
     }

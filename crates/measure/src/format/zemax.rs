@@ -65,10 +65,12 @@ impl Head {
                 "symmetry" => head.symmetry(words)?,
                 "spectralcontent" => head.is_xyz = head.spectral_content(words)?,
                 "scattertype" => scatter_type(words)?,
-                "samplerotation" => head.rotations = words.list("rotations of the sample")?,
-                "angleofincidence" => head.incidences = words.list("angles of incidence")?,
-                "scatterazimuth" => head.azimuths = words.list("azimuths")?,
-                "scatterradial" => head.radials = words.list("radial angles")?,
+                "samplerotation" => {
+                    head.rotations = words.list("rotations of the sample", &mut head.notes)?
+                }
+                "angleofincidence" => head.incidences = words.list("angles of incidence", &mut head.notes)?,
+                "scatterazimuth" => head.azimuths = words.list("azimuths", &mut head.notes)?,
+                "scatterradial" => head.radials = words.list("radial angles", &mut head.notes)?,
                 "monochrome" | "tristimulusx" => {}
                 "databegin" => break,
                 other => {
@@ -151,7 +153,8 @@ fn read_blocks(words: &mut Words, numbers: usize) -> Result<Vec<Vec<f32>>, ReadE
     let mut blocks: Vec<Vec<f32>> = Vec::new();
     while let Some(word) = words.next() {
         match word.to_lowercase().as_str() {
-            "tis" => drop(words.number("the total scatter")?),
+            // Some write that there is none.
+            "tis" => drop(words.word("the total scatter")?),
             "databegin" | "dataend" | "monochrome" | "tristimulusx" | "tristimulusy" | "tristimulusz" => {
                 continue;
             }

@@ -61,7 +61,8 @@ fn read_xml(text: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
     let (channels, blocks, is_yuv) = chosen(&document, &mut notes)?;
     let (format, data) = match structure.to_lowercase().as_str() {
         "columns" | "rows" => {
-            let klems = Klems::read(definition, structure == "Rows", channels, &blocks, quantity)?;
+            let klems =
+                Klems::read(definition, structure.eq_ignore_ascii_case("Rows"), channels, &blocks, quantity)?;
             (Format::Klems, Data::Klems(Box::new(klems.of_yuv(is_yuv))))
         }
         "tensortree3" => (
