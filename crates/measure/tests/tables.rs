@@ -2,8 +2,8 @@
 
 use glanz_math::Vec3;
 use glanz_measure::{
-    Channels, Coordinates, Data, Facts, Format, Measured, ReadError, ReadOptions, Table, write_zemax,
-    zemax_nodes_deg,
+    Channels, Coordinates, Data, Facts, Format, Measured, Quantity, ReadError, ReadOptions, Table,
+    write_zemax, zemax_nodes_deg,
 };
 use proptest::prelude::*;
 
@@ -93,6 +93,18 @@ fn zemax_counts_angles_from_the_mirror_direction() {
     assert_eq!(measured.readings().len(), 17);
     let mut extended = measured.extended(at(89.5, 180.0), at(70.0, 0.0)).unwrap();
     assert!(extended.remove(0) > 10.0);
+}
+
+#[test]
+fn what_zemax_files_hold_is_written_as_brdf() {
+    let options = ReadOptions { quantity: Some(Quantity::RadianceFactor), ..ReadOptions::default() };
+    let measured = Measured::read(ZEMAX.as_bytes(), "a", &options).unwrap();
+    let Data::Table(table) = &measured.data else { panic!("it is a table") };
+    let again = read(write_zemax(table, "").unwrap()).unwrap();
+    let (first, second) = (measured.readings(), again.readings());
+    assert_eq!((first.len(), second.len()), (17, 17));
+    assert!((0..17).all(|i| first.values(i) == second.values(i)));
+    assert!((f64::from(second.values(0)[0]) - std::f64::consts::FRAC_1_PI).abs() < 1e-7);
 }
 
 #[test]

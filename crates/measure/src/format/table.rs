@@ -217,9 +217,16 @@ impl Table {
     }
 
     /// The values at a node, as they are in the file.
-    pub(super) fn values(&self, node: usize) -> &[f32] {
+    fn values(&self, node: usize) -> &[f32] {
         let count = self.channels.count();
         &self.values[node * count..(node + 1) * count]
+    }
+
+    /// The BRDF of a channel at a node; NaN where there is none.
+    pub(super) fn brdf(&self, node: usize, channel: usize) -> f32 {
+        let [_, wo] = self.pair(node);
+        let value = f64::from(self.values(node)[channel]);
+        self.quantity.brdf(value, wo.z.max(LEAST_COSINE)).unwrap_or(f64::NAN) as f32
     }
 
     /// The directions of a node, to the light and to the detector.

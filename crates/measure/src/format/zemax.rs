@@ -255,7 +255,7 @@ fn blocks(text: &mut String, table: &Table, channel: usize) {
             *text += &format!("TIS {}\n", tis as f32);
             for azimuth in 0..azimuths {
                 let of = |radial: usize| {
-                    let value = table.values(first + radial * azimuths + azimuth)[channel];
+                    let value = table.brdf(first + radial * azimuths + azimuth, channel);
                     format!("{:e}", if value.is_nan() { 0.0 } else { value })
                 };
                 *text += &(0..radials).map(of).collect::<Vec<String>>().join("\t");

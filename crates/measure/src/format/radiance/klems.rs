@@ -51,7 +51,7 @@ impl Klems {
         for block in blocks {
             let data = element(block.node, "ScatteringData")?;
             let numbers = numbers(data)?;
-            if numbers.len() != columns * rows {
+            if numbers.len() != columns.saturating_mul(rows) {
                 let message = format!("expected {rows} × {columns} numbers, found {}", numbers.len());
                 return Err(at(data, message));
             }
