@@ -53,7 +53,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             compare(workspace, "models", MITSUBA, ("GLANZ_EVAL", &workspace.target().join(eval)))
         })
     });
-    steps.run("measured reflectance against Mitsuba", || oracle(workspace, measured));
+    steps.run("measured reflectance against Mitsuba and Radiance", || oracle(workspace, measured));
     steps.run("shaders against OpenGL", || shaders(workspace));
     steps.run("examples of the library", || library_examples::run_all(workspace));
     steps.run("examples", || gallery::try_examples(workspace));
@@ -91,7 +91,7 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
     comparison(workspace).into()
 }
 
-/// Tables that the virtual goniometer writes, as Mitsuba reads them.
+/// Tables that the virtual goniometer writes, as Mitsuba and Radiance's library read them.
 fn measured(workspace: &Workspace) -> Result<()> {
     run(&mut workspace.cargo("build --quiet --package glanz-measure --example eval_measured"))?;
     let glanz = workspace.glanz(Profile::Dev)?;
@@ -104,12 +104,14 @@ fn measured(workspace: &Workspace) -> Result<()> {
         ("glossy.bsdf", "ggx --set alpha=0.15 --diffuse 0.3"),
         ("matte.bsdf", "oren-nayar"),
         ("rough.bsdf", "cook-torrance --set m=0.4"),
+        ("brushed.bsdf", "ward --set alpha=0.15 --set alpha_y=0.4 --diffuse 0.3"),
+        ("brushed.xml", "ward --set alpha=0.15 --set alpha_y=0.4 --diffuse 0.3"),
     ] {
         let mut sample = workspace.command(&glanz);
         sample.args(["measure", "sample"]).args(words.split(' ')).arg("-o").arg(folder.join(name));
         run_quietly(&mut sample)?;
     }
-    compare(workspace, "measured", MITSUBA, ("GLANZ_MEASURED", &folder))
+    compare(workspace, "measured", MEASURED, ("GLANZ_MEASURED", &folder))
 }
 
 /// Debian's packages for OpenGL without a screen.
@@ -146,6 +148,7 @@ type Packages = (&'static str, &'static str);
 
 const COLORS: Packages = ("oracle-python-colors", "requirements.txt");
 const MITSUBA: Packages = ("oracle-python-models", "requirements-models.txt");
+const MEASURED: Packages = ("oracle-python-measured", "requirements-measured.txt");
 const OPENGL: Packages = ("oracle-python-shaders", "requirements-shaders.txt");
 
 /// The Python of an environment, made where it is missing.

@@ -33,3 +33,36 @@ impl ReadError {
         }
     }
 }
+
+/// A table that a format cannot hold.
+///
+/// ```
+/// use glanz_measure::{Channels, Coordinates, Table, WriteError, write_zemax, zemax_nodes_deg};
+///
+/// let nodes = zemax_nodes_deg(1);
+/// let table = Table::of_function(Coordinates::Specular, nodes, Channels::Rgb, &mut |_, _| vec![0.3; 3])?;
+/// let error = write_zemax(&table, "").expect_err("RGB is not for Zemax");
+/// assert_eq!(error.to_string(), "Zemax files have one or XYZ channels, and these data have RGB");
+/// # Ok::<(), glanz_measure::ReadError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WriteError {
+    /// Its channels are others.
+    #[error("{format} files have {expected} channels, and these data have {found}")]
+    Channels {
+        /// The format.
+        format: &'static str,
+        /// What it holds.
+        expected: &'static str,
+        /// What there is.
+        found: String,
+    },
+    /// Its angles are others.
+    #[error("{format} files are tables over {expected}")]
+    Coordinates {
+        /// The format.
+        format: &'static str,
+        /// What it is over.
+        expected: &'static str,
+    },
+}

@@ -117,11 +117,21 @@ fn theta(w: Vec3<f64>) -> f64 {
     libm::atan2(libm::sqrt(w.x * w.x + w.y * w.y), w.z).to_degrees()
 }
 
-/// The albedo of a table. The nodes lie densely about the mirror direction, where glossy surfaces have their light: those
-/// of half vectors, each counted by the solid angle of its detector.
 fn albedo(measured: &Measured, theta_i_deg: f64) -> Option<Albedo> {
     let wi = Vec3::from_angles(theta_i_deg.to_radians(), PI);
-    let mut values = vec![0.0; measured.channels().count()];
+    let count = measured.channels().count();
+    let (values, known) = reflected(wi, count, &|wi, wo| measured.value(wi, wo));
+    (known > 0.0).then_some(Albedo { theta_i_deg, values, known })
+}
+
+/// A BRDF, one number per channel, where it is known.
+type Known<'a> = &'a dyn Fn(Vec3<f64>, Vec3<f64>) -> Option<Vec<f64>>;
+
+/// The part of light from a direction that is reflected, for each channel, and the part of the hemisphere of detectors, by
+/// its cosine, where that is known. The nodes lie densely about the mirror direction, where glossy surfaces have their
+/// light: those of half vectors, each counted by the solid angle of its detector.
+pub(crate) fn reflected(wi: Vec3<f64>, count: usize, f: Known) -> (Vec<f64>, f64) {
+    let mut values = vec![0.0; count];
     let (mut known, mut all) = (0.0, 0.0);
     for a in 0..STEPS[0] {
         // θh grows with the square of the step, so that the middle of a highlight has most of them.
@@ -138,13 +148,13 @@ fn albedo(measured: &Measured, theta_i_deg: f64) -> Option<Albedo> {
             // dωo = 4 (wi·h) dωh.
             let solid = 4.0 * along * libm::sin(theta_h) * width * TAU / STEPS[1] as f64;
             all += wo.z * solid;
-            if let Some(value) = measured.value(wi, wo) {
+            if let Some(value) = f(wi, wo) {
                 known += wo.z * solid;
                 values.iter_mut().zip(value).for_each(|(sum, f)| *sum += f * wo.z * solid);
             }
         }
     }
-    (known > 0.0).then(|| Albedo { theta_i_deg, values, known: known / all })
+    (values, if all > 0.0 { known / all } else { 0.0 })
 }
 
 fn reciprocity(measured: &Measured) -> Option<Reciprocity> {

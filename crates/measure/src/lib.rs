@@ -24,12 +24,17 @@ mod factored;
 mod facts;
 mod fit;
 mod format;
+mod published;
 mod readings;
 
 pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
-pub use error::ReadError;
+pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{Fit, FitError, FitOptions, FittedLobe, Metric, fit, fit_shapes};
-pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};
+pub use format::{
+    Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
+    write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
+};
+pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};
 pub use readings::{Channels, Quantity, Readings};

@@ -88,6 +88,40 @@ fn an_rgl_file_is_read_as_it_was_written() {
     assert!(readings.len() > 30_000 && (0..readings.len()).all(|i| readings.values(i)[0] > 0.0));
 }
 
+/// Brushed metal, whose highlight is three times as wide across x as along it.
+fn brushed(wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
+    let half = (wi + wo).normalized();
+    let slope = (half.x * half.x / 0.0225 + half.y * half.y / 0.2025) / (half.z * half.z);
+    [0.2, 0.1, 0.05].map(|x| x + 0.5 * libm::exp(-slope) / (wi.z * wo.z).sqrt()).to_vec()
+}
+
+#[test]
+fn an_anisotropic_rgl_file_is_read_as_it_was_written() {
+    let table = Rgl::of_anisotropic_function(Channels::Rgb, "brushed", &mut brushed).unwrap();
+    let bytes = write_rgl(&table);
+    let measured = Measured::read(&bytes, "a.bsdf", &ReadOptions::default()).unwrap();
+    assert!(!measured.is_isotropic() && measured.notes.is_empty(), "{:?}", measured.notes);
+    let Data::Rgl(again) = &measured.data else { panic!("it is a table") };
+    assert!(write_rgl(again) == bytes, "byte for byte");
+    let mut errors = Vec::new();
+    for ti in [5.0, 20.0, 35.0, 50.0, 65.0, 75.0] {
+        for to in [8.0, 25.0, 40.0, 60.0, 72.0] {
+            for phi_i in [-170.0, -60.0, 10.0, 77.0, 140.0] {
+                for phi in [0.0, 50.0, 120.0, 160.0, 180.0, 200.0] {
+                    let (wi, wo) = (at(ti, phi_i), at(to, phi_i + phi));
+                    let (got, want) = (measured.value(wi, wo).unwrap(), brushed(wi, wo));
+                    errors.push((got[0] - want[0]).abs() / want[0]);
+                }
+            }
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    let [median, most] = [0.5, 0.9].map(|part| errors[(part * errors.len() as f64) as usize]);
+    assert!(median < 0.01 && most < 0.06, "{median} {most}");
+    let message = Rgl::of_function(Channels::Luminance, "", &mut |_, _| vec![0.1]).unwrap_err().to_string();
+    assert_eq!(message, "RGL's files have RGB or wavelengths, and not one channel");
+}
+
 #[test]
 fn spectra_are_channels_of_rgl_files() {
     let nm = vec![400.0, 500.0, 600.0, 700.0];
@@ -127,7 +161,7 @@ fn tables_say_what_they_are() {
     assert!((one(&measured) - 0.2).abs() < 1e-6);
     assert_eq!(measured.channels(), &Channels::Luminance);
     // What the reader is told wins.
-    let options = ReadOptions { quantity: Some(Quantity::Brdf) };
+    let options = ReadOptions { quantity: Some(Quantity::Brdf), ..ReadOptions::default() };
     let measured =
         Measured::read(format!("# quantity pi_f\n{head},Y\n0,0,0,0,2\n").as_bytes(), "a", &options);
     assert_eq!(one(&measured.unwrap()), 2.0);

@@ -66,6 +66,39 @@ fn tables_go_from_format_to_format_and_back() {
 }
 
 #[test]
+fn tables_go_to_zemax_and_to_klems_patches() {
+    let folder = Folder::new();
+    for words in [
+        &["sample", "ggx", "--set", "alpha=0.3", "--diffuse", "0.3", "-o", "a.bsdf"][..],
+        &["sample", "ward", "--set", "alpha_y=0.5", "--to", "zemax", "-o", "brushed.bsdf"],
+        &["convert", "a.bsdf", "--to", "zemax", "-o", "zemax.bsdf"],
+        &["convert", "zemax.bsdf", "--to", "zemax", "-o", "again.bsdf"],
+        &["convert", "a.bsdf", "-o", "klems.xml"],
+        &["convert", "klems.xml", "-o", "again.xml"],
+        &["convert", "klems.xml", "-o", "klems.bsdf"],
+        &["convert", "zemax.bsdf", "-o", "zemax.binary"],
+    ] {
+        let run = folder.glanz(&[&["measure"], words].concat());
+        assert_eq!(run.code, 0, "{words:?}: {}", run.stderr);
+    }
+    assert!(folder.read("zemax.bsdf") == folder.read("again.bsdf"), "byte for byte");
+    assert!(folder.read("klems.xml") == folder.read("again.xml"), "byte for byte");
+    assert!(folder.read("brushed.bsdf").windows(14).any(|words| words == b"ASymmetrical4D"));
+    // Y of the files of X, Y and Z, green of the others: all are grey.
+    let albedo = |file: &str| {
+        let facts = folder.glanz(&["measure", "info", file, "--format", "json"]).json();
+        facts["albedos"][2]["values"][1].as_f64().unwrap()
+    };
+    let own = albedo("a.bsdf");
+    for file in ["zemax.bsdf", "klems.xml", "klems.bsdf", "zemax.binary"] {
+        assert!((albedo(file) - own).abs() < 0.03 * own, "{file}: {} {own}", albedo(file));
+    }
+    folder.write("fit.fit", "white = Lambertian(albedo = [0.9, 0.9, 0.9])");
+    let run = folder.glanz(&["measure", "info", "fit.fit"]);
+    assert!(run.stderr.contains("fitted models, not readings"), "{}", run.stderr);
+}
+
+#[test]
 fn noise_is_the_same_for_the_same_seed_and_as_great_as_asked() {
     let folder = Folder::new();
     let sample = |name: &str, more: &[&str]| {

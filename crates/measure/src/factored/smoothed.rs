@@ -7,7 +7,7 @@ use glanz_math::Vec3;
 use super::carrier::Carrier;
 use super::positive::Positive;
 use super::smooth::{Grained, Isotropic, Smooth};
-use crate::{Channels, Data, FitError, Measured, Readings};
+use crate::{Channels, FitError, Measured, Readings};
 
 /// Differences that are this part of the isotropic ones are those of a grain.
 const GRAIN: f64 = 0.7;
@@ -140,15 +140,13 @@ impl Kernel {
 
 /// Whether light came from so many azimuths that a grain would show.
 fn may_have_grain(measured: &Measured, readings: &Readings) -> bool {
-    let is_isotropic = match &measured.data {
-        Data::Merl(_) => true,
-        Data::Rgl(rgl) => rgl.is_isotropic(),
-        Data::Readings(_) => false,
-    };
+    if measured.is_isotropic() {
+        return false;
+    }
     let azimuth = |i: usize| {
         let [wi, _] = readings.pair(i);
         (wi.z < 0.999).then(|| libm::round(libm::atan2(wi.y, wi.x).to_degrees()) as i32)
     };
     let azimuths: BTreeSet<i32> = (0..readings.len()).filter_map(azimuth).collect();
-    !is_isotropic && azimuths.len() >= 3
+    azimuths.len() >= 3
 }

@@ -2,7 +2,7 @@
 
 use glanz_math::Vec3;
 
-use super::{Data, Format, Measured, ReadOptions};
+use super::{Data, Format, Measured, ReadOptions, text};
 use crate::{Channels, ReadError, Readings};
 
 /// Whether a text is one.
@@ -109,9 +109,7 @@ impl Columns {
 
     /// The numbers of a row.
     fn row(&self, number: u32, line: &str) -> Result<Vec<f64>, ReadError> {
-        let row: Result<Vec<f64>, _> = line.split(',').map(|word| word.trim().parse::<f64>()).collect();
-        let row = row
-            .map_err(|_| ReadError::at(number, format!("expected numbers between commas, found '{line}'")))?;
+        let row = text::row(number, line)?;
         let least = self.first + self.channels.count();
         match row.len() < least {
             true => Err(ReadError::at(number, format!("expected {least} numbers, found {}", row.len()))),

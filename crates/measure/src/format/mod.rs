@@ -1,17 +1,34 @@
 //! Files of measured reflectance.
 
+mod alta;
 mod astm;
+mod coordinates;
+mod csail;
 mod csv;
+mod lighttools;
 mod merl;
+mod pab;
+mod radiance;
 mod rgl;
+mod ssdd;
+mod table;
+mod text;
+mod utia;
+mod zemax;
+
+use std::borrow::Cow;
 
 use glanz_math::Vec3;
 
-use crate::{Channels, Quantity, ReadError, Readings};
+use crate::{Channels, Quantity, ReadError, Readings, published};
 
 pub use self::csv::write_csv;
+pub use coordinates::Coordinates;
 pub use merl::{Merl, write_merl};
+pub use radiance::{Klems, TensorTree, write_klems};
 pub use rgl::{Rgl, write_rgl};
+pub use table::Table;
+pub use zemax::{write_zemax, zemax_nodes_deg};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,11 +41,43 @@ pub enum Format {
     Rgl,
     /// ASTM E1392, as Cornell's files are.
     Astm,
+    /// Zemax's tabular `.bsdf`: angles around the mirror direction ([`write_zemax`]).
+    Zemax,
+    /// LightTools' tabular `.bsdf`.
+    LightTools,
+    /// The text of pab's goniometers (Mountain).
+    Pab,
+    /// Radiance's and WINDOW's XML, a matrix over Klems' patches ([`write_klems`]).
+    Klems,
+    /// Radiance's XML, a tensor tree.
+    TensorTree,
+    /// UTIA's `.bin` (J. Filip and R. Vávra 2014).
+    Utia,
+    /// MIT CSAIL's anisotropic tables (A. Ngan, F. Durand and W. Matusik 2005).
+    Csail,
+    /// libbsdf's `.ssdd`.
+    Ssdd,
+    /// ALTA's text.
+    Alta,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Csv, Self::Merl, Self::Rgl, Self::Astm];
+    pub const ALL: [Self; 13] = [
+        Self::Csv,
+        Self::Merl,
+        Self::Rgl,
+        Self::Astm,
+        Self::Zemax,
+        Self::LightTools,
+        Self::Pab,
+        Self::Klems,
+        Self::TensorTree,
+        Self::Utia,
+        Self::Csail,
+        Self::Ssdd,
+        Self::Alta,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -37,15 +86,36 @@ impl Format {
             Self::Merl => "merl",
             Self::Rgl => "rgl",
             Self::Astm => "astm",
+            Self::Zemax => "zemax",
+            Self::LightTools => "lighttools",
+            Self::Pab => "pab",
+            Self::Klems => "klems",
+            Self::TensorTree => "tensor_tree",
+            Self::Utia => "utia",
+            Self::Csail => "csail",
+            Self::Ssdd => "ssdd",
+            Self::Alta => "alta",
         }
     }
 }
 
 /// How a file is read.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+///
+/// ```
+/// use glanz_measure::{Quantity, ReadOptions};
+///
+/// // The numbers of a UTIA file as dj_brdf takes them.
+/// let options = ReadOptions { srgb_white: Some(140.0), scale: Some(100.0), ..ReadOptions::default() };
+/// assert_eq!(options.quantity, None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// What its numbers are, whatever it says itself.
     pub quantity: Option<Quantity>,
+    /// A factor of the numbers of UTIA's and CSAIL's files, on whose scale their readers disagree.
+    pub scale: Option<f64>,
+    /// The number that stands for 1 in a UTIA file whose numbers are encoded as sRGB; they are decoded, then scaled.
+    pub srgb_white: Option<f64>,
 }
 
 /// What a file holds.
@@ -57,6 +127,12 @@ pub enum Data {
     Merl(Merl),
     /// RGL's tables.
     Rgl(Box<Rgl>),
+    /// A table over four angles.
+    Table(Box<Table>),
+    /// A matrix over patches of the hemisphere.
+    Klems(Box<Klems>),
+    /// A tensor tree.
+    Tree(Box<TensorTree>),
 }
 
 /// Nearer to the horizon than half a degree no goniometer sees; there a product with the cosine is divided by this one.
@@ -80,20 +156,21 @@ pub struct Measured {
 impl Measured {
     /// Reads a file; what it is its content tells. `name` is for what is said of it.
     pub fn read(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Self, ReadError> {
-        if rgl::is_rgl(bytes) {
-            return rgl::read(bytes, options);
+        let measured = match read_binary(bytes, options) {
+            Some(read) => read?,
+            None => {
+                let (text, note) = decoded(bytes, name)?;
+                let mut measured = read_text(&text, name, options)?;
+                measured.notes.extend(note);
+                measured
+            }
+        };
+        let is_scaled = options.scale.is_some() && !matches!(measured.format, Format::Utia | Format::Csail);
+        if is_scaled || options.srgb_white.is_some() && measured.format != Format::Utia {
+            let message = "a scale is for files of UTIA and CSAIL, encoded numbers are for those of UTIA";
+            return Err(ReadError::broken(format!("{message}; this one is of {}", measured.format.name())));
         }
-        if merl::is_merl(bytes) {
-            return merl::read(bytes, options);
-        }
-        let text = std::str::from_utf8(bytes).map_err(|_| {
-            let head = bytes.iter().take(12).map(|b| format!("{b:02x}")).collect::<Vec<_>>().join(" ");
-            ReadError::Unknown(format!("'{name}' begins with {head}"))
-        })?;
-        match astm::is_astm(text) {
-            true => astm::read(text, options),
-            false => csv::read(text, name, options),
-        }
+        Ok(measured)
     }
 
     /// What the values belong to.
@@ -102,6 +179,9 @@ impl Measured {
             Data::Readings(readings) => readings.channels(),
             Data::Merl(_) => &Channels::Rgb,
             Data::Rgl(rgl) => rgl.channels(),
+            Data::Table(table) => table.channels(),
+            Data::Klems(klems) => klems.channels(),
+            Data::Tree(tree) => tree.channels(),
         }
     }
 
@@ -115,6 +195,17 @@ impl Measured {
                 let cos_o = wo.z.max(LEAST_COSINE);
                 Some(rgl.f_cos(wi, wo)?.iter().map(|value| value / cos_o).collect())
             }
+            Data::Table(table) => table.value(wi, wo),
+            Data::Klems(klems) => klems.value(wi, wo),
+            Data::Tree(tree) => tree.value(wi, wo),
+        }
+    }
+
+    /// As [`Measured::value`], and beyond the nodes of a table over four angles what is at the nearest of them.
+    pub fn extended(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> Option<Vec<f64>> {
+        match &self.data {
+            Data::Table(table) => table.value(wi, wo).or_else(|| table.extended(wi, wo)),
+            _ => self.value(wi, wo),
         }
     }
 
@@ -124,6 +215,77 @@ impl Measured {
             Data::Readings(readings) => readings.clone(),
             Data::Merl(merl) => merl.readings(),
             Data::Rgl(rgl) => rgl.readings(),
+            Data::Table(table) => table.readings(),
+            Data::Klems(klems) => klems.readings(),
+            Data::Tree(tree) => tree.readings(),
         }
+    }
+
+    /// Whether the data depend on differences of azimuths alone, as far as their format tells; readings tell nothing.
+    pub fn is_isotropic(&self) -> bool {
+        match &self.data {
+            Data::Readings(_) | Data::Klems(_) => false,
+            Data::Merl(_) => true,
+            Data::Rgl(rgl) => rgl.is_isotropic(),
+            Data::Table(table) => table.is_isotropic(),
+            Data::Tree(tree) => tree.is_isotropic(),
+        }
+    }
+}
+
+/// Reads what is no text; nothing of what is one.
+fn read_binary(bytes: &[u8], options: &ReadOptions) -> Option<Result<Measured, ReadError>> {
+    if rgl::is_rgl(bytes) {
+        return Some(rgl::read(bytes, options));
+    }
+    if ssdd::is_ssdd(bytes) {
+        return Some(ssdd::read(bytes, options));
+    }
+    if merl::is_merl(bytes) {
+        return Some(merl::read(bytes, options));
+    }
+    if utia::is_utia(bytes) {
+        return Some(utia::read(bytes, options));
+    }
+    csail::is_csail(bytes).then(|| csail::read(bytes, options))
+}
+
+/// The text of a file, and what is odd about it.
+fn decoded<'a>(bytes: &'a [u8], name: &str) -> Result<(Cow<'a, str>, Option<String>), ReadError> {
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        return Ok((Cow::Borrowed(text.trim_start_matches('\u{feff}')), None));
+    }
+    let is_control = |byte: &u8| *byte < 9 || (14..32).contains(byte);
+    if bytes.iter().any(is_control) {
+        let head = bytes.iter().take(12).map(|b| format!("{b:02x}")).collect::<Vec<_>>().join(" ");
+        return Err(ReadError::Unknown(format!("'{name}' begins with {head}")));
+    }
+    let note = "the text is not UTF-8, and is read as Latin-1".to_owned();
+    Ok((bytes.iter().map(|byte| char::from(*byte)).collect(), Some(note)))
+}
+
+fn read_text(text: &str, name: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
+    if radiance::is_radiance(text) {
+        return radiance::read(text, options);
+    }
+    if text::has_keyword(text, "AngleOfIncidence") {
+        return zemax::read(text, options);
+    }
+    if text::has_keyword(text, "AOI") && text::has_keyword(text, "DataBegin") {
+        return lighttools::read(text, options);
+    }
+    if published::is_fits(text) {
+        let message = "the file holds fitted models, not readings; PublishedFit::read takes it";
+        return Err(ReadError::broken(message));
+    }
+    if alta::is_alta(text) {
+        return alta::read(text, options);
+    }
+    if pab::is_pab(text) {
+        return pab::read(text, options);
+    }
+    match astm::is_astm(text) {
+        true => astm::read(text, options),
+        false => csv::read(text, name, options),
     }
 }

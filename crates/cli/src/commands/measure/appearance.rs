@@ -97,7 +97,7 @@ impl AppearanceArgs {
         }
         let name = self.model.name();
         let path = Path::new(name);
-        let endings = ["csv", "binary", "bsdf", "astm", "txt"];
+        let endings = ["csv", "binary", "bsdf", "astm", "txt", "xml", "bin", "ssdd", "alta"];
         let ending = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         let document = match endings.contains(&ending.as_str()) {
             true => self.of_file(path)?,
@@ -122,7 +122,7 @@ impl AppearanceArgs {
                 Report::new("these numbers are integrals, and readings alone say nothing between them");
             return Err(report
                 .file(path)
-                .help("a .binary of MERL or a .bsdf of RGL has values everywhere")
+                .help("tables, such as a .binary of MERL, have values everywhere")
                 .into());
         }
         let count = measured.channels().count();

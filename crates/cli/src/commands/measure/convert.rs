@@ -3,12 +3,17 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueHint};
-use glanz_measure::{Channels, Data, Measured, Merl, Quantity, Rgl, write_csv, write_merl, write_rgl};
+use clap::{Args, ValueEnum, ValueHint};
+use glanz_math::Vec3;
+use glanz_measure::{
+    Coordinates, Data, Klems, Measured, Merl, Quantity, Rgl, Table, write_csv, write_klems, write_merl,
+    write_rgl, write_zemax, zemax_nodes_deg,
+};
 use glanz_picture::output::{OutputError, write_atomically};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::tristimulus::Conversion;
 use super::{ReadArgs, quantity, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
@@ -21,11 +26,16 @@ Examples:
   glanz measure convert paint.bsdf -o paint.binary
   glanz measure convert gold.binary -o gold.bsdf
   glanz measure convert steel.astm -o steel.csv --as reflectance-factor
+  glanz measure convert vinyl.bsdf --to zemax -o again.bsdf
+  glanz measure convert satin.binary -o satin.xml
 
 The ending of the output names its format: .csv for a table of all readings, .binary for MERL's, .bsdf for
-RGL's. MERL and RGL hold values everywhere, so they are made of tables only: readings alone say nothing
-between them. Where a table has no data MERL gets none, and RGL gets what lies nearest to it in angle of the
-detector. MERL is RGB and isotropic; the first azimuth of a table that is not stands for all.";
+RGL's, .xml for Radiance's and WINDOW's matrix over Klems' patches; --to names it whatever the ending, and
+Zemax's .bsdf. All but CSV hold values everywhere, so they are made of tables only: readings alone say
+nothing between them. Where a table has no data MERL and Zemax get none, and the others what lies nearest.
+MERL and RGL have red, green and blue (RGL wavelengths, too), Zemax and Klems one channel or X, Y and Z:
+others are converted, which is told. MERL is isotropic: the first azimuth of a table that is not stands for
+all.";
 
 /// Options of `glanz measure convert`.
 #[derive(Args, Debug)]
@@ -37,6 +47,10 @@ pub(crate) struct ConvertArgs {
     /// The file that is written; its ending is that of its format
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: PathBuf,
+
+    /// Its format, whatever the ending is
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    to: Option<Kind>,
 
     /// What the numbers of a table are: brdf, brdf-cos or reflectance-factor
     #[arg(long = "as", value_name = "QUANTITY", value_parser = quantity, default_value = "brdf")]
@@ -52,7 +66,7 @@ pub(crate) struct ConvertArgs {
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
     pub(super) file: String,
-    /// csv, merl or rgl
+    /// csv, merl, rgl, zemax or klems
     pub(super) format: &'static str,
     /// Readings in a table; null of others
     pub(super) readings: Option<usize>,
@@ -63,7 +77,7 @@ pub(crate) struct Document {
 impl ConvertArgs {
     /// Reads and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let kind = Kind::of(&self.output)?;
+        let kind = Kind::of(&self.output, self.to)?;
         check_folder(&self.output)?;
         let measured = read(&self.file, &self.read)?;
         let mut notes = measured.notes.clone();
@@ -73,23 +87,22 @@ impl ConvertArgs {
                 let text = write_csv(&readings, self.written, &measured.description);
                 (text.into_bytes(), Some(readings.len()))
             }
-            Kind::Merl => (self.merl(&measured)?, None),
+            Kind::Merl => (self.merl(&measured, &mut notes)?, None),
             Kind::Rgl => (self.rgl(&measured, &mut notes)?, None),
+            Kind::Zemax => (self.zemax(&measured, &mut notes)?, None),
+            Kind::Klems => (self.klems(&measured, &mut notes)?, None),
         };
         deliver(&bytes, &self.output, kind, readings, notes, self.format)
     }
 
-    fn merl(&self, measured: &Measured) -> Result<Vec<u8>, Failure> {
+    fn merl(&self, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
         if let Data::Merl(table) = &measured.data {
             return Ok(write_merl(table));
         }
-        self.needs_table(measured, "MERL")?;
-        if !matches!(measured.channels(), Channels::Rgb) {
-            let message = format!("MERL's files are RGB, and these data have {}", measured.channels());
-            return Err(Report::new(message).file(&self.file).help("write a .csv or a .bsdf").into());
-        }
+        self.needs_table(measured, "MERL's")?;
+        let conversion = told(Conversion::to_rgb(measured.channels()), notes);
         let table = Merl::of(&mut |wi, wo| {
-            let value = measured.value(wi, wo).unwrap_or_default();
+            let value = measured.value(wi, wo).map(|value| conversion.apply(value)).unwrap_or_default();
             [0, 1, 2].map(|c| value.get(c).copied().unwrap_or(-1.0))
         });
         Ok(write_merl(&table))
@@ -99,38 +112,63 @@ impl ConvertArgs {
         if let Data::Rgl(table) = &measured.data {
             return Ok(write_rgl(table));
         }
-        self.needs_table(measured, "RGL")?;
-        let count = measured.channels().count();
-        let (mut holes, mut all) = (0_usize, 0_usize);
-        let table = Rgl::of_function(measured.channels().clone(), &measured.description, &mut |wi, wo| {
-            all += 1;
-            if let Some(value) = measured.value(wi, wo) {
-                return value;
-            }
-            holes += 1;
-            // Towards the normal there is something sooner or later.
-            let raised = |step: i32| {
-                let up = 0.05 * f64::from(step);
-                let [wi, wo] = [wi, wo].map(|w| glanz_math::Vec3::new(w.x, w.y, w.z + up).normalized());
-                measured.value(wi, wo)
-            };
-            (1..60).find_map(raised).unwrap_or_else(|| vec![0.0; count])
-        });
-        if holes > 0 {
-            notes.push(format!(
-                "{holes} of {all} looks met no data, and took what is next towards the normal"
-            ));
-        }
+        self.needs_table(measured, "RGL's")?;
+        let conversion = told(Conversion::to_rgl(measured.channels()), notes);
+        let mut looks = Looks::default();
+        let mut f = |wi: Vec3<f64>, wo: Vec3<f64>| conversion.apply(looks.value(measured, wi, wo));
+        let (channels, description) = (conversion.channels.clone(), &measured.description);
+        let table = match measured.is_isotropic() {
+            true => Rgl::of_function(channels, description, &mut f),
+            false => Rgl::of_anisotropic_function(channels, description, &mut f),
+        };
+        looks.tell(notes);
         let table = table.map_err(|error| Failure::from(Report::new(error).file(&self.file)))?;
         Ok(write_rgl(&table))
+    }
+
+    fn zemax(&self, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
+        self.needs_table(measured, "Zemax's")?;
+        if let Data::Table(table) = &measured.data
+            && let Ok(text) = write_zemax(table, &measured.description)
+        {
+            return Ok(text.into_bytes());
+        }
+        let conversion = told(Conversion::to_xyz(measured.channels()), notes);
+        let count = conversion.channels.count();
+        let nodes = zemax_nodes_deg(if measured.is_isotropic() { 1 } else { ROTATIONS });
+        let channels = conversion.channels.clone();
+        let table = Table::of_function(Coordinates::Specular, nodes, channels, &mut |wi, wo| {
+            let value = measured.extended(wi, wo).map(|value| conversion.apply(value));
+            value.unwrap_or_else(|| vec![f64::NAN; count])
+        });
+        let wrong = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(&self.file));
+        let table = table.map_err(|error| wrong(&error))?;
+        let text = write_zemax(&table, &measured.description).map_err(|error| wrong(&error))?;
+        Ok(text.into_bytes())
+    }
+
+    fn klems(&self, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
+        self.needs_table(measured, "Klems'")?;
+        if let Data::Klems(table) = &measured.data
+            && let Ok(xml) = write_klems(table, &measured.description)
+        {
+            return Ok(xml.into_bytes());
+        }
+        let conversion = told(Conversion::to_xyz(measured.channels()), notes);
+        let mut looks = Looks::default();
+        let table = Klems::of_function(conversion.channels.clone(), &mut |wi, wo| {
+            conversion.apply(looks.value(measured, wi, wo))
+        });
+        looks.tell(notes);
+        let xml = write_klems(&table, &measured.description);
+        Ok(xml.map_err(|error| Failure::from(Report::new(error).file(&self.file)))?.into_bytes())
     }
 
     /// A format that holds values everywhere.
     fn needs_table(&self, measured: &Measured, format: &str) -> Result<(), Failure> {
         match measured.data {
             Data::Readings(_) => {
-                let message =
-                    format!("{format}'s files hold values everywhere, and these are readings alone");
+                let message = format!("{format} files hold values everywhere, and these are readings alone");
                 Err(Report::new(message).file(&self.file).help("write a .csv").into())
             }
             _ => Ok(()),
@@ -138,26 +176,89 @@ impl ConvertArgs {
     }
 }
 
+/// Rotations of the sample in Zemax's files of anisotropic data.
+pub(super) const ROTATIONS: usize = 36;
+
+/// Notes what a conversion takes the channels to be.
+fn told(conversion: Conversion, notes: &mut Vec<String>) -> Conversion {
+    notes.extend(conversion.note.clone());
+    conversion
+}
+
+/// Looks into data that need not know every pair of directions.
+#[derive(Default)]
+struct Looks {
+    all: usize,
+    holes: usize,
+}
+
+impl Looks {
+    /// The value, or the nearest that there is.
+    fn value(&mut self, measured: &Measured, wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
+        self.all += 1;
+        if let Some(value) = measured.value(wi, wo) {
+            return value;
+        }
+        self.holes += 1;
+        // Towards the normal there is something sooner or later.
+        let raised = |step: i32| {
+            let up = 0.05 * f64::from(step);
+            let [wi, wo] = [wi, wo].map(|w| Vec3::new(w.x, w.y, w.z + up).normalized());
+            measured.extended(wi, wo)
+        };
+        (0..60).find_map(raised).unwrap_or_else(|| vec![0.0; measured.channels().count()])
+    }
+
+    fn tell(&self, notes: &mut Vec<String>) {
+        let Self { all, holes } = self;
+        if *holes > 0 {
+            notes.push(format!("{holes} of {all} looks met no data, and took what is next to them"));
+        }
+    }
+}
+
 /// A format that is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// A table of readings with named columns
     Csv,
+    /// MERL's table
     Merl,
+    /// RGL's adaptive parametrisation
     Rgl,
+    /// Zemax's table around the mirror direction
+    Zemax,
+    /// Radiance's and WINDOW's matrix over Klems' patches
+    Klems,
 }
 
 impl Kind {
-    /// That of a file's ending.
-    pub(super) fn of(file: &Path) -> Result<Self, Failure> {
+    /// The one that is asked for, or that of a file's ending.
+    pub(super) fn of(file: &Path, asked: Option<Self>) -> Result<Self, Failure> {
+        if let Some(kind) = asked {
+            return Ok(kind);
+        }
         let ending = file.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         match ending.as_str() {
             "csv" => Ok(Self::Csv),
             "binary" => Ok(Self::Merl),
             "bsdf" => Ok(Self::Rgl),
+            "xml" => Ok(Self::Klems),
             _ => Err(Failure::Usage(format!(
-                "'{}' names no format: expected an ending of .csv, .binary (MERL) or .bsdf (RGL)",
+                "'{}' names no format: expected an ending of .csv, .binary (MERL), .bsdf (RGL) or .xml (Klems), or --to",
                 file.display()
             ))),
+        }
+    }
+
+    /// Its word in documents.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Merl => "merl",
+            Self::Rgl => "rgl",
+            Self::Zemax => "zemax",
+            Self::Klems => "klems",
         }
     }
 }
@@ -175,11 +276,7 @@ pub(super) fn deliver(
     print::note(format_args!("wrote {}", file.display()));
     notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
     if format.is_json() {
-        let format = match kind {
-            Kind::Csv => "csv",
-            Kind::Merl => "merl",
-            Kind::Rgl => "rgl",
-        };
+        let format = kind.name();
         return print::json(&Document { file: file.display().to_string(), format, readings, notes });
     }
     Ok(())

@@ -20,11 +20,13 @@ Examples:
   glanz measure info tile.csv --quantity reflectance-factor
 
 Formats, told by the content: CSV with named columns (theta_i_deg, phi_i_deg, theta_o_deg, phi_o_deg, or
-wi_x to wo_z, then r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y; '# quantity brdf' says what the
-numbers are), MERL's .binary, RGL's .bsdf (RGB and spectral), and ASTM E1392. Values are BRDF in 1/sr. The
-albedo is the part of the light that a surface reflects, of all that falls in at an angle; reciprocity is how
-far f(a, b) and f(b, a) are apart, as parts of their mean. Both are told of tables; readings alone have none
-between them.";
+wi_x to wo_z, then r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y; '# quantity brdf' says what
+the numbers are), MERL's .binary, RGL's .bsdf (RGB and spectral), ASTM E1392, the .bsdf of Zemax and
+LightTools, Radiance's and WINDOW's .xml (matrices over Klems' patches, tensor trees), the text of pab's
+goniometers and of ALTA, UTIA's .bin, MIT CSAIL's anisotropic tables, and .ssdd. Values are BRDF in 1/sr.
+The albedo is the part of the light that a surface reflects, of all that falls in at an angle; reciprocity
+is how far f(a, b) and f(b, a) are apart, as parts of their mean. Both are told of tables; readings alone
+have none between them.";
 
 /// Options of `glanz measure info`.
 #[derive(Args, Debug)]

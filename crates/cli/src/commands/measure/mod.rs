@@ -5,6 +5,7 @@ pub(super) mod convert;
 pub(super) mod fit;
 pub(super) mod info;
 pub(super) mod sample;
+mod tristimulus;
 
 use std::path::Path;
 
@@ -67,6 +68,20 @@ pub(super) struct ReadArgs {
     /// reflectance-factor (pi times the BRDF)
     #[arg(long, value_name = "QUANTITY", value_parser = quantity)]
     quantity: Option<Quantity>,
+
+    /// A factor of the numbers of UTIA's and CSAIL's files, on whose scale their readers disagree
+    #[arg(long, value_name = "FACTOR", value_parser = positive)]
+    scale: Option<f64>,
+
+    /// The number that stands for 1 in a UTIA file whose numbers are encoded as sRGB; they are decoded, then scaled
+    #[arg(long, value_name = "NUMBER", value_parser = positive)]
+    srgb_white: Option<f64>,
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
+    number.ok_or_else(|| "expected a number above 0".to_owned())
 }
 
 /// A quantity by its name.
@@ -85,7 +100,7 @@ pub(super) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
         return Err(could_not(&format!("a file of {length} bytes is more than {MOST_BYTES}")));
     }
     let bytes = std::fs::read(file).map_err(io)?;
-    let options = ReadOptions { quantity: args.quantity };
+    let options = ReadOptions { quantity: args.quantity, scale: args.scale, srgb_white: args.srgb_white };
     Measured::read(&bytes, &name, &options).map_err(|error| failure(&error, file, &bytes))
 }
 

@@ -5,9 +5,12 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Merl, Quantity, Readings, Rgl, write_csv, write_merl, write_rgl};
+use glanz_measure::{
+    Channels, Coordinates, Klems, Merl, Quantity, Readings, Rgl, Table, write_csv, write_klems, write_merl,
+    write_rgl, write_zemax, zemax_nodes_deg,
+};
 
-use super::convert::{Kind, deliver};
+use super::convert::{Kind, ROTATIONS, deliver};
 use super::quantity;
 use crate::args::check_folder;
 use crate::commands::bsdf::ModelArgs;
@@ -20,14 +23,15 @@ Examples:
   glanz measure sample ward --set alpha=0.1 -o ward.csv --geometry hemisphere --noise 0.03
   glanz measure sample ggx --set alpha=0.2 -o ggx.binary
   glanz measure sample cook-torrance --set m=0.15 -o ct.bsdf --diffuse 0.3
+  glanz measure sample ward --set alpha=0.1 --set alpha_y=0.3 -o brushed.xml
   glanz measure sample \"n = 20; (n + 2) / (2 * pi) * pow(dot(N, H), n)\" -o own.csv --geometry in-plane
 
 The model is that of `glanz bsdf list`, or a BRDF of one's own; --diffuse adds a matte part, as measured
 surfaces have. Tables have readings: in the plane of the light every 5 degrees, or all over the hemisphere
 every 5 degrees and 15 around, each for lights at 0, 15, 30, 45, 60 and 75 degrees. --noise multiplies each
 by a number of a normal distribution about 1, the same ones for the same --seed. MERL (.binary) and RGL
-(.bsdf) have nodes of their own, three channels that are the same, and take what depends on the difference
-of azimuths alone.";
+(.bsdf) have nodes of their own and three channels that are the same, Radiance's matrices over Klems' patches
+(.xml) and Zemax's tables (--to zemax) have one. MERL takes what depends on the difference of azimuths alone.";
 
 /// Where a goniometer goes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -45,9 +49,13 @@ pub(crate) struct SampleArgs {
     #[command(flatten)]
     model: ModelArgs,
 
-    /// The file that is written: .csv, .binary (MERL) or .bsdf (RGL)
+    /// The file that is written: .csv, .binary (MERL), .bsdf (RGL) or .xml (Klems)
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: PathBuf,
+
+    /// Its format, whatever the ending is
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    to: Option<Kind>,
 
     /// Where the goniometer goes; of a .csv
     #[arg(long, value_enum, value_name = "GEOMETRY", default_value_t)]
@@ -84,12 +92,12 @@ impl SampleArgs {
                 return Err(Failure::Usage(format!("{name} is {value}, but must be from 0 to 1")));
             }
         }
-        let kind = Kind::of(&self.output)?;
+        let kind = Kind::of(&self.output, self.to)?;
         check_folder(&self.output)?;
         let shape = self.model.shape()?;
         let mut notes = Vec::new();
         let anisotropic = shape.info().anisotropic && depends_on_azimuth(&shape);
-        if kind != Kind::Csv && anisotropic {
+        if kind == Kind::Merl && anisotropic {
             notes.push(
                 "the model is anisotropic, and the table is not: the light comes along the grain".to_owned(),
             );
@@ -101,20 +109,47 @@ impl SampleArgs {
             if self.noise > 0.0 { f * (1.0 + self.noise * noise.normal()).max(0.0) } else { f }
         };
         let description = format!("{}, by the virtual goniometer of Glanz", shape.info().name);
-        let (bytes, count) = match kind {
+        let (bytes, count) = self.written(kind, anisotropic, &description, &mut value)?;
+        deliver(&bytes, &self.output, kind, count, notes, self.format)
+    }
+
+    /// The bytes of a file, and how many readings a table has.
+    fn written(
+        &self,
+        kind: Kind,
+        anisotropic: bool,
+        description: &str,
+        value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64,
+    ) -> Result<(Vec<u8>, Option<usize>), Failure> {
+        let wrong = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(&self.output));
+        let bytes = match kind {
             Kind::Csv => {
-                let readings = self.readings(&mut value);
-                (write_csv(&readings, self.written, &description).into_bytes(), Some(readings.len()))
+                let readings = self.readings(value);
+                let text = write_csv(&readings, self.written, description);
+                return Ok((text.into_bytes(), Some(readings.len())));
             }
-            Kind::Merl => (write_merl(&Merl::of(&mut |wi, wo| [value(wi, wo); 3])), None),
+            Kind::Merl => write_merl(&Merl::of(&mut |wi, wo| [value(wi, wo); 3])),
             Kind::Rgl => {
-                let table =
-                    Rgl::of_function(Channels::Rgb, &description, &mut |wi, wo| vec![value(wi, wo); 3]);
-                let table = table.map_err(|error| Failure::from(Report::new(error).file(&self.output)))?;
-                (write_rgl(&table), None)
+                let mut three = |wi: Vec3<f64>, wo: Vec3<f64>| vec![value(wi, wo); 3];
+                let table = match anisotropic {
+                    false => Rgl::of_function(Channels::Rgb, description, &mut three),
+                    true => Rgl::of_anisotropic_function(Channels::Rgb, description, &mut three),
+                };
+                write_rgl(&table.map_err(|error| wrong(&error))?)
+            }
+            Kind::Zemax => {
+                let nodes = zemax_nodes_deg(if anisotropic { ROTATIONS } else { 1 });
+                let mut one = |wi: Vec3<f64>, wo: Vec3<f64>| vec![value(wi, wo)];
+                let table = Table::of_function(Coordinates::Specular, nodes, Channels::Luminance, &mut one);
+                let table = table.map_err(|error| wrong(&error))?;
+                write_zemax(&table, description).map_err(|error| wrong(&error))?.into_bytes()
+            }
+            Kind::Klems => {
+                let table = Klems::of_function(Channels::Luminance, &mut |wi, wo| vec![value(wi, wo)]);
+                write_klems(&table, description).map_err(|error| wrong(&error))?.into_bytes()
             }
         };
-        deliver(&bytes, &self.output, kind, count, notes, self.format)
+        Ok((bytes, None))
     }
 
     fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64) -> Readings {

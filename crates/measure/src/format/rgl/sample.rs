@@ -8,23 +8,41 @@ use glanz_math::Vec3;
 use super::grid::{Grid, Warp};
 use super::tensor::Field;
 use super::{Rgl, tensor};
+use crate::format::LEAST_COSINE;
+use crate::format::coordinates::clamped;
 use crate::{Channels, ReadError};
 
-/// Nodes of the distribution along the angle, and of the visible ones along each side.
-const NODES: usize = 128;
-/// Nodes of the values along each side, and angles of the light.
-const SIDE: usize = 64;
-const LIGHTS: usize = 16;
+/// How fine a table is.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// Nodes of the distribution along the angle, and of the visible normals along each side.
+    nodes: usize,
+    /// Azimuths of the distribution: one, or all steps around.
+    rows: usize,
+    /// Nodes of the values along each side.
+    side: usize,
+    /// Angles and azimuths of the light.
+    lights: usize,
+    azimuths: usize,
+}
+
+/// What depends on the difference of azimuths alone.
+const ISOTROPIC: Sizes = Sizes { nodes: 128, rows: 1, side: 64, lights: 16, azimuths: 1 };
+/// What does not: coarser, or the files would have 100 MB.
+const ANISOTROPIC: Sizes = Sizes { nodes: 64, rows: AROUND, side: 32, lights: 12, azimuths: 25 };
+
 /// Steps of the power iteration, and of integrals around the normal.
 const ROUNDS: usize = 10;
 const AROUND: usize = 64;
 /// The least of the distribution, as a part of its greatest: no place may be without nodes.
 const FLOOR: f64 = 1e-3;
-/// The least cosine with which a function is asked.
-const LEAST_COSINE: f64 = 0.01;
 
-/// The distribution of normals by its angle, and the area that it shows, both at the nodes of u.
+/// A function that gives the BRDF, one number per channel.
+type Brdf<'a> = dyn FnMut(Vec3<f64>, Vec3<f64>) -> Vec<f64> + 'a;
+
+/// The distribution of normals, and the area that it shows, row by row, each at the nodes of u.
 struct Distribution {
+    sizes: Sizes,
     density: Vec<f64>,
     area: Vec<f64>,
 }
@@ -50,54 +68,117 @@ impl Rgl {
     /// assert!((value[0] - 0.3).abs() < 1e-3);
     /// # Ok::<(), glanz_measure::ReadError>(())
     /// ```
-    pub fn of_function(
+    pub fn of_function(channels: Channels, description: &str, f: &mut Brdf) -> Result<Self, ReadError> {
+        Self::of_sizes(ISOTROPIC, channels, description, f)
+    }
+
+    /// A table of any function, as [`Rgl::of_function`]: for 25 azimuths of the light all around.
+    ///
+    /// ```
+    /// use glanz_math::Vec3;
+    /// use glanz_measure::{Channels, Rgl};
+    ///
+    /// let brushed = Rgl::of_anisotropic_function(Channels::Luminance, "brushed", &mut |wi, wo| {
+    ///     let half = (wi + wo).normalized();
+    ///     vec![0.2 + (-(half.x * half.x + 4.0 * half.y * half.y) / 0.2).exp()]
+    /// });
+    /// // RGL's files have three colours, or wavelengths.
+    /// assert!(brushed.is_err());
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ReadError::Broken`] where the channels are neither RGB nor wavelengths.
+    pub fn of_anisotropic_function(
         channels: Channels,
         description: &str,
-        f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> Vec<f64>,
+        f: &mut Brdf,
     ) -> Result<Self, ReadError> {
-        let distribution = Distribution::of(f);
-        let theta_i = distribution.lights();
-        let theta: Vec<f32> = theta_i.iter().map(|x| *x as f32).collect();
-        let visible: Vec<f32> = theta_i.iter().flat_map(|theta| distribution.visible(*theta)).collect();
-        let parameters = vec![vec![0.0], theta.clone()];
-        let grid = Grid::new([NODES, NODES], parameters, visible.clone());
+        Self::of_sizes(ANISOTROPIC, channels, description, f)
+    }
+
+    fn of_sizes(
+        sizes: Sizes,
+        channels: Channels,
+        description: &str,
+        f: &mut Brdf,
+    ) -> Result<Self, ReadError> {
+        if !matches!(channels, Channels::Rgb | Channels::Wavelengths(_)) {
+            return Err(ReadError::broken(format!(
+                "RGL's files have RGB or wavelengths, and not {channels}"
+            )));
+        }
+        let distribution = Distribution::of(sizes, f);
+        let theta_i: Vec<f32> = distribution.lights().iter().map(|x| *x as f32).collect();
+        let phi_i = sizes.phi_i();
+        let lights: Vec<[f64; 2]> = phi_i
+            .iter()
+            .flat_map(|phi| theta_i.iter().map(|theta| [f64::from(*theta), f64::from(*phi)]))
+            .collect();
+        let visible: Vec<f32> = lights.iter().flat_map(|light| distribution.visible(*light)).collect();
+        let parameters = vec![phi_i.clone(), theta_i.clone()];
+        let grid = Grid::new([sizes.nodes, sizes.nodes], parameters, visible.clone());
         let warp = Warp::new(grid.ok_or_else(|| ReadError::broken("there are no angles of the light"))?);
-        let count = channels.count();
+        let (count, square) = (channels.count(), sizes.side * sizes.side);
         let (mut values, mut luminance) = (Vec::new(), Vec::new());
-        for theta in &theta_i {
-            let table = distribution.values(*theta, &warp, count, f);
-            luminance.extend(
-                (0..SIDE * SIDE).map(|node| {
-                    (0..count).map(|c| table[c * SIDE * SIDE + node]).sum::<f32>() / count as f32
-                }),
-            );
+        for light in &lights {
+            let table = distribution.values(*light, &warp, count, f);
+            let mean = |node| (0..count).map(|c| table[c * square + node]).sum::<f32>() / count as f32;
+            luminance.extend((0..square).map(mean));
             values.extend(table);
         }
-        let fields = fields(&channels, description, &distribution, [&theta, &visible, &luminance, &values]);
-        Self::of(fields)
+        let tables = Tables { phi_i, theta_i, visible, luminance, values };
+        Self::of(fields(&channels, description, &distribution, &tables))
     }
 }
 
-/// The fields of a file, in their order; of the tables the angles of the light, the visible normals, the means of the
-/// channels, and the values.
+impl Sizes {
+    /// The azimuths of the light, the last of several being the first again.
+    fn phi_i(self) -> Vec<f32> {
+        if self.azimuths == 1 {
+            return vec![0.0];
+        }
+        let step = TAU / (self.azimuths - 1) as f64;
+        (0..self.azimuths).map(|i| (i as f64 * step - PI) as f32).collect()
+    }
+
+    /// The azimuth of a row of the distribution.
+    fn row_phi(self, row: usize) -> f64 {
+        row as f64 * TAU / self.rows as f64 - PI
+    }
+}
+
+/// The numbers of the fields.
+struct Tables {
+    phi_i: Vec<f32>,
+    theta_i: Vec<f32>,
+    visible: Vec<f32>,
+    luminance: Vec<f32>,
+    values: Vec<f32>,
+}
+
+/// The fields of a file, in their order.
 fn fields(
     channels: &Channels,
     description: &str,
     distribution: &Distribution,
-    [theta, visible, luminance, values]: [&[f32]; 4],
+    tables: &Tables,
 ) -> Vec<Field> {
+    let Sizes { nodes, rows, side, lights, azimuths } = distribution.sizes;
     let count = channels.count();
-    let two = |list: &[f64]| [list, list].concat().iter().map(|x| *x as f32).collect::<Vec<f32>>();
+    // The first row comes again at the end of the circle.
+    let closed =
+        |list: &[f64]| [list, &list[..nodes]].concat().iter().map(|x| *x as f32).collect::<Vec<f32>>();
     let version = [1_u32, 0].iter().flat_map(|n| n.to_le_bytes()).collect();
     let mut fields = vec![
         Field { name: "version".to_owned(), kind: 5, shape: vec![2], bytes: version },
         Field::of_bytes("description", description.as_bytes()),
-        Field::of_floats("phi_i", &[1], &[0.0]),
-        Field::of_floats("theta_i", &[LIGHTS], theta),
-        Field::of_floats("sigma", &[2, NODES], &two(&distribution.area)),
-        Field::of_floats("ndf", &[2, NODES], &two(&distribution.density)),
-        Field::of_floats("vndf", &[1, LIGHTS, NODES, NODES], visible),
-        Field::of_floats("luminance", &[1, LIGHTS, SIDE, SIDE], luminance),
+        Field::of_floats("phi_i", &[azimuths], &tables.phi_i),
+        Field::of_floats("theta_i", &[lights], &tables.theta_i),
+        Field::of_floats("sigma", &[rows + 1, nodes], &closed(&distribution.area)),
+        Field::of_floats("ndf", &[rows + 1, nodes], &closed(&distribution.density)),
+        Field::of_floats("vndf", &[azimuths, lights, nodes, nodes], &tables.visible),
+        Field::of_floats("luminance", &[azimuths, lights, side, side], &tables.luminance),
     ];
     let name = match channels {
         Channels::Wavelengths(list) => {
@@ -107,9 +188,10 @@ fn fields(
         }
         _ => "rgb",
     };
-    fields.push(Field::of_floats(name, &[1, LIGHTS, count, SIDE, SIDE], values));
+    fields.push(Field::of_floats(name, &[azimuths, lights, count, side, side], &tables.values));
     fields.push(Field::of_bytes("jacobian", &[1]));
-    fields.push(Field::of_bytes("valid", &vec![u8::MAX; (LIGHTS * SIDE * SIDE).div_ceil(8)]));
+    let valid = vec![u8::MAX; (azimuths * lights * side * side).div_ceil(8)];
+    fields.push(Field::of_bytes("valid", &valid));
     fields
 }
 
@@ -121,129 +203,148 @@ pub fn write_rgl(table: &Rgl) -> Vec<u8> {
 impl Distribution {
     /// From what comes straight back: D(ω) is as f(ω, ω) cos ω times the area that D shows towards ω, so it is the
     /// eigenvector of that (Dupuy and others 2015), found by power iteration.
-    fn of(f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> Vec<f64>) -> Self {
-        let angles: Vec<f64> = (0..NODES).map(|node| angle(node, NODES)).collect();
-        let back: Vec<f64> = angles
-            .iter()
-            .map(|theta| {
-                let w = clamped(Vec3::from_angles(*theta, 0.0));
+    fn of(sizes: Sizes, f: &mut Brdf) -> Self {
+        let angles: Vec<f64> = (0..sizes.nodes).map(|node| angle(node, sizes.nodes)).collect();
+        let mut back = Vec::with_capacity(sizes.rows * sizes.nodes);
+        for row in 0..sizes.rows {
+            let phi = if sizes.rows == 1 { 0.0 } else { sizes.row_phi(row) };
+            for theta in &angles {
+                let w = clamped(Vec3::from_angles(*theta, phi));
                 let all = f(w, w);
-                (all.iter().sum::<f64>() / all.len().max(1) as f64).max(0.0) * w.z
-            })
-            .collect();
-        let kernel = kernel(&angles);
-        let mut density = vec![1.0; NODES];
+                back.push((all.iter().sum::<f64>() / all.len().max(1) as f64).max(0.0) * w.z);
+            }
+        }
+        let kernel = kernel(&angles, sizes.rows);
+        let mut density = vec![1.0; sizes.rows * sizes.nodes];
         for _ in 0..ROUNDS {
-            let area = shown(&kernel, &density);
+            let area = shown(&kernel, &density, sizes);
             density = back.iter().zip(&area).map(|(back, area)| back * area).collect();
             let most = density.iter().copied().fold(0.0, f64::max);
             density.iter_mut().for_each(|d| *d = if most > 0.0 { (*d / most).max(FLOOR) } else { 1.0 });
         }
-        let area = shown(&kernel, &density);
+        let area = shown(&kernel, &density, sizes);
         let scale = 1.0 / area[0];
         let scaled = |list: Vec<f64>| list.into_iter().map(|x| x * scale).collect();
-        Self { density: scaled(density), area: scaled(area) }
+        Self { sizes, density: scaled(density), area: scaled(area) }
     }
 
-    fn at(list: &[f64], theta: f64) -> f64 {
-        let at = libm::sqrt(theta / FRAC_PI_2).clamp(0.0, 1.0) * (NODES - 1) as f64;
-        let node = (at as usize).min(NODES - 2);
-        list[node] + (list[node + 1] - list[node]) * (at - node as f64)
+    /// The value of a list at a direction, linear between the nodes and the rows.
+    fn at(&self, list: &[f64], [theta, phi]: [f64; 2]) -> f64 {
+        let (nodes, rows) = (self.sizes.nodes, self.sizes.rows);
+        let at = libm::sqrt(theta / FRAC_PI_2).clamp(0.0, 1.0) * (nodes - 1) as f64;
+        let node = (at as usize).min(nodes - 2);
+        let along = |row: usize| {
+            let list = &list[row * nodes..(row + 1) * nodes];
+            list[node] + (list[node + 1] - list[node]) * (at - node as f64)
+        };
+        let turn = ((phi + PI) / TAU * rows as f64).rem_euclid(rows as f64);
+        let row = (turn as usize).min(rows - 1);
+        let (low, high) = (along(row), along((row + 1) % rows));
+        low + (high - low) * (turn - row as f64)
     }
 
     /// Angles of the light at even steps of the area that is shown, the last at the horizon.
     fn lights(&self) -> Vec<f64> {
-        let (first, last) = (self.area[0], self.area[NODES - 1]);
-        let mut lights: Vec<f64> = Vec::with_capacity(LIGHTS);
-        for light in 0..LIGHTS {
-            let part = light as f64 / (LIGHTS - 1) as f64;
+        let Sizes { nodes, rows, lights: count, .. } = self.sizes;
+        let mean =
+            |node: usize| (0..rows).map(|row| self.area[row * nodes + node]).sum::<f64>() / rows as f64;
+        let areas: Vec<f64> = (0..nodes).map(mean).collect();
+        let (first, last) = (areas[0], areas[nodes - 1]);
+        let mut lights: Vec<f64> = Vec::with_capacity(count);
+        for light in 0..count {
+            let part = light as f64 / (count - 1) as f64;
             let wanted = first + (last - first) * part;
-            let node = self.area.iter().position(|area| *area <= wanted).unwrap_or(NODES - 1).max(1);
-            let (a, b) = (self.area[node - 1], self.area[node]);
+            let node = areas.iter().position(|area| *area <= wanted).unwrap_or(nodes - 1).max(1);
+            let (a, b) = (areas[node - 1], areas[node]);
             let along = if a > b { ((a - wanted) / (a - b)).clamp(0.0, 1.0) } else { 1.0 };
-            let u = (node as f64 - 1.0 + along) / (NODES - 1) as f64;
+            let u = (node as f64 - 1.0 + along) / (nodes - 1) as f64;
             let even = part * FRAC_PI_2;
             // Half way to even angles, so that none is left out where the area stays as it is.
             let theta = 0.5 * (u * u * FRAC_PI_2 + even);
             lights.push(lights.last().map_or(0.0, |before| theta.max(before + 1e-3)));
         }
-        lights[LIGHTS - 1] = FRAC_PI_2;
+        lights[count - 1] = FRAC_PI_2;
         lights
     }
 
     /// The density of the normals that a light sees, over u and v.
-    fn visible(&self, theta_i: f64) -> Vec<f32> {
-        let wi = Vec3::from_angles(theta_i, 0.0);
-        let area = Self::at(&self.area, theta_i);
-        let mut table = Vec::with_capacity(NODES * NODES);
-        for row in 0..NODES {
-            let phi = row as f64 / (NODES - 1) as f64 * TAU - PI;
-            for node in 0..NODES {
-                let (u, theta) = (node as f64 / (NODES - 1) as f64, angle(node, NODES));
+    fn visible(&self, [theta_i, phi_i]: [f64; 2]) -> Vec<f32> {
+        let nodes = self.sizes.nodes;
+        let wi = Vec3::from_angles(theta_i, phi_i);
+        let area = self.at(&self.area, [theta_i, phi_i]);
+        let mut table = Vec::with_capacity(nodes * nodes);
+        for row in 0..nodes {
+            let phi = row as f64 / (nodes - 1) as f64 * TAU - PI;
+            for node in 0..nodes {
+                let (u, theta) = (node as f64 / (nodes - 1) as f64, angle(node, nodes));
                 let seen = wi.dot(Vec3::from_angles(theta, phi)).max(0.0);
-                let density = 2.0 * PI * PI * u * libm::sin(theta) * seen * self.density[node] / area;
-                table.push(density as f32);
+                let density = self.at(&self.density, [theta, phi]);
+                table.push((2.0 * PI * PI * u * libm::sin(theta) * seen * density / area) as f32);
             }
         }
         table
     }
 
     /// The values of all channels at the nodes, channel by channel.
-    fn values(
-        &self,
-        theta_i: f64,
-        warp: &Warp,
-        count: usize,
-        f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> Vec<f64>,
-    ) -> Vec<f32> {
-        let wi = clamped(Vec3::from_angles(theta_i, 0.0));
-        let mix = warp.grid().mix(&[0.0, theta_i as f32]);
-        let area = Self::at(&self.area, theta_i);
-        let mut table = vec![0.0; count * SIDE * SIDE];
-        for node in 0..SIDE * SIDE {
-            let [s, t] = [node % SIDE, node / SIDE].map(|i| i as f32 / (SIDE - 1) as f32);
+    fn values(&self, [theta_i, phi_i]: [f64; 2], warp: &Warp, count: usize, f: &mut Brdf) -> Vec<f32> {
+        let side = self.sizes.side;
+        let wi = clamped(Vec3::from_angles(theta_i, phi_i));
+        let mix = warp.grid().mix(&[phi_i as f32, theta_i as f32]);
+        let area = self.at(&self.area, [theta_i, phi_i]);
+        let mut table = vec![0.0; count * side * side];
+        for node in 0..side * side {
+            let [s, t] = [node % side, node / side].map(|i| i as f32 / (side - 1) as f32);
             let [u, v] = warp.place([s, t], &mix).map(f64::from);
-            let theta_m = u * u * FRAC_PI_2;
-            let half = Vec3::from_angles(theta_m, v * TAU - PI);
+            let [theta_m, phi_m] = [u * u * FRAC_PI_2, v * TAU - PI];
+            let half = Vec3::from_angles(theta_m, phi_m);
             let wo = half * (2.0 * wi.dot(half)) - wi;
             // Below the horizon stands what lies next above it: nodes there may be far from it.
             let all = f(wi, clamped(wo));
-            let scale = wo.z.max(LEAST_COSINE) * 4.0 * area / Self::at(&self.density, theta_m);
+            let scale = wo.z.max(LEAST_COSINE) * 4.0 * area / self.at(&self.density, [theta_m, phi_m]);
             for (c, value) in all.iter().take(count).enumerate() {
-                table[c * SIDE * SIDE + node] = (value * scale) as f32;
+                table[c * side * side + node] = (value * scale) as f32;
             }
         }
         table
     }
 }
 
-/// A direction at or below the horizon, brought a little above it.
-fn clamped(w: Vec3<f64>) -> Vec3<f64> {
-    if w.z >= LEAST_COSINE {
-        return w;
-    }
-    let around = libm::sqrt(w.x * w.x + w.y * w.y);
-    let scale = if around > 0.0 { libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) / around } else { 0.0 };
-    Vec3::new(w.x * scale, w.y * scale, LEAST_COSINE)
-}
-
-/// How much a distribution of 1 at a node shows towards each angle, by the trapezoidal rule.
-fn kernel(angles: &[f64]) -> Vec<Vec<f64>> {
-    let around = |a: f64, b: f64| {
-        let of = |step: usize| {
-            let phi = (step as f64 + 0.5) * TAU / AROUND as f64;
-            (libm::cos(a) * libm::cos(b) + libm::sin(a) * libm::sin(b) * libm::cos(phi)).max(0.0)
-        };
-        (0..AROUND).map(of).sum::<f64>() * TAU / AROUND as f64
+/// How much a distribution of 1 at a node and a step around shows towards each angle, by the trapezoidal rule: for pairs of
+/// angles and differences of steps. With one row the steps are one.
+fn kernel(angles: &[f64], rows: usize) -> Vec<Vec<Vec<f64>>> {
+    let nodes = angles.len();
+    let offset = if rows == 1 { 0.5 } else { 0.0 };
+    let around = |a: f64, b: f64, step: usize| {
+        let phi = (step as f64 + offset) * TAU / AROUND as f64;
+        let seen = libm::cos(a) * libm::cos(b) + libm::sin(a) * libm::sin(b) * libm::cos(phi);
+        seen.max(0.0) * TAU / AROUND as f64
     };
     let width = |node: usize| {
-        let [before, after] = [node.saturating_sub(1), (node + 1).min(NODES - 1)].map(|node| angles[node]);
+        let [before, after] = [node.saturating_sub(1), (node + 1).min(nodes - 1)].map(|node| angles[node]);
         0.5 * (after - before)
     };
-    let row = |a: &f64| (0..NODES).map(|b| around(*a, angles[b]) * libm::sin(angles[b]) * width(b)).collect();
-    angles.iter().map(row).collect()
+    let steps = |a: f64, b: usize| {
+        let all: Vec<f64> = (0..AROUND).map(|step| around(a, angles[b], step)).collect();
+        let all = if rows == 1 { vec![all.iter().sum()] } else { all };
+        all.iter().map(|x| x * libm::sin(angles[b]) * width(b)).collect::<Vec<f64>>()
+    };
+    angles.iter().map(|a| (0..nodes).map(|b| steps(*a, b)).collect()).collect()
 }
 
-fn shown(kernel: &[Vec<f64>], density: &[f64]) -> Vec<f64> {
-    kernel.iter().map(|row| row.iter().zip(density).map(|(k, d)| k * d).sum()).collect()
+/// The area that a distribution shows towards each of its nodes.
+fn shown(kernel: &[Vec<Vec<f64>>], density: &[f64], sizes: Sizes) -> Vec<f64> {
+    let Sizes { nodes, rows, .. } = sizes;
+    let mut area = Vec::with_capacity(rows * nodes);
+    for row in 0..rows {
+        for of_angle in kernel {
+            let mut sum = 0.0;
+            for (b, steps) in of_angle.iter().enumerate() {
+                for (step, k) in steps.iter().enumerate() {
+                    sum += k * density[(row + step) % rows * nodes + b];
+                }
+            }
+            area.push(sum);
+        }
+    }
+    area
 }
