@@ -19,15 +19,23 @@
 //! ```
 
 mod appearance;
+mod colors;
 mod error;
 mod facts;
 mod fit;
 mod format;
+mod goniometer;
 mod readings;
+mod ward;
 
-pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
+pub use appearance::{
+    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss, log_haze,
+    multi_angle, sphere,
+};
 pub use error::ReadError;
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{Fit, FitError, FitOptions, FittedLobe, Metric, fit, fit_shapes};
 pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};
+pub use goniometer::{Noise, rings_about_mirror};
 pub use readings::{Channels, Quantity, Readings};
+pub use ward::{WardFit, WardPoint, fit_ward};
