@@ -5,40 +5,37 @@ use glanz_math::Vec3;
 /// Angles of the light from the normal, in degrees.
 const LIGHTS_DEG: [f64; 4] = [15.0, 30.0, 45.0, 60.0];
 
-/// Slopes of the facet that mirrors, from one to the next in ratio.
-const SLOPES: usize = 20;
+/// Slopes of the facet that mirrors, from the least to the greatest.
 const LEAST_SLOPE: f64 = 0.008;
 const GREATEST_SLOPE: f64 = 1.0;
 
-/// Azimuths of that facet.
-const AZIMUTHS: usize = 20;
+/// Readings for each light, and those on one turn of the spiral.
+const READINGS: usize = 400;
+const TURN: f64 = 20.0;
 
 /// Directions to the light and to the detector, dense about the mirror direction and sparse far from it, as highlights of
-/// unknown width want them: the facets that mirror lie on rings of slopes 0.008 to 1, each for lights at 15, 30, 45 and 60°
-/// from the normal. Light comes along x and along y in turn, so that both widths of a grain are seen. Detectors that would lie
-/// more than 80° from the normal are left out.
+/// unknown width want them: the facets that mirror lie on a spiral of slopes from 0.008 to 1, one for each of lights at 15, 30,
+/// 45 and 60° from the normal. Light comes along x and along y in turn, so that both widths of a grain are seen. Detectors that
+/// would lie more than 80° from the normal are left out.
 ///
 /// ```
-/// let pairs = glanz_measure::rings_about_mirror();
+/// let pairs = glanz_measure::spiral_about_mirror();
 /// assert!(pairs.len() > 1000 && pairs.iter().all(|[wi, wo]| wi.z > 0.1 && wo.z > 0.1));
 /// ```
-pub fn rings_about_mirror() -> Vec<[Vec3<f64>; 2]> {
+pub fn spiral_about_mirror() -> Vec<[Vec3<f64>; 2]> {
     let least = libm::cos(80.0_f64.to_radians());
     let mut pairs = Vec::new();
     for (light, theta) in LIGHTS_DEG.iter().enumerate() {
         let azimuth = if light % 2 == 0 { 180.0_f64 } else { 270.0 };
         let wi = Vec3::from_angles(theta.to_radians(), azimuth.to_radians());
-        for ring in 0..SLOPES {
-            let part = ring as f64 / (SLOPES - 1) as f64;
+        for index in 0..READINGS {
+            let part = index as f64 / (READINGS - 1) as f64;
             let slope = LEAST_SLOPE * libm::pow(GREATEST_SLOPE / LEAST_SLOPE, part);
-            for step in 0..AZIMUTHS {
-                // Half a step from ring to ring, so that azimuths do not line up.
-                let turn = (step as f64 + 0.5 * (ring % 2) as f64) / AZIMUTHS as f64;
-                let facet = Vec3::from_angles(libm::atan(slope), core::f64::consts::TAU * turn);
-                let wo = facet * (2.0 * facet.dot(wi)) - wi;
-                if wo.z > least && facet.dot(wi) > 0.0 {
-                    pairs.push([wi, wo]);
-                }
+            let turns = index as f64 / TURN;
+            let facet = Vec3::from_angles(libm::atan(slope), core::f64::consts::TAU * turns);
+            let wo = facet * (2.0 * facet.dot(wi)) - wi;
+            if wo.z > least && facet.dot(wi) > 0.0 {
+                pairs.push([wi, wo]);
             }
         }
     }

@@ -36,6 +36,6 @@ pub use error::ReadError;
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{Fit, FitError, FitOptions, FittedLobe, Metric, fit, fit_shapes};
 pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};
-pub use goniometer::{Noise, rings_about_mirror};
+pub use goniometer::{Noise, spiral_about_mirror};
 pub use readings::{Channels, Quantity, Readings};
 pub use ward::{WardFit, WardPoint, fit_ward};

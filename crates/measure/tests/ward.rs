@@ -4,13 +4,13 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, FitError, Noise, Readings, fit_ward, rings_about_mirror};
+use glanz_measure::{Channels, FitError, Noise, Readings, fit_ward, spiral_about_mirror};
 
 fn readings(alpha: [f64; 2], rho_d: f64, rho_s: f64, noise: f64) -> Readings {
     let ward = Shape::named("ward", &[("alpha", alpha[0]), ("alpha_y", alpha[1])]).unwrap();
     let mut readings = Readings::new(Channels::Luminance);
     let mut random = Noise::new(1);
-    for [wi, wo] in rings_about_mirror() {
+    for [wi, wo] in spiral_about_mirror() {
         let f = rho_d * FRAC_1_PI + rho_s * ward.f_cos(&DirectionPair::new(wo, wi)) / wi.z;
         readings.push(wi, wo, &[(f * (1.0 + noise * random.normal())) as f32]);
     }

@@ -47,7 +47,8 @@ pub struct Whiteness {
     pub whiteness: f64,
     /// T: positive is greenish, negative reddish, 0 the perfect diffuser.
     pub tint: f64,
-    /// Whether the formula holds: W above 40 and below 5Y − 280, T from −4 to 2 (CIE 15:2004, 9.4). Others are not white.
+    /// Whether W is above 40 and below 5Y − 280, and T from −4 to 2: limits beyond which the CIE calls samples no whites. They
+    /// are quoted after memory and not verified against the publication.
     pub is_valid: bool,
 }
 
