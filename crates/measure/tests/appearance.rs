@@ -205,3 +205,14 @@ fn channels_have_colours_under_any_light() {
     assert_eq!(Channels::Rgb.xyz(&[0.1], &a, &ten), None);
     assert_eq!(Channels::Luminance.xyz(&[f64::NAN], &a, &Observer::default()), None);
 }
+
+#[test]
+fn the_longest_list_of_angles_has_all_others() {
+    for list in MultiAngle::ALL {
+        assert!(
+            list.pairs_deg.iter().all(|pair| MultiAngle::E2539.pairs_deg.contains(pair)),
+            "{}",
+            list.name
+        );
+    }
+}

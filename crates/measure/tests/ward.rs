@@ -7,7 +7,8 @@ use glanz_math::Vec3;
 use glanz_measure::{Channels, FitError, Noise, Readings, fit_ward, spiral_about_mirror};
 
 fn readings(alpha: [f64; 2], rho_d: f64, rho_s: f64, noise: f64) -> Readings {
-    let ward = Shape::named("ward", &[("alpha", alpha[0]), ("alpha_y", alpha[1])]).unwrap();
+    let ward = Shape::named("ward", &[("alpha", alpha[0]), ("alpha_y", alpha[1])])
+        .expect("the list of models has it");
     let mut readings = Readings::new(Channels::Luminance);
     let mut random = Noise::new(1);
     for [wi, wo] in spiral_about_mirror() {

@@ -36,6 +36,22 @@ impl MultiAngle {
             (15.0, 15.0),
         ],
     };
+    /// The lists that there are.
+    pub const ALL: [Self; 3] = [Self::E2194, Self::E2539, Self::SIX];
+
+    /// The names of its geometries, as instruments have them: `45as-15` is light at 45° and the detector 15° from the mirror
+    /// direction, on the far side of the light.
+    ///
+    /// ```
+    /// use glanz_measure::MultiAngle;
+    ///
+    /// let names: Vec<String> = MultiAngle::E2194.geometries().collect();
+    /// assert_eq!(names, ["45as15", "45as45", "45as110"]);
+    /// ```
+    pub fn geometries(&self) -> impl Iterator<Item = String> + use<> {
+        self.pairs_deg.iter().map(|(light, aspecular)| format!("{light}as{aspecular}"))
+    }
+
     /// The six angles of MA-T12 and BYK-mac.
     pub const SIX: Self = Self {
         name: "MA-T12, BYK-mac",

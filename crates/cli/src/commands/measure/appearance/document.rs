@@ -74,6 +74,8 @@ pub(crate) struct Document {
     pub(super) white: Option<[f64; 3]>,
     /// The colour in each geometry
     pub(super) colors: Vec<ColorFacts>,
+    /// Standards and instruments, with their geometries among these
+    pub(super) lists: Vec<ListFacts>,
     /// The flop index; null for what is darkest near the mirror direction
     pub(super) flop_index: Option<f64>,
     /// Whiteness of the colour at 45°/0°; null for observers of neither 2° nor 10°
@@ -104,6 +106,13 @@ pub(super) struct ColorFacts {
     pub(super) xyz: [f64; 3],
     /// L*, a*, b*
     pub(super) lab: [f64; 3],
+}
+
+/// The geometries of a standard or an instrument.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct ListFacts {
+    pub(super) name: &'static str,
+    pub(super) geometries: Vec<String>,
 }
 
 /// Whiteness of CIE 15:2004.
@@ -140,8 +149,8 @@ impl Document {
         let mut document = Self::of_gloss(name, channels.clone(), &numbers);
         let mut colors = Colors::new(&numbers, channels.len());
         document.factor_45_0 = colors.take("45/0", forty_five_zero);
-        for (light_deg, aspecular_deg) in MultiAngle::E2539.pairs_deg.iter().copied() {
-            let geometry = format!("{light_deg}as{aspecular_deg}");
+        let pairs = MultiAngle::E2539.pairs_deg.iter().copied();
+        for ((light_deg, aspecular_deg), geometry) in pairs.zip(MultiAngle::E2539.geometries()) {
             let factor = colors.take(&geometry, |f| multi_angle(f, light_deg, aspecular_deg));
             let list =
                 if light_deg == 45.0 { &mut document.multi_angle } else { &mut document.multi_angle_15 };
@@ -189,6 +198,7 @@ impl Document {
             observer: String::new(),
             white: None,
             colors: Vec::new(),
+            lists: MultiAngle::ALL.iter().map(ListFacts::of).collect(),
             flop_index: None,
             whiteness: None,
             yellowness: Vec::new(),
@@ -222,6 +232,12 @@ impl Document {
             }
         }
         self.yellowness = yellowness(subject, own.then_some(seen).flatten());
+    }
+}
+
+impl ListFacts {
+    fn of(list: &MultiAngle) -> Self {
+        Self { name: list.name, geometries: list.geometries().collect() }
     }
 }
 

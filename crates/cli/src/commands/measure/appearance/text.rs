@@ -74,6 +74,9 @@ fn colors(text: &mut String, facts: &Document) {
             xyz.iter().chain(lab).map(|value| format!("{:>9.2}", unsigned(*value))).collect();
         line(text, format_args!("{geometry:<16}{}", numbers.join(" ")));
     }
+    for list in &facts.lists {
+        line(text, format_args!("{}: {}", list.name, list.geometries.join(", ")));
+    }
 }
 
 /// Flop, whiteness, yellowness.
