@@ -164,14 +164,49 @@ mod tests {
     fn what_glows_is_brighter_than_it_reflects() {
         let matrix = fluorescent("paper-brightened").unwrap();
         let eye = Observer::default();
-        let z = |light_name: &str| {
+        let z = |light_name: &str, matrix: &glanz_color::Reradiation| {
             let material = of_lambert(Tint::Reradiation(std::sync::Arc::new(matrix.clone())));
             let response = MaterialResponse::new(&material, &light(light_name).unwrap(), &eye).unwrap();
             let up = Vec3::from_angles(0.0, 0.0);
             response.brdf(up, up)[2] * core::f64::consts::PI / response.white()[2]
         };
+        let reflected = matrix.without_reradiation();
+        let [day, lamp] = ["D65", "A"].map(|name| z(name, &matrix) - z(name, &reflected));
         // Daylight has the ultraviolet that a tungsten lamp lacks.
-        assert!(z("D65") > 1.0 && z("D65") > z("A"), "{} {}", z("D65"), z("A"));
+        assert!(lamp > 0.0 && day > 2.0 * lamp, "{day} {lamp}");
+    }
+
+    #[test]
+    fn a_picture_of_a_plane_has_the_same_light() {
+        let (lamp, eye) = (light("FL11").unwrap(), Observer::default());
+        let wi = Vec3::from_angles(0.3, 0.0);
+        // A metal, a coat over a matte base, a coloured coat, films, a sheen, what glows, and a classic material.
+        for name in [
+            "gold-satin",
+            "paper-glossy",
+            "car-paint-red",
+            "titanium-blue",
+            "glaze-celadon",
+            "velvet-red",
+            "highlighter-yellow",
+            "gl-jade",
+        ] {
+            let material = library::material(name).unwrap();
+            let scene = Scene::new()
+                .with_mesh(glanz_scene::Mesh::builtin("quad").unwrap(), material.clone())
+                .with_light(Light::directional([-wi.x, -wi.y, -wi.z], LightColor::unit(&lamp).unwrap()))
+                .with_camera(glanz_scene::Camera::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0]).orthographic(0.1))
+                .with_size(8, 8)
+                .with_mode(ColorMode::Spectral);
+            let frame = crate::Shot::new(&scene).unwrap().frame().unwrap();
+            let response = MaterialResponse::new(&material, &lamp, &eye).unwrap();
+            let expected = response.brdf(wi, Vec3::from_angles(0.0, 0.0));
+            for (channel, expected) in expected.iter().enumerate() {
+                let drawn = f64::from(frame.pixel(4, 4)[channel]);
+                let told = core::f64::consts::PI * wi.z * expected;
+                assert!((drawn - told).abs() < 1e-4 * told.max(0.01), "{name}: {drawn} drawn, {told} told");
+            }
+        }
     }
 
     #[test]
