@@ -197,6 +197,39 @@ class Lights(unittest.TestCase):
             self.assertLess(abs(found["ra"] - rendering), 0.2, name)
 
 
+class Whites(unittest.TestCase):
+    """Whiteness and yellowness of materials, from the XYZ that are told beside them."""
+
+    MATERIALS = ["paper-white", "newsprint", "paper-brightened", "glaze-celadon"]
+    NAMES = {"cie1931": OBSERVERS["cie1931"], "cie1964": OBSERVERS["cie1964"]}
+
+    def test_whiteness_and_tint(self):
+        for material in self.MATERIALS:
+            for light, observer in [("D65", "cie1931"), ("D65", "cie1964"), ("FL2", "cie1964")]:
+                found = glanz("measure", "appearance", material, "--light", light, "--observer", observer)
+                xyz = next(color["xyz"] for color in found["colors"] if color["geometry"] == "45/0")
+                expected = colour.colorimetry.whiteness_CIE2004(
+                    colour.XYZ_to_xy(xyz), xyz[1], colour.XYZ_to_xy(found["white"]), self.NAMES[observer]
+                )
+                told = [found["whiteness"]["whiteness"], found["whiteness"]["tint"]]
+                np.testing.assert_allclose(told, expected, atol=1e-9, err_msg=f"{material} {light} {observer}")
+
+    def test_yellowness_under_the_four_pairs(self):
+        for material in self.MATERIALS:
+            told = glanz("measure", "appearance", material)["yellowness"]
+            self.assertEqual(len(told), 5, material)
+            for entry in told:
+                light, observer = entry["light"], entry["observer"]
+                seen = glanz("measure", "appearance", material, "--light", light, "--observer", observer)
+                xyz = next(color["xyz"] for color in seen["colors"] if color["geometry"] == "45/0")
+                if entry["standard"] == "astm-d1925":
+                    expected = colour.colorimetry.yellowness_ASTMD1925(xyz)
+                else:
+                    pair = colour.colorimetry.YELLOWNESS_COEFFICIENTS_ASTME313[self.NAMES[observer]][light]
+                    expected = colour.colorimetry.yellowness_ASTME313(xyz, C_XZ=pair)
+                self.assertAlmostEqual(entry["yellowness"], expected, delta=1e-9, msg=f"{material} {entry}")
+
+
 class Pictures(unittest.TestCase):
     def test_a_spectral_picture_holds_light_times_reflectance(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -52,6 +52,7 @@ pub use lights::{
 pub use measures::adaptation::{Adaptation, AdaptationError};
 pub use measures::{
     adaptation, chromaticity, colorimetry, cri, difference, dominant, photometry, ssi, temperature, tm30,
+    whiteness, yellowness,
 };
 pub use models::Xyz;
 pub use names::UnknownName;

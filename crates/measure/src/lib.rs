@@ -19,15 +19,21 @@
 //! ```
 
 mod appearance;
+mod colors;
 mod error;
 mod factored;
 mod facts;
 mod fit;
 mod format;
+mod goniometer;
 mod published;
 mod readings;
+mod ward;
 
-pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
+pub use appearance::{
+    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss, log_haze,
+    multi_angle, sphere,
+};
 pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
@@ -36,5 +42,7 @@ pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
+pub use goniometer::{Noise, spiral_about_mirror};
 pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};
 pub use readings::{Channels, Quantity, Readings};
+pub use ward::{WardFit, WardPoint, fit_ward};

@@ -22,6 +22,7 @@
 
 mod backend;
 pub mod cpu;
+mod material_response;
 mod observe;
 mod parallel;
 pub mod prepare;
@@ -36,6 +37,7 @@ pub use glanz_picture::{
     Develop, DevelopKernel, Encoding, Frame, ToScreen, ToneMap, develop, develop_with, develop16,
     develop16_with,
 };
+pub use material_response::MaterialResponse;
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
     Change, Observation, ObservationError, PrepareError, PrepareOptions, Prepared, ProgramError,

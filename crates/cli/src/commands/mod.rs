@@ -9,6 +9,7 @@ mod devices;
 mod draw;
 mod example;
 mod info;
+mod lesson;
 mod material;
 mod measure;
 mod plot;
@@ -83,6 +84,9 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz measure info paint.bsdf\n  glanz measure sample ggx --set alpha=0.2 -o ggx.binary"
     )]
     Measure(measure::MeasureCommand),
+    /// Experiments of the course, with numbers and a plot
+    #[command(subcommand, after_help = "Example:\n  glanz lesson ward --plot ward.png")]
+    Lesson(lesson::LessonCommand),
     /// Programs of users, in GLSL and WGSL
     #[command(
         subcommand,
@@ -124,6 +128,7 @@ impl Command {
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Measure(command) => vec!["measure", command.name()],
+            Self::Lesson(command) => vec!["lesson", command.name()],
             Self::Shader(command) => vec!["shader", command.name()],
             Self::Devices(_) => vec!["devices"],
             Self::Example(_) => vec!["example"],
@@ -171,6 +176,7 @@ impl Command {
             Self::Check(args) => args.run(),
             Self::Color(command) => command.run(),
             Self::Measure(command) => command.run(),
+            Self::Lesson(command) => command.run(),
             Self::Shader(command) => command.run(),
             Self::Devices(args) => args.run(),
             Self::Example(args) => args.run(),

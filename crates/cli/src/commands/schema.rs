@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, devices, example, material, measure, probe, shader};
+use super::{bsdf, check, color, compare, devices, example, lesson, material, measure, probe, shader};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 51] = [
+const SCHEMAS: [Named; 52] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -51,6 +51,7 @@ const SCHEMAS: [Named; 51] = [
     ("measure-fit", schema::<measure::fit::Document>),
     ("measure-convert", schema::<measure::convert::Document>),
     ("measure-sample", schema::<measure::convert::Document>),
+    ("lesson-ward", schema::<lesson::ward::Document>),
     ("shader-run", schema::<shader::run::Document>),
     ("shader-check", schema::<shader::check::Document>),
     ("shader-print", schema::<shader::programs::PrintDocument>),

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 53] = [
+const COULD_NOT: [&[&str]; 55] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -51,6 +51,8 @@ const COULD_NOT: [&[&str]; 53] = [
     &["measure", "info", "a.png"],
     &["measure", "convert", "tile.csv", "-o", "tile.bsdf"],
     &["measure", "sample", "phong", "-o", "none/a.csv"],
+    &["measure", "appearance", "none.toml"],
+    &["lesson", "ward", "--readings", "tile.csv"],
     &["example", "ball", "-o", "none/a.toml"],
     &["bsdf", "eval", "phong", "--directions", "none.csv"],
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
@@ -71,7 +73,7 @@ const COULD_NOT: [&[&str]; 53] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 21] = [
+const PRINTING: [&[&str]; 22] = [
     &["devices"],
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],
@@ -90,6 +92,7 @@ const PRINTING: [&[&str]; 21] = [
     &["shader", "certify", "1 / pi"],
     &["measure", "info", "tile.csv"],
     &["measure", "appearance", "lambert"],
+    &["lesson", "ward"],
     &["example", "list"],
     &["schema"],
     &["completions", "bash"],

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 57] = [
+pub(crate) const COMMANDS: [&[&str]; 59] = [
     &[],
     &["render"],
     &["sweep"],
@@ -49,6 +49,8 @@ pub(crate) const COMMANDS: [&[&str]; 57] = [
     &["measure", "fit"],
     &["measure", "appearance"],
     &["measure", "sample"],
+    &["lesson"],
+    &["lesson", "ward"],
     &["shader"],
     &["shader", "check"],
     &["shader", "list"],

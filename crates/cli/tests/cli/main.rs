@@ -12,6 +12,7 @@ mod exits;
 mod first_hour;
 mod folder;
 mod help;
+mod lessons;
 mod library;
 mod lobes;
 mod materials;

@@ -200,3 +200,92 @@ fn a_fit_is_ranked_and_is_a_material() {
         assert!(run.code == 2 && run.stderr.contains(expected), "{}", run.stderr);
     }
 }
+
+/// What `measure appearance` tells programs.
+fn appearance(folder: &Folder, words: &[&str]) -> serde_json::Value {
+    folder.glanz(&[&["measure", "appearance"], words, &["--format", "json"]].concat()).json()
+}
+
+/// The colour in a geometry.
+fn color(facts: &serde_json::Value, geometry: &str, key: &str, index: usize) -> f64 {
+    let all = facts["colors"].as_array().unwrap();
+    let found = all.iter().find(|color| color["geometry"] == geometry).unwrap();
+    found[key][index].as_f64().unwrap()
+}
+
+#[test]
+fn paint_has_the_numbers_of_another_program() {
+    let folder = Folder::new();
+    let words = ["--set", "alpha=0.1", "--set", "multiscatter=0", "--ior", "1.5", "--diffuse", "0.3"];
+    let paint = appearance(&folder, &[&["ggx"], &words[..]].concat());
+    // Numpy; light is reflected once there.
+    assert!((paint["flop_index"].as_f64().unwrap() - 1.824).abs() < 1e-3, "{}", paint["flop_index"]);
+    for (key, expected) in [("sphere_included", 0.3397), ("sphere_excluded", 0.3336), ("factor_45_0", 0.3059)]
+    {
+        assert!((paint[key][0].as_f64().unwrap() - expected).abs() < 1e-4, "{key}: {}", paint[key]);
+    }
+    assert_eq!((paint["gloss_chosen_deg"].as_f64(), paint["haze_d4039"][0].is_null()), (Some(60.0), true));
+    assert!(paint["haze_e430_narrow"][0].as_f64() > paint["haze_e430_wide"][0].as_f64());
+    // What is told for people is shorter, and says what rests on memory.
+    let run = folder.glanz(&["measure", "appearance", "ggx", "--set", "alpha=0.1", "--ior", "1.5"]);
+    assert!(run.text().contains("not verified against a standard:\n  apertures"), "{}", run.text());
+    assert!(run.text().contains("haze ISO 13803") && !run.text().contains("haze D4039"), "{}", run.text());
+}
+
+#[test]
+fn what_glows_is_whiter_where_there_is_ultraviolet() {
+    let folder = Folder::new();
+    let whiteness = |words: &[&str]| {
+        let facts = appearance(&folder, words);
+        (facts["whiteness"]["whiteness"].as_f64().unwrap(), facts)
+    };
+    let (day, facts) = whiteness(&["paper-brightened"]);
+    let (lamp, _) = whiteness(&["paper-brightened", "--light", "LED-B3"]);
+    assert!(day > 110.0 && lamp < day - 20.0, "{day} {lamp}");
+    assert_eq!(facts["yellowness"].as_array().unwrap().len(), 5);
+    assert!(facts["yellowness"][0]["yellowness"].as_f64().unwrap() < 0.0, "it is bluish");
+    // The same surface as the material of a scene.
+    let scene = "[materials.paper]\nlobes = [{ shape = \"lambert\", tint = { reradiation = \"paper-brightened\" } }]\n\
+                 [materials.other]\nlibrary = \"gold\"\n";
+    folder.write("paper.toml", scene);
+    let (same, _) = whiteness(&["paper.toml", "--material", "paper"]);
+    assert_eq!(same, day);
+    let run = folder.glanz(&["measure", "appearance", "paper.toml"]);
+    assert!(run.code == 2 && run.stderr.contains("name one with --material: paper, other"), "{}", run.stderr);
+    // Gold is yellow, and no white.
+    let gold = folder.glanz(&["measure", "appearance", "gold"]);
+    assert!(gold.text().contains("no whiteness: W and T are beyond"), "{}", gold.text());
+}
+
+#[test]
+fn rgb_is_under_d65_whatever_light_and_a_fit_is_a_material() {
+    let folder = Folder::new();
+    let sample = ["measure", "sample", "ggx", "--set", "alpha=0.2", "--diffuse", "0.3", "-o", "a.bsdf"];
+    folder.glanz(&sample).text();
+    let [d65, a] = ["D65", "A"].map(|light| appearance(&folder, &["a.bsdf", "--light", light]));
+    assert_eq!(color(&d65, "45/0", "xyz", 0), color(&a, "45/0", "xyz", 0));
+    assert!(a["notes"].to_string().contains("linear sRGB"), "{}", a["notes"]);
+    assert_eq!(a["yellowness"].as_array().unwrap().len(), 1);
+    let words = ["measure", "fit", "a.bsdf", "--models", "ggx+lambert", "-o", "fit.toml"];
+    folder.glanz(&words).text();
+    let fit = appearance(&folder, &["fit.toml"]);
+    for (geometry, within) in [("45/0", 0.5), ("45as15", 1.0), ("sci", 1.0)] {
+        let (own, fitted) = (color(&d65, geometry, "lab", 0), color(&fit, geometry, "lab", 0));
+        assert!((own - fitted).abs() < within, "{geometry}: {own} {fitted}");
+    }
+}
+
+#[test]
+fn what_makes_no_sense_of_an_appearance_is_refused() {
+    let folder = Folder::new();
+    for (words, expected) in [
+        (&["gold", "--set", "alpha=0.1"][..], "--set is of models, and 'gold' is none"),
+        (&["gold", "--observer", "lms2"], "has no X, Y, Z"),
+        (&["gold", "--material", "x"], "--material is of scene files"),
+        (&["gould"], "did you mean 'gold'"),
+        (&["ggx", "--light", "FL99"], "there is no light 'FL99'"),
+    ] {
+        let run = folder.glanz(&[&["measure", "appearance"], words].concat());
+        assert!(run.code == 2 && run.stderr.contains(expected), "{words:?}: {}", run.stderr);
+    }
+}

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 49] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 50] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -87,7 +87,15 @@ const DOCUMENTS: [(&str, &[&[&str]]); 49] = [
         ],
     ),
     ("measure-info", &[&["measure", "info", "tile.csv"], &["measure", "info", "ggx.bsdf"]]),
-    ("measure-appearance", &[&["measure", "appearance", "ggx"], &["measure", "appearance", "ggx.bsdf"]]),
+    (
+        "measure-appearance",
+        &[
+            &["measure", "appearance", "ggx"],
+            &["measure", "appearance", "ggx.bsdf"],
+            &["measure", "appearance", "paper-brightened", "--observer", "cie1964"],
+        ],
+    ),
+    ("lesson-ward", &[&["lesson", "ward"], &["lesson", "ward", "--readings", "ggx.bsdf"]]),
     ("measure-fit", &[&["measure", "fit", "ggx.bsdf", "--models", "ggx+lambert,lambert", "-o", "fit.toml"]]),
     ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
     ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),

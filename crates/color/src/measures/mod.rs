@@ -10,3 +10,5 @@ pub mod photometry;
 pub mod ssi;
 pub mod temperature;
 pub mod tm30;
+pub mod whiteness;
+pub mod yellowness;

@@ -256,6 +256,17 @@ words! {
         "ΔE₀₀ moyen sur les {0} surfaces de « {1} », par rapport au spectre entier";
     SampleCount: "number of samples", "nombre d’échantillons";
     MeanDifference: "mean ΔE₀₀", "ΔE₀₀ moyen";
+    // Regressions.
+    Ward: "Ward’s regression", "Régression de Ward";
+    WardFound: "αx = {0}, αy = {1}, ρs = {2}, ρd = {3}", "αx = {0}, αy = {1}, ρs = {2}, ρd = {3}";
+    WardX: "tan²δ of the facet that mirrors", "tan²δ de la facette qui réfléchit";
+    WardXStretched: "tx² + (αx/αy)² ty², slopes of the facet that mirrors",
+        "tx² + (αx/αy)² ty², pentes de la facette qui réfléchit";
+    WardY: "ln[(f – ρd/π) 4π (cosθi cosθo)^½]", "ln[(f – ρd/π) 4π (cosθi cosθo)^½]";
+    WardReadings: "readings", "mesures";
+    WardLight: "of little weight", "de faible poids";
+    WardLine: "slope –1/αx² = {0}", "pente –1/αx² = {0}";
+    WardTrue: "the model itself", "le modèle lui-même";
     // Fluorescence.
     Reradiation: "Re-radiation: fraction of the light of each wavelength that leaves at each other, per 5 nm",
         "Réémission : part de la lumière de chaque longueur d’onde qui repart à chaque autre, par 5 nm";

@@ -10,7 +10,7 @@ mod table;
 
 use clap::Subcommand;
 
-pub(super) use model::ModelArgs;
+pub(super) use model::{ModelArgs, shape_of};
 
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;

@@ -26,30 +26,30 @@ pub(crate) struct ModelArgs {
 }
 
 impl ModelArgs {
-    /// Its name, as it was given.
-    pub(crate) fn name(&self) -> &str {
-        &self.name
-    }
-
     /// The shape, with the parameters checked.
     pub(crate) fn shape(&self) -> Result<Shape, Failure> {
-        let mut shape = models::shape(&self.name)?;
-        for (name, text) in &self.set {
-            let value = text.parse::<f64>().map_err(|_| {
-                Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number"))
-            })?;
-            shape = shape.with(name, value).map_err(|error| {
-                let near = match &error {
-                    glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
-                        did_you_mean(name, known.split(", "))
-                    }
-                    _ => String::new(),
-                };
-                Failure::Usage(format!("{error}{near}"))
-            })?;
-        }
-        Ok(shape)
+        shape_of(&self.name, &self.set)
     }
+}
+
+/// The shape of a model, with these parameters checked.
+pub(crate) fn shape_of(name: &str, set: &[(String, String)]) -> Result<Shape, Failure> {
+    let mut shape = models::shape(name)?;
+    for (name, text) in set {
+        let value = text
+            .parse::<f64>()
+            .map_err(|_| Failure::Usage(format!("parameter '{name}' is '{text}', but must be a number")))?;
+        shape = shape.with(name, value).map_err(|error| {
+            let near = match &error {
+                glanz_bsdf::ParamError::UnknownParam { name, known, .. } => {
+                    did_you_mean(name, known.split(", "))
+                }
+                _ => String::new(),
+            };
+            Failure::Usage(format!("{error}{near}"))
+        })?;
+    }
+    Ok(shape)
 }
 
 /// The parameters for programs.

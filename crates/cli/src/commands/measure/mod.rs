@@ -29,7 +29,7 @@ pub(crate) enum MeasureCommand {
     /// Fit models to readings, and rank them
     #[command(after_help = fit::EXAMPLES)]
     Fit(fit::FitArgs),
-    /// Tell gloss, radiance factors and what spheres see, of a file or a model
+    /// Tell gloss, haze, colours, flop, whiteness and yellowness
     #[command(after_help = appearance::EXAMPLES)]
     Appearance(Box<appearance::AppearanceArgs>),
     /// Measure a model as a goniometer would
@@ -63,7 +63,7 @@ impl MeasureCommand {
 
 /// How files are read.
 #[derive(Args, Debug)]
-pub(super) struct ReadArgs {
+pub(in crate::commands) struct ReadArgs {
     /// What the numbers are, whatever the file says: brdf (1/sr), brdf-cos (times the cosine of the detector) or
     /// reflectance-factor (pi times the BRDF)
     #[arg(long, value_name = "QUANTITY", value_parser = quantity)]
@@ -90,7 +90,7 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
 }
 
 /// Reads a file.
-pub(super) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
+pub(in crate::commands) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
     let name = file.display().to_string();
     let could_not =
         |why: &str| Failure::from(Report::new(format_args!("cannot read '{name}': {why}")).file(file));

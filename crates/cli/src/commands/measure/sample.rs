@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 use glanz_measure::{
-    Channels, Coordinates, Klems, Merl, Quantity, Readings, Rgl, Table, write_csv, write_klems, write_merl,
+    Channels, Coordinates, Klems, Merl, Noise, Quantity, Readings, Rgl, Table, write_csv, write_klems, write_merl,
     write_rgl, write_zemax, zemax_nodes_deg,
 };
 
@@ -102,7 +102,7 @@ impl SampleArgs {
                 "the model is anisotropic, and the table is not: the light comes along the grain".to_owned(),
             );
         }
-        let mut noise = Noise(self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+        let mut noise = Noise::new(self.seed);
         let mut value = |wi: Vec3<f64>, wo: Vec3<f64>| {
             let f =
                 shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI;
@@ -180,23 +180,4 @@ fn depends_on_azimuth(shape: &Shape) -> bool {
     };
     let first = value(0.0);
     [0.5, 1.0, 1.5].iter().any(|turn| (value(*turn) - first).abs() > 1e-9 * first.abs())
-}
-
-/// Numbers of a normal distribution, the same everywhere.
-struct Noise(u64);
-
-impl Noise {
-    /// 0 … 1, without 0 (G. Marsaglia's xorshift).
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    /// G. Box and M. Muller 1958.
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (self.unit(), self.unit());
-        libm::sqrt(-2.0 * libm::log(a)) * libm::cos(core::f64::consts::TAU * b)
-    }
 }
