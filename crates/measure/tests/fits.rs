@@ -2,7 +2,7 @@
 
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Fit, FitError, FitOptions, Metric, Readings, fit, fit_shapes};
+use glanz_measure::{Channels, Fit, FitError, FitLobe, FitOptions, Metric, Readings, fit, fit_lobes};
 
 /// A lobe: model, parameter and its value, albedo.
 type Lobe = (&'static str, &'static str, f64, f64);
@@ -77,7 +77,7 @@ fn widths_and_tints_are_found_again_in_noise() {
             let log_error = (width / lobes[0].2).ln();
             assert!(log_error.abs() < 0.02, "{lobes:?} {metric:?}: {width}");
             // The standard error tells about how far it is.
-            let told = fit.lobes[0].log_error.expect("it is told");
+            let told = fit.lobes[0].parameters[0].log_error.expect("it is told");
             assert!(
                 log_error.abs() < 5.0 * told && told < 0.02,
                 "{lobes:?} {metric:?}: {log_error} ± {told}"
@@ -89,7 +89,7 @@ fn widths_and_tints_are_found_again_in_noise() {
                     found.tint
                 );
                 assert!((found.tint[2] / found.tint[0] - 1.2).abs() < 0.04, "{:?}", found.tint);
-                assert!(!found.at_bound);
+                assert!(found.parameters.iter().all(|parameter| !parameter.at_bound));
             }
         }
     }
@@ -114,9 +114,9 @@ fn a_lobe_that_is_not_there_has_no_tint() {
     let fit = fit(&data, &["lambert"], &FitOptions::default()).unwrap();
     assert!((fit.lobes[0].tint[0] - 0.5).abs() < 0.005 && fit.relative < 0.03);
     // Negative tints are none.
-    let less = fit_shapes(
+    let less = fit_lobes(
         &readings(&[("ggx", "alpha", 0.2, 0.5)], Channels::Luminance),
-        vec![shape(("ggx", "alpha", 0.5, 0.0)), shape(("lambert", "", 0.0, 0.0))],
+        &["ggx", "lambert"].map(|name| FitLobe::named(name).unwrap()),
         &FitOptions::default(),
     )
     .unwrap();
