@@ -144,8 +144,8 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
         let (readings, most_theta_deg) = (samples.len(), options.most_theta_deg);
         return Err(FitError::TooFew { readings, most_theta_deg, numbers });
     }
-    let grouped = samples.grouped();
-    let grouped = grouped.as_ref().unwrap_or(&samples);
+    let groups = samples.grouped();
+    let grouped = groups.as_ref().unwrap_or(&samples);
     let (mut point, mut evaluations) =
         search::search(&grouped.thinned(FIRST_READINGS), lobes, options.metric)?;
     if grouped.len() > 2 * SECOND_READINGS {
@@ -156,7 +156,10 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
     }
     let mut problem = Problem::new(grouped, lobes, options.metric);
     let refined = problem.refine(&point)?;
-    evaluations += problem.evaluations();
-    let found = Problem::new(&samples, lobes, options.metric).fit_at(&refined.point, &refined.errors)?;
+    if groups.is_some() {
+        evaluations += problem.evaluations();
+        problem = Problem::new(&samples, lobes, options.metric);
+    }
+    let found = problem.fit_at(&refined.point, &refined.errors)?;
     Ok(Fit { evaluations: found.evaluations + evaluations, ..found })
 }

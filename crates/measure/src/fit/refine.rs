@@ -14,6 +14,8 @@ use super::tints::{MOST, Normal};
 const MOST_STEPS: usize = 30;
 /// Slopes are taken over this, in logarithms.
 const STEP: f64 = 1e-3;
+/// A step that lowers it by less than this part is the last: the next would be a hundredth of it.
+const LAST_STEP: f64 = 1e-7;
 /// Where a step would lower the sum of squares by less than this part, the search ends.
 const LAST_GAIN: f64 = 1e-11;
 
@@ -45,6 +47,9 @@ impl Problem<'_> {
             let found = self.solved(&next, Some(&here.0.tints))?;
             if found.0.squares < here.0.squares {
                 (point, here) = (next, found);
+                if expected < LAST_STEP * here.0.squares {
+                    break;
+                }
                 damping *= 0.1;
                 slopes = self.slopes(&point, &here)?;
             } else if damping > 1e6 {

@@ -27,7 +27,7 @@ impl Samples {
                 && readings.weight(*index) > 0.0
                 && readings.values(*index).iter().all(|x| x.is_finite())
         };
-        let all: Vec<usize> = (0..readings.len()).filter(counts).collect();
+        let all = blocks::map(readings.len(), |range| range.filter(counts).collect::<Vec<usize>>()).concat();
         let step = all.len().div_ceil(options.most_readings.max(1)).max(1);
         let chosen: Vec<usize> = all.into_iter().step_by(step).collect();
         let pair = |index: &usize| {
@@ -36,10 +36,13 @@ impl Samples {
         };
         let of_channel = |c: usize| {
             let value = |index: &usize| f64::from(readings.values(*index)[c]) * readings.pair(*index)[0].z;
-            chosen.iter().map(value).collect()
+            blocks::fill(chosen.len(), |range, out| {
+                out.iter_mut().zip(&chosen[range]).for_each(|(out, index)| *out = value(index));
+            })
         };
         Self {
-            pairs: chosen.iter().map(pair).collect(),
+            pairs: blocks::map(chosen.len(), |range| chosen[range].iter().map(pair).collect::<Vec<_>>())
+                .concat(),
             values: (0..readings.channels().count()).map(of_channel).collect(),
             weights: chosen.iter().map(|index| f64::from(readings.weight(*index))).collect(),
             least: 0.0,
