@@ -1,9 +1,15 @@
 //! Fits of models to readings.
 //!
 //! Only the widths of the lobes are searched; the tints follow from them in closed form, as least squares that are not
-//! negative, all channels at once. So the search has one number per lobe, whatever the number of channels.
+//! negative, all channels at once. So the search has one number per lobe, whatever the number of channels. Schlick's form of
+//! Fresnel's law is linear as well, in the reflectances at normal and at grazing incidence: it costs no search.
+//!
+//! A grid with a few thousand of the readings and the simplex find where to begin ([`search`]), Levenberg and Marquardt's
+//! steps with all readings the last digits ([`refine`]). At each point the tints are found by Gauss and Newton's way
+//! ([`solve`]), so that they are those of the metric, not of the numbers themselves.
 
 mod blocks;
+mod fitting;
 mod lobe;
 mod metric;
 mod problem;
@@ -13,153 +19,6 @@ mod search;
 mod solve;
 mod tints;
 
+pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes};
 pub use lobe::{FitLobe, FittedLobe, FittedParameter};
 pub use metric::Metric;
-
-use problem::{Problem, has_grain};
-use samples::Samples;
-
-use crate::Readings;
-
-/// How a fit is made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FitOptions {
-    /// What is made small.
-    pub metric: Metric,
-    /// Readings count up to this angle of light and detector from the normal, in degrees.
-    pub most_theta_deg: f64,
-    /// Of more readings every n-th counts.
-    pub most_readings: usize,
-}
-
-impl Default for FitOptions {
-    fn default() -> Self {
-        Self { metric: Metric::CubeRoot, most_theta_deg: 80.0, most_readings: 20_000 }
-    }
-}
-
-/// Why nothing was fitted.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
-    /// A model is not there, or cannot be one of a fit.
-    #[error("{0}")]
-    Model(String),
-    /// There are too few readings for so many numbers.
-    #[error("{readings} readings up to {most_theta_deg}° are too few for {numbers} numbers")]
-    TooFew {
-        /// How many there are.
-        readings: usize,
-        /// Up to which angle.
-        most_theta_deg: f64,
-        /// How many numbers are to be found.
-        numbers: usize,
-    },
-    /// No two lobes can be told apart, or there is no light at all.
-    #[error("the readings tell nothing of these lobes: {0}")]
-    Nothing(String),
-}
-
-/// What was fitted.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
-    /// The lobes.
-    pub lobes: Vec<FittedLobe>,
-    /// The azimuth of the x axis of anisotropic shapes, in degrees, 0 … 180: the `aniso_deg` of a material. None where all
-    /// lobes are isotropic.
-    pub aniso_deg: Option<f64>,
-    /// The root of the mean of the squares of the metric's differences.
-    pub error: f64,
-    /// The same as a part of that of the readings themselves.
-    pub relative: f64,
-    /// How many readings counted.
-    pub readings: usize,
-    /// How often shapes were evaluated at all readings.
-    pub evaluations: usize,
-}
-
-/// Fits a sum of lobes, by the names of their models.
-///
-/// ```
-/// use glanz_bsdf::{DirectionPair, Shape};
-/// use glanz_math::Vec3;
-/// use glanz_measure::{Channels, FitOptions, Readings, fit};
-///
-/// // A glossy paint, measured at 30° and 60° in the plane of the light.
-/// let (gloss, matte) = (Shape::named("ggx", &[("alpha", 0.2)])?, Shape::named("lambert", &[])?);
-/// let mut readings = Readings::new(Channels::Luminance);
-/// for theta_i in [30.0_f64, 60.0] {
-///     for theta_o in -75..=75 {
-///         let wi = Vec3::from_angles(theta_i.to_radians(), std::f64::consts::PI);
-///         let wo = Vec3::from_angles(f64::from(theta_o).to_radians(), 0.0);
-///         let pair = DirectionPair::new(wo, wi);
-///         readings.push(wi, wo, &[((0.1 * gloss.f_cos(&pair) + 0.4 * matte.f_cos(&pair)) / wi.z) as f32]);
-///     }
-/// }
-/// let found = fit(&readings, &["ggx", "lambert"], &FitOptions::default())?;
-/// assert!((found.lobes[0].shape.params()[0] - 0.2).abs() < 1e-3);
-/// assert!((found.lobes[1].tint[0] - 0.4).abs() < 1e-3);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn fit(readings: &Readings, models: &[&str], options: &FitOptions) -> Result<Fit, FitError> {
-    let mut best: Option<Fit> = None;
-    for lobes in lobe::choices(models)? {
-        let found = fit_lobes(readings, &lobes, options)?;
-        let parameters = |fit: &Fit| fit.lobes.iter().map(|lobe| lobe.parameters.len()).sum::<usize>();
-        let is_better = |before: &Fit| {
-            let has_more = parameters(&found) > parameters(before);
-            found.error < before.error * if has_more { 1.0 - WORTH_A_PARAMETER } else { 1.0 }
-        };
-        if best.as_ref().is_none_or(is_better) {
-            best = Some(found);
-        }
-    }
-    best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))
-}
-
-/// Of two diffuse shapes the one with more parameters is taken if it lowers the error by this part.
-const WORTH_A_PARAMETER: f64 = 0.01;
-
-/// Readings with which the search begins.
-const FIRST_READINGS: usize = 4000;
-/// Readings with which it goes on if there are many more.
-const SECOND_READINGS: usize = 40_000;
-
-/// Fits a sum of lobes: with shapes, one's own among them, parameters and ranges as they are wanted.
-///
-/// # Errors
-///
-/// As of [`fit()`].
-pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -> Result<Fit, FitError> {
-    let columns: usize = lobes.iter().map(FitLobe::columns).sum();
-    let searched = lobes.iter().map(|lobe| lobe.parameters().count()).sum::<usize>();
-    let parameters = searched + usize::from(has_grain(lobes));
-    if columns == 0 || columns > tints::MOST || parameters > refine::MOST_PARAMETERS {
-        let (tints, parameters) = (tints::MOST, refine::MOST_PARAMETERS);
-        let message = format!("a fit has lobes with 1 to {tints} tints and up to {parameters} parameters");
-        return Err(FitError::Model(message));
-    }
-    let samples = Samples::of(readings, options);
-    let numbers = columns + parameters;
-    if samples.len() < 2 * numbers {
-        let (readings, most_theta_deg) = (samples.len(), options.most_theta_deg);
-        return Err(FitError::TooFew { readings, most_theta_deg, numbers });
-    }
-    let groups = samples.grouped();
-    let grouped = groups.as_ref().unwrap_or(&samples);
-    let (mut point, mut evaluations) =
-        search::search(&grouped.thinned(FIRST_READINGS), lobes, options.metric)?;
-    if grouped.len() > 2 * SECOND_READINGS {
-        let fewer = grouped.thinned(SECOND_READINGS);
-        let mut problem = Problem::new(&fewer, lobes, options.metric);
-        point = problem.refine(&point)?.point;
-        evaluations += problem.evaluations();
-    }
-    let mut problem = Problem::new(grouped, lobes, options.metric);
-    let refined = problem.refine(&point)?;
-    if groups.is_some() {
-        evaluations += problem.evaluations();
-        problem = Problem::new(&samples, lobes, options.metric);
-    }
-    let found = problem.fit_at(&refined.point, &refined.errors)?;
-    Ok(Fit { evaluations: found.evaluations + evaluations, ..found })
-}

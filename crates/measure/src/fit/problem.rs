@@ -107,10 +107,15 @@ impl<'a> Problem<'a> {
         Ok(all)
     }
 
-    /// The fit at a point.
-    pub(super) fn fit_at(&mut self, point: &[f64], errors: &[Option<f64>]) -> Result<Fit, FitError> {
+    /// The fit at a point, where the tints may be known about.
+    pub(super) fn fit_at(
+        &mut self,
+        point: &[f64],
+        errors: &[Option<f64>],
+        near: Option<&[Tints]>,
+    ) -> Result<Fit, FitError> {
         let point = self.clamped(point);
-        let solved = self.solved(&point, None)?.0;
+        let solved = self.solved(&point, near)?.0;
         let (samples, whole) = (self.solver.samples(), self.solver.whole());
         if whole <= 0.0 || solved.tints.iter().flatten().all(|tint| *tint <= 0.0) {
             return Err(FitError::Nothing("all values are 0 or below".to_owned()));

@@ -8,7 +8,7 @@ use super::FitError;
 use super::blocks::{self, dot};
 use super::problem::{Columns, Problem, slices};
 use super::solve::Solved;
-use super::tints::{MOST, Normal};
+use super::tints::{MOST, Normal, Tints};
 
 /// Steps, at most.
 const MOST_STEPS: usize = 30;
@@ -27,17 +27,19 @@ pub(super) struct Refined {
     pub point: Vec<f64>,
     /// The standard error of each number of the point; none where it cannot be told.
     pub errors: Vec<Option<f64>>,
+    /// The tints there.
+    pub tints: Vec<Tints>,
 }
 
 impl Problem<'_> {
-    /// The least sum of squares near a point.
-    pub(super) fn refine(&mut self, start: &[f64]) -> Result<Refined, FitError> {
+    /// The least sum of squares near a point, where the tints may be known about.
+    pub(super) fn refine(&mut self, start: &[f64], near: Option<&[Tints]>) -> Result<Refined, FitError> {
         let mut point = self.clamped(start);
-        if point.is_empty() {
-            return Ok(Refined { point, errors: Vec::new() });
-        }
         let mut damping = 1e-4;
-        let mut here = self.solved(&point, None)?;
+        let mut here = self.solved(&point, near)?;
+        if point.is_empty() {
+            return Ok(Refined { point, errors: Vec::new(), tints: here.0.tints });
+        }
         let mut slopes = self.slopes(&point, &here)?;
         for _ in 0..MOST_STEPS {
             let (next, expected) = self.step(&point, &slopes, damping);
@@ -59,7 +61,7 @@ impl Problem<'_> {
             }
         }
         let errors = self.errors(&point, &slopes, here.0.squares);
-        Ok(Refined { point, errors })
+        Ok(Refined { point, errors, tints: here.0.tints })
     }
 
     /// The products of the slopes of all differences with each other, and with the differences, at a point with its tints.

@@ -144,7 +144,7 @@ impl<'a> Solver<'a> {
         }
         sums.squares = self.tangents::<C>(range, c, [&mut *squared, &mut *valued, &mut *weighted]);
         for (a, column) in columns.iter().enumerate() {
-            let column = &column[range.clone()];
+            let column = &column[range.clone()][..n];
             sums.normal.products[a] = dot(valued, column);
             for i in 0..n {
                 weighted[i] = squared[i] * column[i];
@@ -160,10 +160,13 @@ impl<'a> Solver<'a> {
     /// second their product, both weighted, and the third the differences.
     #[inline(always)]
     fn tangents<C: Curve>(&self, range: &Range<usize>, c: usize, rows: [&mut [f64]; 3]) -> f64 {
-        let [squared, valued, differences] = rows;
-        let (weights, targets) = (&self.samples.weights[range.clone()], &self.targets[c][range.clone()]);
+        // All of one length, which the compiler then need not check.
+        let n = range.len();
+        let [squared, valued, differences] = rows.map(|row| &mut row[..n]);
+        let (weights, targets) =
+            (&self.samples.weights[range.clone()][..n], &self.targets[c][range.clone()][..n]);
         let (least, at_least) = (self.samples.least, self.at_least);
-        for i in 0..range.len() {
+        for i in 0..n {
             let model = squared[i];
             let value = C::of(model.max(0.0));
             let slope = C::slope(model.max(least), value.max(at_least));
@@ -172,8 +175,11 @@ impl<'a> Solver<'a> {
             valued[i] = squared[i] * model + weights[i] * slope * difference;
             differences[i] = difference;
         }
-        let squares = (0..range.len()).map(|i| weights[i] * differences[i] * differences[i]);
-        squares.sum()
+        let mut sums = [0.0; 8];
+        for i in 0..n {
+            sums[i % 8] += weights[i] * differences[i] * differences[i];
+        }
+        sums.iter().sum()
     }
 }
 
