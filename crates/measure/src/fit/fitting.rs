@@ -1,9 +1,12 @@
 //! From readings and lobes to a fit.
 
+use glanz_bsdf::DirectionPair;
+use glanz_math::Vec3;
+
 use super::lobe::{self, FitLobe, FittedLobe};
 use super::metric::Metric;
 use super::problem::{Problem, has_grain};
-use super::samples::Samples;
+use super::samples::{Samples, schlick_layers};
 use super::{refine, search, tints};
 use crate::Readings;
 
@@ -61,6 +64,40 @@ pub struct Fit {
     pub readings: usize,
     /// How often shapes were evaluated at all readings.
     pub evaluations: usize,
+}
+
+impl Fit {
+    /// The BRDF that was fitted, in 1/sr, for directions to the light and to the viewer above the surface: one value per
+    /// channel, for plots, spheres and virtual instruments.
+    ///
+    /// ```
+    /// use glanz_math::Vec3;
+    /// use glanz_measure::{Channels, FitOptions, Readings, fit};
+    ///
+    /// let mut readings = Readings::new(Channels::Luminance);
+    /// let wi = Vec3::from_angles(0.5, std::f64::consts::PI);
+    /// (0..60).for_each(|theta_o| readings.push(wi, Vec3::from_angles(f64::from(theta_o).to_radians(), 0.0), &[0.2]));
+    /// let found = fit(&readings, &["lambert"], &FitOptions::default())?;
+    /// assert!((found.brdf(wi, wi)[0] - 0.2).abs() < 1e-6);
+    /// # Ok::<(), glanz_measure::FitError>(())
+    /// ```
+    pub fn brdf(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
+        let (sin, cos) = libm::sincos(self.aniso_deg.unwrap_or(0.0).to_radians());
+        let turn = |w: Vec3<f64>| Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z);
+        let pair = DirectionPair::new(turn(wo), turn(wi));
+        let mut sum = vec![0.0; self.lobes.first().map_or(0, |lobe| lobe.tint.len())];
+        for lobe in &self.lobes {
+            let value = lobe.shape.f_cos(&pair) / wi.z;
+            let parts = match lobe.tint_at_grazing {
+                None => [value, 0.0],
+                Some(_) => schlick_layers().map(|layer| layer.factor(&pair) * value),
+            };
+            for (tint, part) in lobe.tints().zip(parts) {
+                sum.iter_mut().zip(tint).for_each(|(sum, tint)| *sum += tint * part);
+            }
+        }
+        sum
+    }
 }
 
 /// Fits a sum of lobes, by the names of their models. `:schlick` and `:aniso` may stand behind a name, as for [`FitLobe::named`];

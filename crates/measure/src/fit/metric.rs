@@ -19,11 +19,15 @@ pub enum Metric {
     /// g(x) = ∛x, which is nearest to what people see (A. Fores and others 2012).
     #[default]
     CubeRoot,
+    /// g(x) = L*(π x) / 100, the lightness of CIELAB of each channel, where a perfect diffuser lit along its normal is white: the
+    /// cube root, but a line below a reflectance of 0.9 %, so that dark parts with their noise count for less. It is no
+    /// difference of colours: those need an illuminant, an observer and what is seen beside.
+    Lightness,
 }
 
 impl Metric {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::L2, Self::Log, Self::CubeRoot];
+    pub const ALL: [Self; 4] = [Self::L2, Self::Log, Self::CubeRoot, Self::Lightness];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -31,6 +35,7 @@ impl Metric {
             Self::L2 => "l2",
             Self::Log => "log",
             Self::CubeRoot => "cube-root",
+            Self::Lightness => "lightness",
         }
     }
 
@@ -52,6 +57,7 @@ impl Metric {
             Self::L2 => apply::<Linear>(values),
             Self::Log => apply::<Logarithm>(values),
             Self::CubeRoot => apply::<CubeRoot>(values),
+            Self::Lightness => apply::<Lightness>(values),
         });
     }
 }
@@ -137,6 +143,31 @@ impl Curve for CubeRoot {
     }
 }
 
+/// [`Metric::Lightness`].
+pub(super) struct Lightness;
+
+impl Lightness {
+    /// CIE 15: below (6/29)³ a line goes on from the cube root.
+    const TOE: f64 = 216.0 / 24_389.0;
+    const TOE_SLOPE: f64 = 24_389.0 / 2700.0;
+}
+
+impl Curve for Lightness {
+    #[inline(always)]
+    fn of(x: f64) -> f64 {
+        let reflectance = x * core::f64::consts::PI;
+        let root = 1.16 * CubeRoot::of(reflectance) - 0.16;
+        if reflectance > Self::TOE { root } else { Self::TOE_SLOPE * reflectance }
+    }
+    #[inline(always)]
+    fn slope(x: f64, value: f64) -> f64 {
+        let root = (value + 0.16) / 1.16;
+        let slope =
+            if x * core::f64::consts::PI > Self::TOE { 1.16 / (3.0 * root * root) } else { Self::TOE_SLOPE };
+        slope * core::f64::consts::PI
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,6 +183,11 @@ mod tests {
             assert!((Logarithm::of(x) - log).abs() < 3e-16 * (1.0 + log), "{x}: {}", Logarithm::of(x));
         }
         assert!(CubeRoot::of(0.0) < 2e-10 && Logarithm::of(0.0) == 0.0);
+        // White, middle gray (CIE 15: L* = 50 at 18.42 %) and both sides of the toe's end, L* = 8.
+        for (reflectance, lightness) in [(1.0, 1.0), (0.184187, 0.5), (0.008856, 0.08), (0.008857, 0.08)] {
+            let got = Lightness::of(reflectance / core::f64::consts::PI);
+            assert!((got - lightness).abs() < 1e-5, "{reflectance}: {got}");
+        }
     }
 
     #[test]
@@ -161,10 +197,11 @@ mod tests {
             let secant = (C::of(x + step) - C::of(x - step)) / (2.0 * step);
             assert!((C::slope(x, C::of(x)) / secant - 1.0).abs() < 1e-6);
         }
-        for x in [1e-2, 0.3, 1.0, 40.0] {
+        for x in [1e-3, 1e-2, 0.3, 1.0, 40.0] {
             check::<Linear>(x);
             check::<Logarithm>(x);
             check::<CubeRoot>(x);
+            check::<Lightness>(x);
         }
     }
 }

@@ -90,7 +90,8 @@ impl<'a> Problem<'a> {
         for (number, lobe) in self.lobes.iter().enumerate() {
             let count = lobe.parameters().count();
             let values = &point[place..place + count];
-            let turn = if lobe.across.is_some() { azimuth } else { 0.0 };
+            let reads_tangent = lobe.across.is_some() || lobe.shape.is_anisotropic();
+            let turn = if reads_tangent { azimuth } else { 0.0 };
             place += count;
             let key = (number, values.iter().chain([&turn]).map(|x| x.to_bits()).collect());
             if let Some(known) = self.known.get(&key) {

@@ -113,8 +113,7 @@ impl Samples {
 
     /// The two parts of a column in Schlick's form: times 1 − u⁵ and times u⁵, as layers of materials weigh them.
     pub(super) fn schlick(&self, column: &[f64]) -> [Vec<f64>; 2] {
-        [(1.0, 0.0), (0.0, 1.0)].map(|(at_zero, at_grazing)| {
-            let layer = LayerWeight::Schlick { angle: Angle::Half, at_zero, at_grazing };
+        schlick_layers().map(|layer| {
             blocks::fill(self.len(), |range, out| {
                 for (out, i) in out.iter_mut().zip(range) {
                     *out = column[i] * layer.factor(&self.pairs[i]);
@@ -122,4 +121,10 @@ impl Samples {
             })
         })
     }
+}
+
+/// The weights of the tints at normal and at grazing incidence.
+pub(super) fn schlick_layers() -> [LayerWeight; 2] {
+    let layer = |at_zero, at_grazing| LayerWeight::Schlick { angle: Angle::Half, at_zero, at_grazing };
+    [layer(1.0, 0.0), layer(0.0, 1.0)]
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 use glanz_math::{SimdLevel, at_level};
 
 use super::blocks::{self, BLOCK, dot};
-use super::metric::{CubeRoot, Curve, Linear, Logarithm, Metric};
+use super::metric::{CubeRoot, Curve, Lightness, Linear, Logarithm, Metric};
 use super::samples::Samples;
 use super::tints::{Normal, Tints};
 
@@ -114,6 +114,7 @@ impl<'a> Solver<'a> {
                     Metric::L2 => self.block::<Linear>(&range, columns, c, tints, sums),
                     Metric::Log => self.block::<Logarithm>(&range, columns, c, tints, sums),
                     Metric::CubeRoot => self.block::<CubeRoot>(&range, columns, c, tints, sums),
+                    Metric::Lightness => self.block::<Lightness>(&range, columns, c, tints, sums),
                 });
             }
             sums

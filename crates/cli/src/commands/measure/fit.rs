@@ -48,8 +48,8 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "LOBES[,LOBES…]", default_value = CANDIDATES)]
     models: String,
 
-    /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log) or of their cube
-    /// roots (cube-root)
+    /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log), of their cube
+    /// roots (cube-root) or of the lightness L* of each channel (lightness)
     #[arg(long, value_name = "METRIC", value_parser = metric, default_value = "cube-root")]
     metric: Metric,
 
@@ -72,13 +72,13 @@ pub(crate) struct FitArgs {
 }
 
 fn metric(text: &str) -> Result<Metric, String> {
-    Metric::named(text).ok_or_else(|| "expected l2, log or cube-root".to_owned())
+    Metric::named(text).ok_or_else(|| "expected l2, log, cube-root or lightness".to_owned())
 }
 
 /// Fits, the best first.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
-    /// l2, log or cube-root
+    /// l2, log, cube-root or lightness
     metric: &'static str,
     /// Names of the channels
     channels: Vec<String>,
