@@ -254,6 +254,59 @@ fn readings_count_as_their_weights_say() {
     assert_eq!(none, alone);
 }
 
+/// The root of the mean of the squares of the metric's differences, by its definition.
+fn error(readings: &Readings, fit: &Fit, metric: Metric) -> f64 {
+    let g = |x: f64| match metric {
+        Metric::L2 => x.max(0.0),
+        Metric::Log => x.max(0.0).ln_1p(),
+        Metric::CubeRoot => x.max(0.0).cbrt(),
+        Metric::Lightness => match x.max(0.0) * std::f64::consts::PI {
+            t if t > 216.0 / 24_389.0 => 1.16 * t.cbrt() - 0.16,
+            t => 24_389.0 / 2700.0 * t,
+        },
+    };
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for i in (0..readings.len()).filter(|i| readings.pair(*i)[1].z > 80_f64.to_radians().cos()) {
+        let ([wi, wo], weight) = (readings.pair(i), f64::from(readings.weight(i)));
+        for (fitted, read) in fit.brdf(wi, wo).into_iter().zip(readings.values(i)) {
+            sum += weight * (g(fitted * wi.z) - g(f64::from(*read) * wi.z)).powi(2);
+            weights += weight;
+        }
+    }
+    (sum / weights).sqrt()
+}
+
+#[test]
+fn no_fit_nearby_is_better() {
+    let even = readings(&[("ward", "alpha", 0.2, 0.2), ("lambert", "", 0.0, 0.3)], Channels::Rgb);
+    let mut data = Readings::new(Channels::Rgb);
+    for i in 0..even.len() {
+        data.push_weighted(even.pair(i)[0], even.pair(i)[1], even.values(i), [0.2, 1.0, 3.0][i % 3]);
+    }
+    for metric in Metric::ALL {
+        let options = FitOptions { metric, ..FitOptions::default() };
+        let found = fit(&data, &["ward:schlick", "lambert"], &options).unwrap();
+        let least = error(&data, &found, metric);
+        assert!((found.error / least - 1.0).abs() < 1e-6, "{metric:?}: {} for {least}", found.error);
+        let is_worse = |what: &str, change: &dyn Fn(&mut Fit, f64)| {
+            for part in [-2e-3, 2e-3] {
+                let mut moved = found.clone();
+                change(&mut moved, part);
+                let moved = error(&data, &moved, metric);
+                assert!(moved > least, "{metric:?}: {what} times 1 + {part}: {moved} for {least}");
+            }
+        };
+        is_worse("alpha", &|fit, part| {
+            let shape = &mut fit.lobes[0].shape;
+            *shape = shape.with("alpha", shape.get("alpha").unwrap() * (1.0 + part)).unwrap();
+        });
+        for c in 0..3 {
+            is_worse("F0", &|fit, part| fit.lobes[0].tint[c] *= 1.0 + part);
+            is_worse("the matte tint", &|fit, part| fit.lobes[1].tint[c] *= 1.0 + part);
+        }
+    }
+}
+
 #[test]
 fn a_model_of_ones_own_is_fitted_by_the_parameter_that_is_named() {
     static INFO: ModelInfo = ModelInfo {

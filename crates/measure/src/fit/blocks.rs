@@ -53,3 +53,29 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let rest: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
     sums.iter().sum::<f64>() + rest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_of_rows_of_any_length_are_summed() {
+        for n in [0, 1, 7, 8, 13, 100] {
+            let row: Vec<f64> = (0..n).map(f64::from).collect();
+            let expected = f64::from(n * (n - 1) * (2 * n - 1) / 6);
+            assert_eq!(dot(&row, &row), expected, "{n}");
+        }
+    }
+
+    #[test]
+    fn blocks_cover_all_readings_once() {
+        for len in [0, 1, BLOCK, BLOCK + 1, 70 * BLOCK + 3] {
+            let parts = map(len, |range| range);
+            assert_eq!(parts.iter().map(|range| range.len()).sum::<usize>(), len);
+            let filled = fill(len, |range, out| {
+                out.iter_mut().zip(range).for_each(|(out, i)| *out += i as f64);
+            });
+            assert!(filled.iter().enumerate().all(|(i, value)| *value == i as f64));
+        }
+    }
+}
