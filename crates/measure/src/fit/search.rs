@@ -30,12 +30,7 @@ pub(super) fn search(
     metric: Metric,
 ) -> Result<(Vec<f64>, usize), FitError> {
     let equal: Vec<FitLobe> = lobes.iter().map(FitLobe::isotropic).collect();
-    let mut problem = Problem::new(samples, &equal, metric);
-    let (starts, ranges) = (grid(&problem), problem.ranges());
-    let apart = |[low, high]: &[f64; 2]| 1.5 * (high - low) / steps(ranges.len()) as f64;
-    let apart: Vec<f64> = ranges.iter().map(apart).collect();
-    let isotropic = problem.best_of(starts, &apart)?;
-    let evaluations = problem.evaluations();
+    let (isotropic, evaluations) = search_isotropic(samples, &equal, metric)?;
     if !has_grain(lobes) {
         return Ok((isotropic, evaluations));
     }
@@ -45,20 +40,52 @@ pub(super) fn search(
     Ok((best, evaluations + problem.evaluations()))
 }
 
+/// The same with equal widths. Beside the grid the search begins with the best of a lobe less, and that lobe anywhere: so more
+/// lobes are never worse than fewer.
+fn search_isotropic(
+    samples: &Samples,
+    lobes: &[FitLobe],
+    metric: Metric,
+) -> Result<(Vec<f64>, usize), FitError> {
+    let mut problem = Problem::new(samples, lobes, metric);
+    let (mut starts, mut evaluations) = (grid(&problem), 0);
+    let searched: Vec<usize> = (0..lobes.len()).filter(|i| !lobes[*i].searched.is_empty()).collect();
+    if let [_, .., last] = searched[..] {
+        let fewer = [&lobes[..last], &lobes[last + 1..]].concat();
+        let (best, count) = search_isotropic(samples, &fewer, metric)?;
+        starts.extend(with_another(lobes, last, &best));
+        evaluations += count;
+    }
+    let ranges = problem.ranges();
+    let apart = |[low, high]: &[f64; 2]| 1.5 * (high - low) / steps(ranges.len()) as f64;
+    let apart: Vec<f64> = ranges.iter().map(apart).collect();
+    let best = problem.best_of(starts, &apart)?;
+    Ok((best, evaluations + problem.evaluations()))
+}
+
+/// The point of all lobes but one, and that one anywhere in its ranges.
+fn with_another(lobes: &[FitLobe], number: usize, others: &[f64]) -> Vec<Vec<f64>> {
+    let place: usize = lobes[..number].iter().map(|lobe| lobe.searched.len()).sum();
+    let with_part = |part: f64| {
+        let own = lobes[number].searched.iter().map(|searched| {
+            let [low, high] = searched.range;
+            low + (high - low) * part
+        });
+        [&others[..place], &own.collect::<Vec<_>>(), &others[place..]].concat()
+    };
+    (0..GRID[1]).map(|k| with_part((k as f64 + 0.5) / GRID[1] as f64)).collect()
+}
+
 /// Steps of the grid for so many parameters.
 fn steps(parameters: usize) -> usize {
     GRID.get(parameters).copied().unwrap_or(2)
 }
 
-/// Points at even logarithms; of lobes of one model each set of widths once.
+/// Points at even logarithms; of lobes that are the same each set of widths once.
 fn grid(problem: &Problem) -> Vec<Vec<f64>> {
-    let names: Vec<&str> = problem
-        .lobes()
-        .iter()
-        .flat_map(|lobe| {
-            lobe.searched.iter().map(|_| if lobe.searched.len() == 1 { lobe.shape.info().name } else { "" })
-        })
-        .collect();
+    let owners = problem.lobes().iter().flat_map(|lobe| lobe.searched.iter().map(move |_| lobe));
+    let owners: Vec<&FitLobe> = owners.collect();
+    let is_again = |i: usize, j: usize| owners[i].searched.len() == 1 && owners[i] == owners[j];
     let ranges = problem.ranges();
     let steps = steps(ranges.len());
     let mut points: Vec<Vec<f64>> = vec![Vec::new()];
@@ -68,9 +95,7 @@ fn grid(problem: &Problem) -> Vec<Vec<f64>> {
         points = points
             .into_iter()
             .flat_map(|point| values.iter().map(move |x| [&point[..], &[*x]].concat()))
-            .filter(|point| {
-                (0..i).all(|j| names[j].is_empty() || names[j] != names[i] || point[j] < point[i])
-            })
+            .filter(|point| (0..i).all(|j| !is_again(i, j) || point[j] < point[i]))
             .collect();
     }
     points

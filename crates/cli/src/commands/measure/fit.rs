@@ -256,6 +256,9 @@ fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
     if best.lobes.iter().any(is_absent) {
         notes.push(format!("{name}: one of its lobes is not there; fewer say the same"));
     }
+    if best.lobes.iter().any(|lobe| lobe.tints().flatten().any(|tint| *tint > 1.0)) {
+        notes.push(format!("{name}: a tint is above 1, so the lobe reflects more than arrives"));
+    }
     if let Some((simpler, fit)) = fits.iter().find(|(_, fit)| fit.lobes.len() < best.lobes.len())
         && fit.error < 1.05 * best.error
     {
