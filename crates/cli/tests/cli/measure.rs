@@ -147,7 +147,10 @@ fn a_fit_is_ranked_and_is_a_material() {
     let near = |value: &serde_json::Value, expected: f64| {
         (value.as_f64().unwrap() - expected).abs() < 0.02 * expected
     };
-    assert!(near(&best["lobes"][0]["parameters"][0]["value"], 0.15) && near(&best["lobes"][0]["tint"][0], 1.0), "{best}");
+    assert!(
+        near(&best["lobes"][0]["parameters"][0]["value"], 0.15) && near(&best["lobes"][0]["tint"][0], 1.0),
+        "{best}"
+    );
     assert!(near(&best["lobes"][1]["tint"][0], 0.4), "{best}");
     assert!(best["error"].as_f64() < facts["fits"][1]["error"].as_f64());
     // What is written is a material.

@@ -200,17 +200,18 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
 fn fit_samples(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Fit, FitError> {
     let groups = samples.grouped();
     let grouped = groups.as_ref().unwrap_or(samples);
-    let (mut point, mut evaluations) = search::search(&grouped.thinned(FIRST_READINGS), lobes, metric)?;
+    let found = search::search(&grouped.thinned(FIRST_READINGS), lobes, metric)?;
+    let (mut ends, mut evaluations) = (found.ends, found.evaluations);
     let mut tints = None;
     if grouped.len() > 2 * SECOND_READINGS {
         let fewer = grouped.thinned(SECOND_READINGS);
         let mut problem = Problem::new(&fewer, lobes, metric);
-        let refined = problem.refine(&point, None)?;
-        (point, tints) = (refined.point, Some(refined.tints));
+        let refined = problem.refine_best(&ends, None)?;
+        (ends, tints) = (vec![refined.point], Some(refined.tints));
         evaluations += problem.evaluations();
     }
     let mut problem = Problem::new(grouped, lobes, metric);
-    let refined = problem.refine(&point, tints.as_deref())?;
+    let refined = problem.refine_best(&ends, tints.as_deref())?;
     tints = Some(refined.tints);
     if groups.is_some() {
         evaluations += problem.evaluations();

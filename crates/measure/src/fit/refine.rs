@@ -29,16 +29,34 @@ pub(super) struct Refined {
     pub errors: Vec<Option<f64>>,
     /// The tints there.
     pub tints: Vec<Tints>,
+    squares: f64,
 }
 
 impl Problem<'_> {
+    /// The best of what is found from several points, of which there is one.
+    pub(super) fn refine_best(
+        &mut self,
+        starts: &[Vec<f64>],
+        near: Option<&[Tints]>,
+    ) -> Result<Refined, FitError> {
+        let mut best = self.refine(&starts[0], near)?;
+        for start in &starts[1..] {
+            self.forget();
+            let refined = self.refine(start, None)?;
+            if refined.squares < best.squares {
+                best = refined;
+            }
+        }
+        Ok(best)
+    }
+
     /// The least sum of squares near a point, where the tints may be known about.
-    pub(super) fn refine(&mut self, start: &[f64], near: Option<&[Tints]>) -> Result<Refined, FitError> {
+    fn refine(&mut self, start: &[f64], near: Option<&[Tints]>) -> Result<Refined, FitError> {
         let mut point = self.clamped(start);
         let mut damping = 1e-4;
         let mut here = self.solved(&point, near)?;
         if point.is_empty() {
-            return Ok(Refined { point, errors: Vec::new(), tints: here.0.tints });
+            return Ok(Refined { point, errors: Vec::new(), tints: here.0.tints, squares: here.0.squares });
         }
         let mut slopes = self.slopes(&point, &here)?;
         for _ in 0..MOST_STEPS {
@@ -61,7 +79,7 @@ impl Problem<'_> {
             }
         }
         let errors = self.errors(&point, &slopes, here.0.squares);
-        Ok(Refined { point, errors, tints: here.0.tints })
+        Ok(Refined { point, errors, tints: here.0.tints, squares: here.0.squares })
     }
 
     /// The products of the slopes of all differences with each other, and with the differences, at a point with its tints.

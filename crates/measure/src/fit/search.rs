@@ -12,6 +12,8 @@ const GRID: [usize; 6] = [1, 14, 9, 6, 4, 3];
 const STARTS: usize = 3;
 /// A start with so many times the least sum of squares is none.
 const WORST_START: f64 = 4.0;
+/// An end with so many times the least sum of squares is none.
+const WORST_END: f64 = 1.05;
 /// Steps of one simplex.
 const MOST_STEPS: usize = 200;
 /// The simplex ends where its corners are this near to each other; the last digits are found with all readings.
@@ -23,44 +25,42 @@ const AZIMUTHS: usize = 6;
 /// A corner of a simplex: the sum of squares there, and the point.
 type Corner = (f64, Vec<f64>);
 
-/// The best point, roughly, and how often shapes were evaluated.
-pub(super) fn search(
-    samples: &Samples,
-    lobes: &[FitLobe],
-    metric: Metric,
-) -> Result<(Vec<f64>, usize), FitError> {
+/// Where the search ended, the best first, and how often shapes were evaluated.
+pub(super) struct Found {
+    pub ends: Vec<Vec<f64>>,
+    pub evaluations: usize,
+}
+
+/// The best points, roughly.
+pub(super) fn search(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Found, FitError> {
     let equal: Vec<FitLobe> = lobes.iter().map(FitLobe::isotropic).collect();
-    let (isotropic, evaluations) = search_isotropic(samples, &equal, metric)?;
+    let isotropic = search_isotropic(samples, &equal, metric)?;
     if !has_grain(lobes) {
-        return Ok((isotropic, evaluations));
+        return Ok(isotropic);
     }
-    let starts = stretched(lobes, &isotropic);
+    let starts = stretched(lobes, &isotropic.ends[0]);
     let mut problem = Problem::new(samples, lobes, metric);
-    let best = problem.best_of(starts, &vec![0.0; problem.ranges().len()])?;
-    Ok((best, evaluations + problem.evaluations()))
+    let ends = problem.ends_of(starts, &vec![0.0; problem.ranges().len()])?;
+    Ok(Found { ends, evaluations: isotropic.evaluations + problem.evaluations() })
 }
 
 /// The same with equal widths. Beside the grid the search begins with the best of a lobe less, and that lobe anywhere: so more
 /// lobes are never worse than fewer.
-fn search_isotropic(
-    samples: &Samples,
-    lobes: &[FitLobe],
-    metric: Metric,
-) -> Result<(Vec<f64>, usize), FitError> {
+fn search_isotropic(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Found, FitError> {
     let mut problem = Problem::new(samples, lobes, metric);
     let (mut starts, mut evaluations) = (grid(&problem), 0);
     let searched: Vec<usize> = (0..lobes.len()).filter(|i| !lobes[*i].searched.is_empty()).collect();
     if let [_, .., last] = searched[..] {
         let fewer = [&lobes[..last], &lobes[last + 1..]].concat();
-        let (best, count) = search_isotropic(samples, &fewer, metric)?;
-        starts.extend(with_another(lobes, last, &best));
-        evaluations += count;
+        let found = search_isotropic(samples, &fewer, metric)?;
+        starts.extend(with_another(lobes, last, &found.ends[0]));
+        evaluations += found.evaluations;
     }
     let ranges = problem.ranges();
     let apart = |[low, high]: &[f64; 2]| 1.5 * (high - low) / steps(ranges.len()) as f64;
     let apart: Vec<f64> = ranges.iter().map(apart).collect();
-    let best = problem.best_of(starts, &apart)?;
-    Ok((best, evaluations + problem.evaluations()))
+    let ends = problem.ends_of(starts, &apart)?;
+    Ok(Found { ends, evaluations: evaluations + problem.evaluations() })
 }
 
 /// The point of all lobes but one, and that one anywhere in its ranges.
@@ -122,36 +122,53 @@ fn stretched(lobes: &[FitLobe], isotropic: &[f64]) -> Vec<Vec<f64>> {
     points
 }
 
+fn are_near(a: &[f64], b: &[f64], apart: &[f64]) -> bool {
+    apart.iter().zip(a.iter().zip(b)).all(|(apart, (a, b))| (a - b).abs() < *apart)
+}
+
+/// The best of these, and those that may be better with all readings.
+fn distinct(mut ends: Vec<Corner>) -> Vec<Vec<f64>> {
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let worst = WORST_END * ends[0].0;
+    let mut kept: Vec<Vec<f64>> = Vec::new();
+    for (squares, end) in ends {
+        let is_known = kept.iter().any(|other| are_near(other, &end, &vec![10.0 * SIZE; end.len()]));
+        if kept.is_empty() || squares < worst && !is_known {
+            kept.push(end);
+        }
+    }
+    kept
+}
+
 impl Problem<'_> {
-    /// The best point that is found from the best of these, of which two are neighbours where all numbers are less than this
-    /// apart.
-    fn best_of(&mut self, starts: Vec<Vec<f64>>, apart: &[f64]) -> Result<Vec<f64>, FitError> {
+    /// Where the simplex ends that begins at the best of these, of which two are neighbours where all numbers are less than
+    /// this apart. The best comes first; ends that are much worse, or the same, are left out.
+    fn ends_of(&mut self, starts: Vec<Vec<f64>>, apart: &[f64]) -> Result<Vec<Vec<f64>>, FitError> {
         let mut all: Vec<Corner> = Vec::new();
         for point in starts {
             let point = self.clamped(&point);
             all.push((self.squares(&point)?, point));
         }
         self.forget();
+        if apart.is_empty() {
+            return Ok(vec![Vec::new()]);
+        }
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut best = all[0].clone();
-        if best.1.is_empty() {
-            return Ok(best.1);
-        }
-        let mut chosen: Vec<Vec<f64>> = Vec::new();
+        let least = all[0].0;
+        let mut starts: Vec<Vec<f64>> = Vec::new();
         for (squares, start) in all {
-            let near = |other: &Vec<f64>| (0..apart.len()).all(|i| (other[i] - start[i]).abs() < apart[i]);
-            if chosen.len() < STARTS && squares < WORST_START * best.0 && !chosen.iter().any(near) {
-                chosen.push(start);
+            let is_known = starts.iter().any(|other| are_near(other, &start, apart));
+            if starts.is_empty() || starts.len() < STARTS && squares < WORST_START * least && !is_known {
+                starts.push(start);
             }
         }
-        for start in chosen {
-            let found = self.simplex(start)?;
-            if found.0 < best.0 {
-                best = found;
-            }
+        let mut ends = Vec::new();
+        for start in starts {
+            let (squares, end) = self.simplex(start)?;
+            ends.push((squares, self.clamped(&end)));
             self.forget();
         }
-        Ok(self.clamped(&best.1))
+        Ok(distinct(ends))
     }
 
     /// J. Nelder and R. Mead 1965, in the logarithms of the widths.
