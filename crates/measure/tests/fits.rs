@@ -110,6 +110,26 @@ fn two_lobes_of_one_model_are_told_apart_in_any_number_of_channels() {
 }
 
 #[test]
+fn more_lobes_are_no_worse_and_their_order_does_not_matter() {
+    let truth = [
+        (shape(("cook-torrance", "m", 0.08, 0.0)), 0.05, 0.4),
+        (shape(("beckmann", "alpha", 0.5, 0.0)), 0.2, 0.2),
+        (shape(("lambert", "", 0.0, 0.0)), 0.3, 0.3),
+    ];
+    let data = of_function(false, Channels::Luminance, &|pair| {
+        let u5 = (1.0 - pair.cos_view_half()).powi(5);
+        vec![truth.iter().map(|(shape, f0, f90)| (f0 + (f90 - f0) * u5) * shape.f_cos(pair)).sum()]
+    });
+    let error = |models: &[&str]| fit(&data, models, &FitOptions::default()).unwrap().error;
+    let counts = [1, 2, 3].map(|n| error(&[&vec!["ggx"; n][..], &["lambert"]].concat()));
+    assert!(counts[1] < 0.9 * counts[0] && counts[2] <= counts[1] * (1.0 + 1e-6), "{counts:?}");
+    // The narrow lobe is the one with Fresnel tints, whichever stands first.
+    let orders =
+        [["ggx:schlick", "ggx", "lambert"], ["ggx", "ggx:schlick", "lambert"]].map(|models| error(&models));
+    assert!((orders[0] / orders[1] - 1.0).abs() < 1e-6 && orders[0] < counts[1], "{orders:?} {counts:?}");
+}
+
+#[test]
 fn a_lobe_that_is_not_there_has_no_tint() {
     let data = readings(&[("lambert", "", 0.0, 0.5)], Channels::Luminance);
     let fit = fit(&data, &["lambert"], &FitOptions::default()).unwrap();
