@@ -242,6 +242,9 @@ fn candidates(text: &str) -> Result<Vec<(String, Vec<String>)>, Failure> {
     }
 }
 
+/// Noise takes a tint at grazing incidence this far, but no farther.
+const BRIGHTEST_GRAZING: f64 = 1.1;
+
 /// What a reader of the fits should know.
 fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
     let mut notes = Vec::new();
@@ -256,8 +259,12 @@ fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
     if best.lobes.iter().any(is_absent) {
         notes.push(format!("{name}: one of its lobes is not there; fewer say the same"));
     }
-    if best.lobes.iter().any(|lobe| lobe.tints().flatten().any(|tint| *tint > 1.0)) {
-        notes.push(format!("{name}: a tint is above 1, so the lobe reflects more than arrives"));
+    let too_bright = |tint: &Vec<f64>| tint.iter().any(|tint| *tint > BRIGHTEST_GRAZING);
+    for lobe in best.lobes.iter().filter(|lobe| lobe.tint_at_grazing.as_ref().is_some_and(too_bright)) {
+        let model = lobe.shape.info().name;
+        notes.push(format!(
+            "{name}: the tint of {model} at grazing incidence is above 1: its masking does not fit"
+        ));
     }
     if let Some((simpler, fit)) = fits.iter().find(|(_, fit)| fit.lobes.len() < best.lobes.len())
         && fit.error < 1.05 * best.error
