@@ -28,6 +28,9 @@ mod readings;
 pub use appearance::{Function, GlossMeter, forty_five_zero, multi_angle, sphere};
 pub use error::ReadError;
 pub use facts::{Albedo, Facts, Reciprocity};
-pub use fit::{Fit, FitError, FitLobe, FitOptions, FittedLobe, FittedParameter, Metric, fit, fit_lobes};
+pub use fit::{
+    Fit, FitError, FitLobe, FitOptions, FitSlice, FittedLobe, FittedParameter, Metric, SlicePoint, fit,
+    fit_lobes,
+};
 pub use format::{Data, Format, Measured, Merl, ReadOptions, Rgl, write_csv, write_merl, write_rgl};
 pub use readings::{Channels, Quantity, Readings};

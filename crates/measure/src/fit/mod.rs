@@ -16,9 +16,11 @@ mod problem;
 mod refine;
 mod samples;
 mod search;
+mod slices;
 mod solve;
 mod tints;
 
 pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes};
 pub use lobe::{FitLobe, FittedLobe, FittedParameter};
 pub use metric::Metric;
+pub use slices::{FitSlice, SlicePoint};
