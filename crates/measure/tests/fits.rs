@@ -130,6 +130,21 @@ fn more_lobes_are_no_worse_and_their_order_does_not_matter() {
 }
 
 #[test]
+fn standard_errors_are_told_beside_lobes_that_say_nothing() {
+    let data = readings(&[("ggx", "alpha", 0.2, 0.3)], Channels::Luminance);
+    let alone = fit(&data, &["ggx"], &FitOptions::default()).unwrap();
+    let error = |fit: &Fit, lobe: usize| fit.lobes[lobe].parameters[0].log_error;
+    assert!(error(&alone, 0).is_some_and(|error| error < 2e-3));
+    // Of a Phong lobe that wide there is nothing, or next to nothing, to be seen.
+    let wide = FitLobe::named("phong-normalized").unwrap().searching("shininess", [1.0, 1.5]).unwrap();
+    let both = fit_lobes(&data, &[FitLobe::named("ggx").unwrap(), wide], &FitOptions::default()).unwrap();
+    assert!(both.lobes[1].tint[0] < 5e-3, "{both:?}");
+    let (told, expected) = (error(&both, 0).unwrap(), error(&alone, 0).unwrap());
+    assert!(told < 3.0 * expected, "{told} for {expected}");
+    assert_eq!(error(&both, 1), None, "{both:?}");
+}
+
+#[test]
 fn a_lobe_that_is_not_there_has_no_tint() {
     let data = readings(&[("lambert", "", 0.0, 0.5)], Channels::Luminance);
     let fit = fit(&data, &["lambert"], &FitOptions::default()).unwrap();

@@ -24,7 +24,7 @@ pub(super) struct Problem<'a> {
 }
 
 /// A value at the end of its range is this near to it, in logarithms.
-const AT_BOUND: f64 = 1e-3;
+pub(super) const AT_BOUND: f64 = 1e-3;
 
 /// Columns that are kept, at most this many numbers.
 const MOST_KNOWN: usize = 8 << 20;

@@ -6,7 +6,7 @@
 
 use super::FitError;
 use super::blocks::{self, dot};
-use super::problem::{Columns, Problem, slices};
+use super::problem::{AT_BOUND, Columns, Problem, slices};
 use super::solve::Solved;
 use super::tints::{MOST, Normal, Tints};
 
@@ -18,6 +18,11 @@ const STEP: f64 = 1e-3;
 const LAST_STEP: f64 = 1e-7;
 /// Where a step would lower the sum of squares by less than this part, the search ends.
 const LAST_GAIN: f64 = 1e-11;
+
+/// A parameter with less than this part of the greatest curvature changes nothing.
+const LEAST_CURVATURE: f64 = 1e-12;
+/// A parameter that may be e times as great or small is not known.
+const MOST_ERROR: f64 = 1.0;
 
 /// Parameters that can be searched at once.
 pub(super) const MOST_PARAMETERS: usize = MOST;
@@ -138,12 +143,23 @@ impl Problem<'_> {
     }
 
     /// Standard errors, from the curvature of the sum of squares about its least, whose tints follow: that of the profile.
+    /// Parameters at an end of their range are fixed there, and those of lobes that are not there say nothing.
     fn errors(&self, point: &[f64], slopes: &Normal, squares: f64) -> Vec<Option<f64>> {
         let samples = self.solver().samples();
         let columns: usize = self.lobes().iter().map(|lobe| lobe.columns()).sum();
         let numbers = point.len() + columns * samples.values.len();
         let count = samples.len() * samples.values.len();
         let variance = squares / count.saturating_sub(numbers).max(1) as f64;
-        (0..point.len()).map(|i| Some((variance * slopes.inverse_at(i)?).sqrt())).collect()
+        let most = (0..point.len()).map(|i| slopes.matrix[i][i]).fold(0.0, f64::max);
+        let mut chosen = 0;
+        for (i, [low, high]) in self.ranges().into_iter().enumerate() {
+            let is_inside = point[i] - low > AT_BOUND && high - point[i] > AT_BOUND;
+            chosen |= usize::from(is_inside && slopes.matrix[i][i] > LEAST_CURVATURE * most) << i;
+        }
+        let error = |i: usize| {
+            let inverse = slopes.inverse_at(i, chosen).filter(|_| chosen >> i & 1 == 1)?;
+            Some((variance * inverse).sqrt()).filter(|error| *error < MOST_ERROR)
+        };
+        (0..point.len()).map(error).collect()
     }
 }

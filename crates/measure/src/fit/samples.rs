@@ -24,7 +24,7 @@ impl Samples {
             let [wi, wo] = readings.pair(*index);
             wi.z >= least_cosine
                 && wo.z >= least_cosine
-                && readings.weight(*index) > 0.0
+                && (f32::MIN_POSITIVE..=f32::MAX).contains(&readings.weight(*index))
                 && readings.values(*index).iter().all(|x| x.is_finite())
         };
         let all = blocks::map(readings.len(), |range| range.filter(counts).collect::<Vec<usize>>()).concat();

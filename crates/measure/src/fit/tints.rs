@@ -51,11 +51,11 @@ impl Normal {
         best
     }
 
-    /// An element on the diagonal of the inverse of the matrix; nothing if the matrix is not positive.
-    pub(super) fn inverse_at(&self, i: usize) -> Option<f64> {
+    /// An element on the diagonal of the inverse of the matrix of the columns whose bits are set; nothing if it is not positive.
+    pub(super) fn inverse_at(&self, i: usize, chosen: usize) -> Option<f64> {
         let mut unit = [0.0; MOST];
         unit[i] = 1.0;
-        Some(Self { products: unit, ..*self }.solve_for((1 << self.size) - 1)?[i]).filter(|x| *x > 0.0)
+        Some(Self { products: unit, ..*self }.solve_for(chosen)?[i]).filter(|x| *x > 0.0)
     }
 
     /// The solution for the columns whose bits are set, by Cholesky's way; nothing where two of them are the same.
