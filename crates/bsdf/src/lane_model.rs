@@ -100,8 +100,17 @@ impl Shape {
         matches!(self, Self::Custom(model) if model.is_single())
     }
 
-    /// The values of many pairs, 16 at a time where the model is known so.
-    pub(crate) fn values(&self, pairs: &[DirectionPair<f64>]) -> Vec<f64> {
+    /// [`Shape::f_cos`] of many pairs, 16 at a time where the model is known so.
+    ///
+    /// ```
+    /// use glanz_bsdf::{DirectionPair, Shape};
+    ///
+    /// let lambert = Shape::named("lambert", &[])?;
+    /// let pairs = [1.0, 0.5].map(|cosine| DirectionPair::isotropic(cosine, 0.5, 0.5));
+    /// assert_eq!(lambert.values(&pairs), pairs.map(|pair| lambert.f_cos(&pair)));
+    /// # Ok::<(), glanz_bsdf::ParamError>(())
+    /// ```
+    pub fn values(&self, pairs: &[DirectionPair<f64>]) -> Vec<f64> {
         match self {
             Self::Custom(model) if model.is_single() => sixteen_by_sixteen(model, pairs),
             _ => pairs.iter().map(|pair| self.f_cos(pair)).collect(),

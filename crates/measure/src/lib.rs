@@ -37,7 +37,10 @@ pub use appearance::{
 pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
-pub use fit::{Fit, FitError, FitOptions, FittedLobe, Metric, fit, fit_shapes};
+pub use fit::{
+    Fit, FitError, FitLobe, FitOptions, FitSlice, FittedLobe, FittedParameter, Metric, SlicePoint, fit,
+    fit_lobes,
+};
 pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,

@@ -131,17 +131,41 @@ pub struct Readings {
     channels: Channels,
     pairs: Vec<[Vec3<f64>; 2]>,
     values: Vec<f32>,
+    /// One for each reading, or none at all where all are 1.
+    weights: Vec<f32>,
 }
 
 impl Readings {
     /// None yet.
     pub fn new(channels: Channels) -> Self {
-        Self { channels, pairs: Vec::new(), values: Vec::new() }
+        Self { channels, pairs: Vec::new(), values: Vec::new(), weights: Vec::new() }
     }
 
     /// Adds the BRDF, in 1/sr, at a pair of directions, to the light and to the detector. Numbers that are missing are
     /// NaN; what there is more than channels counts for nothing.
     pub fn push(&mut self, wi: Vec3<f64>, wo: Vec3<f64>, values: &[f32]) {
+        self.push_weighted(wi, wo, values, 1.0);
+    }
+
+    /// The same with a weight: how much the reading counts in fits, where 1 is as much as others do, and 0 not at all. A
+    /// reading of twice the standard deviation has a quarter of the weight.
+    ///
+    /// ```
+    /// use glanz_math::Vec3;
+    /// use glanz_measure::{Channels, Readings};
+    ///
+    /// let (mut readings, up) = (Readings::new(Channels::Luminance), Vec3::from_angles(0.0, 0.0));
+    /// readings.push(up, up, &[0.3]);
+    /// readings.push_weighted(up, up, &[0.4], 0.25);
+    /// assert_eq!([readings.weight(0), readings.weight(1)], [1.0, 0.25]);
+    /// ```
+    pub fn push_weighted(&mut self, wi: Vec3<f64>, wo: Vec3<f64>, values: &[f32], weight: f32) {
+        if weight != 1.0 && self.weights.is_empty() {
+            self.weights.resize(self.pairs.len(), 1.0);
+        }
+        if weight != 1.0 || !self.weights.is_empty() {
+            self.weights.push(weight);
+        }
         self.pairs.push([wi, wo]);
         let count = self.channels.count();
         self.values.extend((0..count).map(|c| values.get(c).copied().unwrap_or(f32::NAN)));
@@ -165,6 +189,16 @@ impl Readings {
     /// The directions to the light and to the detector of one of them.
     pub fn pair(&self, index: usize) -> [Vec3<f64>; 2] {
         self.pairs[index]
+    }
+
+    /// How much it counts in fits.
+    pub fn weight(&self, index: usize) -> f32 {
+        self.weights.get(index).copied().unwrap_or(1.0)
+    }
+
+    /// Whether weights differ from 1.
+    pub fn has_weights(&self) -> bool {
+        !self.weights.is_empty()
     }
 
     /// Its values, one per channel.

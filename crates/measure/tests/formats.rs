@@ -203,6 +203,23 @@ fn errors_of_tables_have_their_line() {
 }
 
 #[test]
+fn weights_are_a_column_of_tables() {
+    let head = "theta_i_deg,theta_o_deg,weight,Y\n";
+    let readings = read(&format!("{head}10,20,0.25,0.3\n10,30,,0.4\n10,40,0,0.5\n")).unwrap().readings();
+    assert_eq!([0, 1, 2].map(|i| readings.weight(i)), [0.25, 1.0, 0.0]);
+    assert_eq!(readings.values(1), [0.4]);
+    let again = read(&write_csv(&readings, Quantity::Brdf, "")).unwrap().readings();
+    assert_eq!([0, 1, 2].map(|i| again.weight(i)), [0.25, 1.0, 0.0]);
+    let error = read(&format!("{head}10,20,-1,0.3\n")).unwrap_err();
+    assert_eq!(
+        (error.line(), error.to_string().as_str()),
+        (Some(2), "column 'weight': expected 0 or more, found -1")
+    );
+    let plain = read("theta_i_deg,theta_o_deg,Y\n10,20,0.3\n").unwrap().readings();
+    assert!(!plain.has_weights() && !write_csv(&plain, Quantity::Brdf, "").contains("weight"));
+}
+
+#[test]
 fn astm_tables_are_in_radians() {
     let text = "ASTM E1392\r\nCOMMENT \"blue paint\"\r\nNUM_POINTS 3\r\n\
                 VARS theta_i,phi_i,theta_s,phi_s,400nm,500nm\r\n\

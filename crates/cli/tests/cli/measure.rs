@@ -180,16 +180,33 @@ fn a_fit_is_ranked_and_is_a_material() {
     let near = |value: &serde_json::Value, expected: f64| {
         (value.as_f64().unwrap() - expected).abs() < 0.02 * expected
     };
-    assert!(near(&best["lobes"][0]["value"], 0.15) && near(&best["lobes"][0]["tint"][0], 1.0), "{best}");
+    assert!(
+        near(&best["lobes"][0]["parameters"][0]["value"], 0.15) && near(&best["lobes"][0]["tint"][0], 1.0),
+        "{best}"
+    );
     assert!(near(&best["lobes"][1]["tint"][0], 0.4), "{best}");
     assert!(best["error"].as_f64() < facts["fits"][1]["error"].as_f64());
     // What is written is a material.
-    let mut scene = String::from_utf8(folder.read("fit.toml")).unwrap();
-    scene += "\n[image]\nwidth = 16\nheight = 16\n[[lights]]\nkind = \"directional\"\ndirection = [0, 0, -1]\n\
-              [[objects]]\nmaterial = \"fitted\"\nmesh = { sphere = {} }\n";
-    folder.write("scene.toml", scene);
-    let run = folder.glanz(&["render", "scene.toml", "-o", "a.png"]);
-    assert_eq!(run.code, 0, "{}", run.stderr);
+    let draws = |text: &str| {
+        let scene = format!(
+            "{text}\n[image]\nwidth = 16\nheight = 16\n[[lights]]\nkind = \"directional\"\ndirection = [0, 0, -1]\n\
+             [[objects]]\nmaterial = \"fitted\"\nmesh = {{ sphere = {{}} }}\n"
+        );
+        folder.write("scene.toml", scene);
+        let run = folder.glanz(&["render", "scene.toml", "-o", "a.png"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    };
+    draws(&String::from_utf8(folder.read("fit.toml")).unwrap());
+    // With tints at normal and at grazing incidence, and with two widths.
+    for (models, expected) in
+        [("ggx:schlick+diffuse", "schlick = { angle = \"half\""), ("ggx:aniso+lambert", "aniso_deg = ")]
+    {
+        let run = folder.glanz(&["measure", "fit", "a.csv", "--models", models, "-o", "more.toml"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let text = String::from_utf8(folder.read("more.toml")).unwrap();
+        assert!(text.contains(expected), "{text}");
+        draws(&text);
+    }
     // Two lobes say no more than one.
     let run = folder.glanz(&["measure", "fit", "a.csv", "--models", "ggx*2+lambert,ggx+lambert"]);
     assert!(run.text().contains("no better than that"), "{}", run.text());

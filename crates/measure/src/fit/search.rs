@@ -1,167 +1,178 @@
-//! The search for widths.
+//! The search for where to begin: a grid, and from its best points the simplex, with a part of the readings.
 
-use std::collections::HashMap;
-use std::rc::Rc;
+use super::FitError;
+use super::lobe::FitLobe;
+use super::metric::Metric;
+use super::problem::{Problem, has_grain};
+use super::samples::Samples;
 
-use super::tints::Normal;
-use super::{Fit, FitError, FittedLobe, Lobe, Metric, Samples};
-
-/// Steps of the first grid, by the number of widths.
-const GRID: [usize; 6] = [0, 14, 9, 6, 4, 3];
-/// Starts of the simplex: the best of the grid.
+/// Steps of the grid, by how many parameters are searched.
+const GRID: [usize; 6] = [1, 14, 9, 6, 4, 3];
+/// Starts of the simplex, at most: the best of the grid that are no neighbours, for those lead to the same end.
 const STARTS: usize = 3;
-/// Evaluations of one simplex.
+/// A start with so many times the least sum of squares is none.
+const WORST_START: f64 = 4.0;
+/// An end with so many times the least sum of squares is none.
+const WORST_END: f64 = 1.05;
+/// Steps of one simplex.
 const MOST_STEPS: usize = 200;
-/// Rounds in which weights follow the fit.
-const ROUNDS: usize = 4;
+/// The simplex ends where its corners are this near to each other; the last digits are found with all readings.
+const SIZE: f64 = 3e-3;
+/// Halves of the logarithm of the quotient of two widths that are tried, and azimuths of the grain.
+const STRETCHES: [f64; 2] = [0.3, 0.8];
+const AZIMUTHS: usize = 6;
 
-pub(super) struct Problem<'a> {
-    samples: &'a Samples,
-    lobes: &'a [Lobe],
-    metric: Metric,
-    /// The logarithms of the ranges of the widths.
-    ranges: Vec<[f64; 2]>,
-    /// Columns by lobe and the bits of the width.
-    columns: HashMap<(usize, u64), Rc<Vec<f64>>>,
-    evaluations: usize,
-}
-
-/// A corner of a simplex: the sum of squares there, and the logarithms of the widths.
+/// A corner of a simplex: the sum of squares there, and the point.
 type Corner = (f64, Vec<f64>);
 
-/// The best tints for widths.
-struct Solved {
-    /// Channel by channel.
-    tints: Vec<Vec<f64>>,
-    /// The sum of the squares of the metric's differences.
-    squares: f64,
+/// Where the search ended, the best first, and how often shapes were evaluated.
+pub(super) struct Found {
+    pub ends: Vec<Vec<f64>>,
+    pub evaluations: usize,
 }
 
-impl<'a> Problem<'a> {
-    pub(super) fn new(samples: &'a Samples, lobes: &'a [Lobe], metric: Metric) -> Self {
-        let widths = lobes.iter().filter_map(|lobe| lobe.width);
-        let ranges = widths.map(|(_, [low, high])| [libm::log(low), libm::log(high)]).collect();
-        Self { samples, lobes, metric, ranges, columns: HashMap::new(), evaluations: 0 }
+/// The best points, roughly.
+pub(super) fn search(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Found, FitError> {
+    let equal: Vec<FitLobe> = lobes.iter().map(FitLobe::isotropic).collect();
+    let isotropic = search_isotropic(samples, &equal, metric)?;
+    if !has_grain(lobes) {
+        return Ok(isotropic);
     }
+    let starts = stretched(lobes, &isotropic.ends[0]);
+    let mut problem = Problem::new(samples, lobes, metric);
+    let ends = problem.ends_of(starts, &vec![0.0; problem.ranges().len()])?;
+    Ok(Found { ends, evaluations: isotropic.evaluations + problem.evaluations() })
+}
 
-    /// How often shapes were evaluated.
-    pub(super) fn evaluations(&self) -> usize {
-        self.evaluations
+/// The same with equal widths. Beside the grid the search begins with the best of a lobe less, and that lobe anywhere: so more
+/// lobes are never worse than fewer.
+fn search_isotropic(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Found, FitError> {
+    let mut problem = Problem::new(samples, lobes, metric);
+    let (mut starts, mut evaluations) = (grid(&problem), 0);
+    let searched: Vec<usize> = (0..lobes.len()).filter(|i| !lobes[*i].searched.is_empty()).collect();
+    if let [_, .., last] = searched[..] {
+        let fewer = [&lobes[..last], &lobes[last + 1..]].concat();
+        let found = search_isotropic(samples, &fewer, metric)?;
+        starts.extend(with_another(lobes, last, &found.ends[0]));
+        evaluations += found.evaluations;
     }
+    let ranges = problem.ranges();
+    let apart = |[low, high]: &[f64; 2]| 1.5 * (high - low) / steps(ranges.len()) as f64;
+    let apart: Vec<f64> = ranges.iter().map(apart).collect();
+    let ends = problem.ends_of(starts, &apart)?;
+    Ok(Found { ends, evaluations: evaluations + problem.evaluations() })
+}
 
-    /// The logarithms of the best widths.
-    pub(super) fn search(&mut self) -> Result<Vec<f64>, FitError> {
-        let n = self.ranges.len();
-        if n == 0 {
-            return Ok(Vec::new());
-        }
-        let mut grid: Vec<(f64, Vec<f64>)> = Vec::new();
-        for point in self.grid(GRID[n.min(GRID.len() - 1)]) {
-            grid.push((self.squares(&point)?, point));
-        }
-        grid.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut best = (f64::INFINITY, grid[0].1.clone());
-        for (_, start) in grid.into_iter().take(STARTS) {
-            let found = self.simplex(start)?;
-            // Columns of one descent are of no use to the next.
-            self.columns.clear();
-            if found.0 < best.0 {
-                best = found;
-            }
-        }
-        Ok(best.1)
-    }
+/// The point of all lobes but one, and that one anywhere in its ranges.
+fn with_another(lobes: &[FitLobe], number: usize, others: &[f64]) -> Vec<Vec<f64>> {
+    let place: usize = lobes[..number].iter().map(|lobe| lobe.searched.len()).sum();
+    let with_part = |part: f64| {
+        let own = lobes[number].searched.iter().map(|searched| {
+            let [low, high] = searched.range;
+            low + (high - low) * part
+        });
+        [&others[..place], &own.collect::<Vec<_>>(), &others[place..]].concat()
+    };
+    (0..GRID[1]).map(|k| with_part((k as f64 + 0.5) / GRID[1] as f64)).collect()
+}
 
-    /// Points at even logarithms; of lobes of one model each set of widths once.
-    fn grid(&self, steps: usize) -> Vec<Vec<f64>> {
-        let names: Vec<&str> = self
-            .lobes
-            .iter()
-            .filter(|lobe| lobe.width.is_some())
-            .map(|lobe| lobe.shape.info().name)
+/// Steps of the grid for so many parameters.
+fn steps(parameters: usize) -> usize {
+    GRID.get(parameters).copied().unwrap_or(2)
+}
+
+/// Points at even logarithms; of lobes that are the same each set of widths once.
+fn grid(problem: &Problem) -> Vec<Vec<f64>> {
+    let owners = problem.lobes().iter().flat_map(|lobe| lobe.searched.iter().map(move |_| lobe));
+    let owners: Vec<&FitLobe> = owners.collect();
+    let is_again = |i: usize, j: usize| owners[i].searched.len() == 1 && owners[i] == owners[j];
+    let ranges = problem.ranges();
+    let steps = steps(ranges.len());
+    let mut points: Vec<Vec<f64>> = vec![Vec::new()];
+    for (i, [low, high]) in ranges.into_iter().enumerate() {
+        let values = (0..steps).map(|k| low + (high - low) * (k as f64 + 0.5) / steps as f64);
+        let values: Vec<f64> = values.collect();
+        points = points
+            .into_iter()
+            .flat_map(|point| values.iter().map(move |x| [&point[..], &[*x]].concat()))
+            .filter(|point| (0..i).all(|j| !is_again(i, j) || point[j] < point[i]))
             .collect();
-        let mut points: Vec<Vec<f64>> = vec![Vec::new()];
-        for (i, [low, high]) in self.ranges.iter().enumerate() {
-            let values = (0..steps).map(|k| low + (high - low) * (k as f64 + 0.5) / steps as f64);
-            let values: Vec<f64> = values.collect();
-            points = points
-                .into_iter()
-                .flat_map(|point| values.iter().map(move |x| [&point[..], &[*x]].concat()))
-                .filter(|point| (0..i).all(|j| names[j] != names[i] || point[j] < point[i]))
-                .collect();
-        }
-        points
     }
+    points
+}
 
-    /// The sum of squares at these logarithms of widths.
-    fn squares(&mut self, point: &[f64]) -> Result<f64, FitError> {
-        let columns = self.columns(point)?;
-        Ok(self.solve(&columns).squares)
-    }
-
-    fn columns(&mut self, point: &[f64]) -> Result<Vec<Rc<Vec<f64>>>, FitError> {
-        let mut widths =
-            point.iter().zip(&self.ranges).map(|(x, [low, high])| libm::exp(x.clamp(*low, *high)));
-        let mut all = Vec::with_capacity(self.lobes.len());
-        for (number, lobe) in self.lobes.iter().enumerate() {
-            let width = if lobe.width.is_some() { widths.next().unwrap_or(1.0) } else { 0.0 };
-            let key = (number, width.to_bits());
-            if let Some(known) = self.columns.get(&key) {
-                all.push(Rc::clone(known));
-                continue;
+/// Points with widths that differ, about one where they are equal.
+fn stretched(lobes: &[FitLobe], isotropic: &[f64]) -> Vec<Vec<f64>> {
+    let mut points = Vec::new();
+    for stretch in STRETCHES {
+        for step in 0..AZIMUTHS {
+            let (mut point, mut rest) = (Vec::new(), isotropic.iter());
+            for lobe in lobes {
+                for searched in &lobe.searched {
+                    let x = rest.next().copied().unwrap_or(0.0);
+                    let is_width = lobe.across.is_some_and(|across| across.range == searched.range);
+                    point.push(if is_width { x - stretch } else { x });
+                }
+                point.extend(lobe.across.map(|_| point[point.len() - 1] + 2.0 * stretch));
             }
-            let shape = lobe.with(width).map_err(|error| FitError::Model(error.to_string()))?;
-            let column = Rc::new(self.samples.column(&shape));
-            self.evaluations += 1;
-            self.columns.insert(key, Rc::clone(&column));
-            all.push(column);
+            point.push(core::f64::consts::PI * step as f64 / AZIMUTHS as f64);
+            points.push(point);
         }
-        Ok(all)
     }
+    points
+}
 
-    /// The tints for these columns. Weights turn the squares of differences into those of the metric: they follow the fit
-    /// of the round before, and are exact where it no longer changes. All channels share those of their mean.
-    fn solve(&self, columns: &[Rc<Vec<f64>>]) -> Solved {
-        let samples = self.samples;
-        let (n, channels) = (samples.len(), samples.channels);
-        let columns: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
-        let first = |y: &f64| self.metric.weight(*y, *y, samples.least);
-        let mut weights: Vec<f64> = samples.means.iter().map(first).collect();
-        let mut tints = Vec::new();
-        let rounds = if self.metric == Metric::L2 { 1 } else { ROUNDS };
-        for _ in 0..rounds {
-            let normal = Normal::new(&columns, &weights);
-            let of_channel = |c: usize| {
-                let product = |column: &&[f64]| {
-                    (0..n).map(|i| weights[i] * column[i] * samples.values[i * channels + c]).sum::<f64>()
-                };
-                normal.solve(&columns.iter().map(product).collect::<Vec<_>>()).0
-            };
-            tints = (0..channels).map(of_channel).collect::<Vec<_>>();
-            let mean = |k: usize| tints.iter().map(|tint| tint[k]).sum::<f64>() / channels as f64;
-            let means: Vec<f64> = (0..columns.len()).map(mean).collect();
-            for i in 0..n {
-                let model: f64 = columns.iter().zip(&means).map(|(column, tint)| column[i] * tint).sum();
-                weights[i] = self.metric.weight(model, samples.means[i], samples.least);
+fn are_near(a: &[f64], b: &[f64], apart: &[f64]) -> bool {
+    apart.iter().zip(a.iter().zip(b)).all(|(apart, (a, b))| (a - b).abs() < *apart)
+}
+
+/// The best of these, and those that may be better with all readings.
+fn distinct(mut ends: Vec<Corner>) -> Vec<Vec<f64>> {
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let worst = WORST_END * ends[0].0;
+    let mut kept: Vec<Vec<f64>> = Vec::new();
+    for (squares, end) in ends {
+        let is_known = kept.iter().any(|other| are_near(other, &end, &vec![10.0 * SIZE; end.len()]));
+        if kept.is_empty() || squares < worst && !is_known {
+            kept.push(end);
+        }
+    }
+    kept
+}
+
+impl Problem<'_> {
+    /// Where the simplex ends that begins at the best of these, of which two are neighbours where all numbers are less than
+    /// this apart. The best comes first; ends that are much worse, or the same, are left out.
+    fn ends_of(&mut self, starts: Vec<Vec<f64>>, apart: &[f64]) -> Result<Vec<Vec<f64>>, FitError> {
+        let mut all: Vec<Corner> = Vec::new();
+        for point in starts {
+            let point = self.clamped(&point);
+            all.push((self.squares(&point)?, point));
+        }
+        self.forget();
+        if apart.is_empty() {
+            return Ok(vec![Vec::new()]);
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let least = all[0].0;
+        let mut starts: Vec<Vec<f64>> = Vec::new();
+        for (squares, start) in all {
+            let is_known = starts.iter().any(|other| are_near(other, &start, apart));
+            if starts.is_empty() || starts.len() < STARTS && squares < WORST_START * least && !is_known {
+                starts.push(start);
             }
         }
-        let squares = (0..n).map(|i| self.of_reading(i, &columns, &tints)).sum();
-        Solved { tints, squares }
-    }
-
-    /// The squares of the metric's differences at a reading, of all channels.
-    fn of_reading(&self, i: usize, columns: &[&[f64]], tints: &[Vec<f64>]) -> f64 {
-        let channels = self.samples.channels;
-        let of_channel = |(c, tint): (usize, &Vec<f64>)| {
-            let model: f64 = columns.iter().zip(tint).map(|(column, tint)| column[i] * tint).sum();
-            let difference = self.metric.of(model) - self.metric.of(self.samples.values[i * channels + c]);
-            difference * difference
-        };
-        tints.iter().enumerate().map(of_channel).sum()
+        let mut ends = Vec::new();
+        for start in starts {
+            let (squares, end) = self.simplex(start)?;
+            ends.push((squares, self.clamped(&end)));
+            self.forget();
+        }
+        Ok(distinct(ends))
     }
 
     /// J. Nelder and R. Mead 1965, in the logarithms of the widths.
-    fn simplex(&mut self, start: Vec<f64>) -> Result<(f64, Vec<f64>), FitError> {
+    fn simplex(&mut self, start: Vec<f64>) -> Result<Corner, FitError> {
         let n = start.len();
         let mut corners = vec![(self.squares(&start)?, start.clone())];
         for i in 0..n {
@@ -173,7 +184,7 @@ impl<'a> Problem<'a> {
             corners.sort_by(|a, b| a.0.total_cmp(&b.0));
             let best = &corners[0].1;
             let sizes = corners[1..].iter().flat_map(|(_, x)| x.iter().zip(best).map(|(a, b)| (a - b).abs()));
-            if sizes.fold(0.0, f64::max) < 1e-5 {
+            if sizes.fold(0.0, f64::max) < SIZE {
                 break;
             }
             match self.moved(&corners)? {
@@ -216,66 +227,5 @@ impl<'a> Problem<'a> {
             *corner = (self.squares(&x)?, x);
         }
         Ok(())
-    }
-
-    /// The fit at these logarithms of widths.
-    pub(super) fn fit_at(&mut self, point: &[f64], errors: &[Option<f64>]) -> Result<Fit, FitError> {
-        let columns = self.columns(point)?;
-        let solved = self.solve(&columns);
-        let count = (self.samples.len() * self.samples.channels) as f64;
-        let whole: f64 = self.samples.values.iter().map(|y| self.metric.of(*y).powi(2)).sum();
-        if whole <= 0.0 || solved.tints.iter().flatten().all(|tint| *tint <= 0.0) {
-            return Err(FitError::Nothing("all values are 0 or below".to_owned()));
-        }
-        let mut width = 0;
-        let mut lobes = Vec::new();
-        for (number, lobe) in self.lobes.iter().enumerate() {
-            let (mut log_error, mut at_bound, mut value) = (None, false, 0.0);
-            if lobe.width.is_some() {
-                let [low, high] = self.ranges[width];
-                let x = point[width].clamp(low, high);
-                at_bound = x - low < 1e-3 || high - x < 1e-3;
-                log_error = errors[width].filter(|_| !at_bound);
-                value = libm::exp(x);
-                width += 1;
-            }
-            let shape = lobe.with(value).map_err(|error| FitError::Model(error.to_string()))?;
-            let tint = solved.tints.iter().map(|tint| tint[number]).collect();
-            lobes.push(FittedLobe {
-                shape,
-                parameter: lobe.width.map(|(name, _)| name),
-                log_error,
-                at_bound,
-                tint,
-            });
-        }
-        let (error, relative) = ((solved.squares / count).sqrt(), (solved.squares / whole).sqrt());
-        Ok(Fit { lobes, error, relative, readings: self.samples.len(), evaluations: self.evaluations })
-    }
-
-    /// Standard errors of the logarithms of the widths, from the curvature of the sum of squares about its least.
-    pub(super) fn errors(&mut self, point: &[f64]) -> Result<Vec<Option<f64>>, FitError> {
-        let squares = self.squares(point)?;
-        let n = point.len();
-        let step = 0.02;
-        let mut curvature = vec![vec![0.0; n]; n];
-        for i in 0..n {
-            for j in 0..=i {
-                let mut sum = 0.0;
-                for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-                    let mut moved = point.to_vec();
-                    moved[i] += a * step;
-                    moved[j] += b * step;
-                    sum += a * b * self.squares(&moved)?;
-                }
-                curvature[i][j] = sum / (4.0 * step * step);
-                curvature[j][i] = curvature[i][j];
-            }
-        }
-        let numbers = n + self.lobes.len() * self.samples.channels;
-        let count = self.samples.len() * self.samples.channels;
-        let variance = squares / count.saturating_sub(numbers).max(1) as f64;
-        let normal = Normal { matrix: curvature };
-        Ok((0..n).map(|i| Some((2.0 * variance * normal.inverse_at(i)?).sqrt())).collect())
     }
 }

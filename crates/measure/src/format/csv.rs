@@ -33,7 +33,8 @@ const ANGLES: [(usize, &[&str]); 4] = [
     (3, &["phi_o", "phio", "phi_out", "phi_s", "phi_r", "phi_v", "view_phi"]),
 ];
 
-/// Reads a table. Lines with `#` are comments; `# quantity reflectance_factor` says what the numbers are.
+/// Reads a table. Lines with `#` are comments; `# quantity reflectance_factor` says what the numbers are. A column `weight` says
+/// how much a reading counts in fits.
 pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
     let said = said_quantity(text)?;
     let mut reader = reader(text);
@@ -48,7 +49,7 @@ pub(super) fn read(text: &str, name: &str, options: &ReadOptions) -> Result<Meas
     for record in reader.records() {
         let record = record.map_err(|error| wrong(&error))?;
         match table.row(&record)? {
-            Row::Reading(wi, wo, values) => readings.push(wi, wo, &values),
+            Row::Reading(wi, wo, values, weight) => readings.push_weighted(wi, wo, &values, weight),
             Row::Below => below += 1,
             Row::Unknown => unknown += 1,
         }
@@ -75,12 +76,14 @@ struct Table<'a> {
     channels: Channels,
     /// The columns of the channels.
     columns: Vec<usize>,
+    /// The column that says how much a reading counts.
+    weight: Option<usize>,
     quantity: Quantity,
 }
 
 /// A row of a table.
 enum Row {
-    Reading(Vec3<f64>, Vec3<f64>, Vec<f32>),
+    Reading(Vec3<f64>, Vec3<f64>, Vec<f32>, f32),
     /// Light or detector is below the horizon.
     Below,
     /// There is no direction or no value.
@@ -101,7 +104,8 @@ impl<'a> Table<'a> {
             let expected = "r, g, b, or X, Y, Z, or wavelengths such as 550nm, or Y";
             ReadError::at(line, format!("no columns of values: expected {expected}"))
         })?;
-        Ok(Self { head, directions, channels, columns, quantity })
+        let weight = head.iter().position(|name| name == "weight");
+        Ok(Self { head, directions, channels, columns, weight, quantity })
     }
 
     /// Decides on the unit of angles where the names do not say it, and tells what was decided.
@@ -128,7 +132,26 @@ impl<'a> Table<'a> {
             values.push(self.quantity.brdf(number(*column)?, wo.z).unwrap_or(f64::NAN) as f32);
         }
         let is_unknown = !(wi.z + wo.z).is_finite() || values.iter().all(|value| value.is_nan());
-        Ok(if is_unknown { Row::Unknown } else { Row::Reading(wi, wo, values) })
+        if is_unknown {
+            return Ok(Row::Unknown);
+        }
+        Ok(Row::Reading(wi, wo, values, self.weight_of(&number, line)?))
+    }
+
+    /// What the row says of its weight; 1 where it says nothing.
+    fn weight_of(
+        &self,
+        number: &dyn Fn(usize) -> Result<f64, ReadError>,
+        line: u32,
+    ) -> Result<f32, ReadError> {
+        let Some(column) = self.weight else { return Ok(1.0) };
+        match number(column)? {
+            weight if weight.is_nan() => Ok(1.0),
+            weight if weight >= 0.0 && (weight as f32).is_finite() => Ok(weight as f32),
+            weight => {
+                Err(ReadError::at(line, format!("column 'weight': expected 0 or more, found {weight}")))
+            }
+        }
     }
 }
 
@@ -278,6 +301,7 @@ fn pair(
 /// A table of readings, as [`Measured::read`] takes it.
 ///
 /// Angles are in degrees, from the normal and around it; the values are what `quantity` says, which the first line tells.
+/// Where a weight is not 1, the last column is that of weights.
 pub fn write_csv(readings: &Readings, quantity: Quantity, description: &str) -> String {
     let mut text = String::new();
     for line in description.lines() {
@@ -285,7 +309,7 @@ pub fn write_csv(readings: &Readings, quantity: Quantity, description: &str) -> 
     }
     text += &format!("# quantity {}\ntheta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,", quantity.name());
     text += &readings.channels().names().join(",");
-    text.push('\n');
+    text += if readings.has_weights() { ",weight\n" } else { "\n" };
     for index in 0..readings.len() {
         let [wi, wo] = readings.pair(index);
         let [ti, pi] = angles(wi);
@@ -293,6 +317,9 @@ pub fn write_csv(readings: &Readings, quantity: Quantity, description: &str) -> 
         text += &format!("{ti},{pi},{to},{po}");
         for value in readings.values(index) {
             text += &format!(",{}", quantity.of_brdf(f64::from(*value), wo.z) as f32);
+        }
+        if readings.has_weights() {
+            text += &format!(",{}", readings.weight(index));
         }
         text.push('\n');
     }

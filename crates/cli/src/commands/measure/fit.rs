@@ -5,11 +5,12 @@ use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use glanz_measure::{Channels, Fit, FitError, FitOptions, FittedLobe, Metric, Readings, fit};
+use glanz_measure::{Fit, FitError, FitOptions, FittedLobe, FittedParameter, Metric, Readings, fit};
 use glanz_picture::output::{OutputError, write_atomically};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::fitted_material::material;
 use super::{ReadArgs, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
@@ -21,14 +22,17 @@ Examples:
   glanz measure fit readings.csv
   glanz measure fit paint.bsdf --models ggx+lambert,ggx*2+lambert,cook-torrance+oren-nayar -o fit.toml
   glanz measure fit gold.binary --models ggx*2 --metric log --format json
+  glanz measure fit brushed.csv --models ggx:aniso:schlick+diffuse -o brushed.toml
 
 Candidates stand between commas, their lobes between +, and *2 is two of one model. Of each lobe one parameter is
 searched (alpha, m, shininess, nu, n, sigma_deg, roughness or k, whichever its model has), others stay at their
-defaults; tints follow in closed form and are not negative. Candidates are ranked by the metric's root mean
-square, over readings whose light and detector are within --most-theta of the normal. Behind a parameter stands
-its standard error, in percent; a parameter at the end of its range is told, since such a fit is seldom what it
-seems. The file that is written holds the best one as a material for scenes: readings in RGB as linear sRGB, in
-wavelengths as tables.";
+defaults; tints follow in closed form and are not negative. Behind colons stands more: ggx:schlick has a tint at
+normal and one at grazing incidence, in Schlick's form, and ggx:aniso two widths and the direction of the grain,
+which all such lobes share. diffuse stands for whichever diffuse model fits best. A column called weight in a
+table of readings says how much each counts. Candidates are ranked by the metric's root mean square, over readings
+whose light and detector are within --most-theta of the normal. Behind a parameter stands its standard error, in
+percent; a parameter at the end of its range is told, since such a fit is seldom what it seems. The file that is
+written holds the best one as a material for scenes: readings in RGB as linear sRGB, in wavelengths as tables.";
 
 /// What is tried where nothing is said.
 const CANDIDATES: &str = "ward+lambert,cook-torrance+lambert,ggx+lambert,phong-normalized+lambert";
@@ -44,8 +48,8 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "LOBES[,LOBES…]", default_value = CANDIDATES)]
     models: String,
 
-    /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log) or of their cube
-    /// roots (cube-root)
+    /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log), of their cube
+    /// roots (cube-root) or of the lightness L* of each channel (lightness)
     #[arg(long, value_name = "METRIC", value_parser = metric, default_value = "cube-root")]
     metric: Metric,
 
@@ -68,13 +72,13 @@ pub(crate) struct FitArgs {
 }
 
 fn metric(text: &str) -> Result<Metric, String> {
-    Metric::named(text).ok_or_else(|| "expected l2, log or cube-root".to_owned())
+    Metric::named(text).ok_or_else(|| "expected l2, log, cube-root or lightness".to_owned())
 }
 
 /// Fits, the best first.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
-    /// l2, log or cube-root
+    /// l2, log, cube-root or lightness
     metric: &'static str,
     /// Names of the channels
     channels: Vec<String>,
@@ -95,6 +99,8 @@ struct FitFacts {
     relative: f64,
     /// Readings that counted
     readings: usize,
+    /// The azimuth of the x axis of anisotropic lobes, in degrees; null where there are none
+    aniso_deg: Option<f64>,
     lobes: Vec<LobeFacts>,
 }
 
@@ -102,15 +108,23 @@ struct FitFacts {
 #[derive(Debug, Serialize, JsonSchema)]
 struct LobeFacts {
     model: &'static str,
-    /// The parameter that was searched
-    parameter: Option<&'static str>,
-    value: Option<f64>,
+    /// The parameters that were searched
+    parameters: Vec<ParameterFacts>,
+    /// Per channel; in Schlick's form at normal incidence
+    tint: Vec<f64>,
+    /// In Schlick's form the tint at grazing incidence, per channel; null for others
+    tint_at_grazing: Option<Vec<f64>>,
+}
+
+/// A parameter that was searched.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ParameterFacts {
+    name: &'static str,
+    value: f64,
     /// Its standard error, as a part of it; null where it cannot be told
     standard_error: Option<f64>,
     /// Whether it is at the end of its range
     at_bound: bool,
-    /// Per channel
-    tint: Vec<f64>,
 }
 
 impl FitArgs {
@@ -175,19 +189,24 @@ impl FitArgs {
         file: Option<String>,
         notes: Vec<String>,
     ) -> Document {
+        let parameter = |parameter: &FittedParameter| ParameterFacts {
+            name: parameter.name,
+            value: parameter.value,
+            standard_error: parameter.log_error,
+            at_bound: parameter.at_bound,
+        };
         let lobe = |lobe: &FittedLobe| LobeFacts {
             model: lobe.shape.info().name,
-            parameter: lobe.parameter,
-            value: value(lobe),
-            standard_error: lobe.log_error,
-            at_bound: lobe.at_bound,
+            parameters: lobe.parameters.iter().map(parameter).collect(),
             tint: lobe.tint.clone(),
+            tint_at_grazing: lobe.tint_at_grazing.clone(),
         };
         let of = |(models, fit): &(String, Fit)| FitFacts {
             models: models.clone(),
             error: fit.error,
             relative: fit.relative,
             readings: fit.readings,
+            aniso_deg: fit.aniso_deg,
             lobes: fit.lobes.iter().map(lobe).collect(),
         };
         Document {
@@ -223,22 +242,29 @@ fn candidates(text: &str) -> Result<Vec<(String, Vec<String>)>, Failure> {
     }
 }
 
-/// The value of the parameter that was searched.
-fn value(lobe: &FittedLobe) -> Option<f64> {
-    let params = lobe.shape.info().params.iter().zip(lobe.shape.params());
-    params.into_iter().find(|(param, _)| Some(param.name) == lobe.parameter).map(|(_, value)| value)
-}
+/// Noise takes a tint at grazing incidence this far, but no farther.
+const BRIGHTEST_GRAZING: f64 = 1.1;
 
 /// What a reader of the fits should know.
 fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
     let mut notes = Vec::new();
     let (name, best) = &fits[0];
-    for lobe in best.lobes.iter().filter(|lobe| lobe.at_bound) {
-        let model = lobe.shape.info().name;
-        notes.push(format!("{name}: {} of {model} is at the end of its range", lobe.parameter.unwrap_or("")));
+    for lobe in &best.lobes {
+        for parameter in lobe.parameters.iter().filter(|parameter| parameter.at_bound) {
+            let model = lobe.shape.info().name;
+            notes.push(format!("{name}: {} of {model} is at the end of its range", parameter.name));
+        }
     }
-    if best.lobes.iter().any(|lobe| lobe.tint.iter().all(|tint| *tint == 0.0)) {
+    let is_absent = |lobe: &FittedLobe| lobe.tints().flatten().all(|tint| *tint == 0.0);
+    if best.lobes.iter().any(is_absent) {
         notes.push(format!("{name}: one of its lobes is not there; fewer say the same"));
+    }
+    let too_bright = |tint: &Vec<f64>| tint.iter().any(|tint| *tint > BRIGHTEST_GRAZING);
+    for lobe in best.lobes.iter().filter(|lobe| lobe.tint_at_grazing.as_ref().is_some_and(too_bright)) {
+        let model = lobe.shape.info().name;
+        notes.push(format!(
+            "{name}: the tint of {model} at grazing incidence is above 1: its masking does not fit"
+        ));
     }
     if let Some((simpler, fit)) = fits.iter().find(|(_, fit)| fit.lobes.len() < best.lobes.len())
         && fit.error < 1.05 * best.error
@@ -247,29 +273,6 @@ fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
         notes.push(format!("{simpler} has fewer lobes and is {percent:.1} % worse: no better than that"));
     }
     notes
-}
-
-/// A scene file with the fit as a material; nothing for channels that are no colours.
-fn material(channels: &Channels, fit: &Fit) -> Option<String> {
-    let list = |values: &[f64]| values.iter().map(|x| format!("{x:.6}")).collect::<Vec<_>>().join(", ");
-    let mut text = String::from("# Fitted by glanz measure fit.\n\n[materials.fitted]\nlobes = [\n");
-    for lobe in fit.lobes.iter().filter(|lobe| lobe.tint.iter().any(|tint| *tint > 0.0)) {
-        let tint = match channels {
-            Channels::Luminance => format!("{:.6}", lobe.tint[0]),
-            Channels::Rgb => format!("[{}]", list(&lobe.tint)),
-            Channels::Wavelengths(nm) => {
-                let nm = nm.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
-                format!("{{ nm = [{nm}], value = [{}] }}", list(&lobe.tint))
-            }
-            Channels::Xyz => return None,
-        };
-        let parameter = lobe.parameter.zip(value(lobe));
-        let parameter = parameter.map(|(name, value)| format!(", {name} = {value:.6}")).unwrap_or_default();
-        writeln!(text, "    {{ shape = \"{}\"{parameter}, tint = {tint} }},", lobe.shape.info().name)
-            .expect("a string takes everything");
-    }
-    text += "]\n";
-    Some(text)
 }
 
 /// For people.
@@ -285,15 +288,14 @@ fn text(facts: &Document) -> String {
             fit.readings
         )
         .expect("a string takes everything");
+        if let Some(degrees) = fit.aniso_deg {
+            writeln!(text, "   grain at {degrees:.1}°").expect("a string takes everything");
+        }
         for lobe in &fit.lobes {
-            let error = lobe.standard_error.map(|x| format!(" ± {:.1} %", 100.0 * x)).unwrap_or_default();
-            let bound = if lobe.at_bound { ", at the end of its range" } else { "" };
-            let parameter = lobe.parameter.zip(lobe.value);
-            let parameter =
-                parameter.map(|(name, value)| format!(" {name} = {}{error}{bound},", number(value)));
-            let few: Vec<String> = lobe.tint.iter().take(6).map(|x| format!("{x:.3}")).collect();
-            let more = if lobe.tint.len() > few.len() { " …" } else { "" };
-            writeln!(text, "   {}{} tint {}{more}", lobe.model, parameter.unwrap_or_default(), few.join(" "))
+            let parameters: String = lobe.parameters.iter().map(parameter_text).collect();
+            let grazing = lobe.tint_at_grazing.as_ref();
+            let grazing = grazing.map(|tint| format!(", {} at grazing", tint_text(tint))).unwrap_or_default();
+            writeln!(text, "   {}{parameters} tint {}{grazing}", lobe.model, tint_text(&lobe.tint))
                 .expect("a string takes everything");
         }
     }
@@ -301,4 +303,18 @@ fn text(facts: &Document) -> String {
         writeln!(text, "note: {note}").expect("a string takes everything");
     }
     text
+}
+
+/// ` alpha = 0.2 ± 0.1 %,`
+fn parameter_text(parameter: &ParameterFacts) -> String {
+    let error = parameter.standard_error.map(|x| format!(" ± {:.1} %", 100.0 * x)).unwrap_or_default();
+    let bound = if parameter.at_bound { ", at the end of its range" } else { "" };
+    format!(" {} = {}{error}{bound},", parameter.name, number(parameter.value))
+}
+
+/// The first six channels.
+fn tint_text(tint: &[f64]) -> String {
+    let few: Vec<String> = tint.iter().take(6).map(|x| format!("{x:.3}")).collect();
+    let more = if tint.len() > few.len() { " …" } else { "" };
+    format!("{}{more}", few.join(" "))
 }

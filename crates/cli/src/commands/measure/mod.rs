@@ -3,6 +3,7 @@
 pub(super) mod appearance;
 pub(super) mod convert;
 pub(super) mod fit;
+mod fitted_material;
 pub(super) mod info;
 pub(super) mod sample;
 mod tristimulus;

@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 use glanz_measure::{
-    Channels, Coordinates, Klems, Merl, Noise, Quantity, Readings, Rgl, Table, write_csv, write_klems, write_merl,
-    write_rgl, write_zemax, zemax_nodes_deg,
+    Channels, Coordinates, Klems, Merl, Noise, Quantity, Readings, Rgl, Table, write_csv, write_klems,
+    write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
 
 use super::convert::{Kind, ROTATIONS, deliver};
