@@ -28,6 +28,7 @@ mod format;
 mod goniometer;
 mod published;
 mod readings;
+mod shape;
 mod ward;
 
 pub use appearance::{

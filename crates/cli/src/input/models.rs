@@ -1,4 +1,4 @@
-//! Models that a command line names: those of the list, files of BRDFs, and BRDFs in a word.
+//! Models that a command line names: those of the list, files of BRDFs, BRDFs in a word, and files of measured reflectance.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -9,10 +9,14 @@ use glanz_bsdf::{MODELS, Shape};
 use glanz_shader::{Brdf, BrdfSource};
 
 use super::shader_text::Texts;
-use crate::print::failure::Failure;
+use crate::commands::measure::{ReadArgs, read};
+use crate::print::failure::{Failure, Report};
 
 /// How names of files end that hold a BRDF.
 const ENDINGS: [&str; 6] = ["brdf", "glsl", "wgsl", "frag", "fs", "txt"];
+
+/// How names of files of measured reflectance end.
+const MEASURED: [&str; 8] = ["csv", "binary", "bsdf", "astm", "xml", "bin", "ssdd", "alta"];
 
 /// Parses a model: a name of the list, or what can be no name.
 pub(crate) fn models() -> ModelParser {
@@ -45,7 +49,7 @@ fn is_like_a_name(text: &str) -> bool {
 /// A model with the defaults of its parameters.
 pub(crate) struct Model {
     pub shape: Shape,
-    /// The program, if it is one's own, and its texts.
+    /// The program, if it is one's own text, and its texts.
     pub own: Option<(Brdf, Texts)>,
 }
 
@@ -57,6 +61,13 @@ pub(crate) fn model(word: &str) -> Result<Model, Failure> {
     }
     let path = Path::new(word);
     let ending = path.extension().and_then(OsStr::to_str).unwrap_or("");
+    if MEASURED.contains(&ending) {
+        let measured = read(path, &ReadArgs::default())?;
+        measured.notes.iter().for_each(|note| crate::print::note(format_args!("note: {word}: {note}")));
+        let name = path.file_name().and_then(OsStr::to_str).unwrap_or(word);
+        let shape = measured.shape(name).map_err(|error| Report::new(error).file(path))?;
+        return Ok(Model { shape, own: None });
+    }
     let (source, texts) = match ENDINGS.contains(&ending) || path.is_file() {
         true => {
             let texts = Texts::read(path)?;

@@ -252,7 +252,7 @@ impl Kind {
     }
 
     /// Its word in documents.
-    fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
             Self::Merl => "merl",
@@ -261,6 +261,11 @@ impl Kind {
             Self::Klems => "klems",
         }
     }
+}
+
+/// Writes a file.
+pub(super) fn save(bytes: &[u8], file: &Path) -> Result<(), Failure> {
+    Ok(write_atomically(file, |out| out.write_all(bytes).map_err(OutputError::Stream))?)
 }
 
 /// Writes a file, and tells it.
@@ -272,7 +277,7 @@ pub(super) fn deliver(
     notes: Vec<String>,
     format: FormatArgs,
 ) -> Result<(), Failure> {
-    write_atomically(file, |out| out.write_all(bytes).map_err(OutputError::Stream))?;
+    save(bytes, file)?;
     print::note(format_args!("wrote {}", file.display()));
     notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
     if format.is_json() {

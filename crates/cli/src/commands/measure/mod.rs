@@ -6,7 +6,9 @@ pub(super) mod fit;
 mod fitted_material;
 pub(super) mod info;
 pub(super) mod sample;
+pub(super) mod smooth;
 mod tristimulus;
+mod written;
 
 use std::path::Path;
 
@@ -36,6 +38,9 @@ pub(crate) enum MeasureCommand {
     /// Measure a model as a goniometer would
     #[command(after_help = sample::EXAMPLES)]
     Sample(sample::SampleArgs),
+    /// Smooth readings by Gaussians, and fill their holes
+    #[command(after_help = smooth::EXAMPLES)]
+    Smooth(smooth::SmoothArgs),
 }
 
 impl MeasureCommand {
@@ -47,6 +52,7 @@ impl MeasureCommand {
             Self::Fit(_) => "fit",
             Self::Appearance(_) => "appearance",
             Self::Sample(_) => "sample",
+            Self::Smooth(_) => "smooth",
         }
     }
 
@@ -58,13 +64,14 @@ impl MeasureCommand {
             Self::Fit(args) => args.run(),
             Self::Appearance(args) => args.run(),
             Self::Sample(args) => args.run(),
+            Self::Smooth(args) => args.run(),
         }
     }
 }
 
 /// How files are read.
-#[derive(Args, Debug)]
-pub(in crate::commands) struct ReadArgs {
+#[derive(Args, Debug, Default)]
+pub(crate) struct ReadArgs {
     /// What the numbers are, whatever the file says: brdf (1/sr), brdf-cos (times the cosine of the detector) or
     /// reflectance-factor (pi times the BRDF)
     #[arg(long, value_name = "QUANTITY", value_parser = quantity)]
@@ -91,7 +98,7 @@ pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
 }
 
 /// Reads a file.
-pub(in crate::commands) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
+pub(crate) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
     let name = file.display().to_string();
     let could_not =
         |why: &str| Failure::from(Report::new(format_args!("cannot read '{name}': {why}")).file(file));

@@ -5,17 +5,15 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{
-    Channels, Coordinates, Klems, Merl, Noise, Quantity, Readings, Rgl, Table, write_csv, write_klems,
-    write_merl, write_rgl, write_zemax, zemax_nodes_deg,
-};
+use glanz_measure::{Channels, Noise, Quantity, Readings, write_csv};
 
-use super::convert::{Kind, ROTATIONS, deliver};
+use super::convert::{Kind, deliver};
 use super::quantity;
+use super::written::Written;
 use crate::args::check_folder;
 use crate::commands::bsdf::ModelArgs;
 use crate::print::FormatArgs;
-use crate::print::failure::{Failure, Report};
+use crate::print::failure::Failure;
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
@@ -121,34 +119,14 @@ impl SampleArgs {
         description: &str,
         value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64,
     ) -> Result<(Vec<u8>, Option<usize>), Failure> {
-        let wrong = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(&self.output));
-        let bytes = match kind {
-            Kind::Csv => {
-                let readings = self.readings(value);
-                let text = write_csv(&readings, self.written, description);
-                return Ok((text.into_bytes(), Some(readings.len())));
-            }
-            Kind::Merl => write_merl(&Merl::of(&mut |wi, wo| [value(wi, wo); 3])),
-            Kind::Rgl => {
-                let mut three = |wi: Vec3<f64>, wo: Vec3<f64>| vec![value(wi, wo); 3];
-                let table = match anisotropic {
-                    false => Rgl::of_function(Channels::Rgb, description, &mut three),
-                    true => Rgl::of_anisotropic_function(Channels::Rgb, description, &mut three),
-                };
-                write_rgl(&table.map_err(|error| wrong(&error))?)
-            }
-            Kind::Zemax => {
-                let nodes = zemax_nodes_deg(if anisotropic { ROTATIONS } else { 1 });
-                let mut one = |wi: Vec3<f64>, wo: Vec3<f64>| vec![value(wi, wo)];
-                let table = Table::of_function(Coordinates::Specular, nodes, Channels::Luminance, &mut one);
-                let table = table.map_err(|error| wrong(&error))?;
-                write_zemax(&table, description).map_err(|error| wrong(&error))?.into_bytes()
-            }
-            Kind::Klems => {
-                let table = Klems::of_function(Channels::Luminance, &mut |wi, wo| vec![value(wi, wo)]);
-                write_klems(&table, description).map_err(|error| wrong(&error))?.into_bytes()
-            }
-        };
+        if kind == Kind::Csv {
+            let readings = self.readings(value);
+            let text = write_csv(&readings, self.written, description);
+            return Ok((text.into_bytes(), Some(readings.len())));
+        }
+        let channels = Channels::Luminance;
+        let written = Written { channels: &channels, anisotropic, description, output: &self.output };
+        let bytes = written.bytes(kind, &mut Vec::new(), &mut |wi, wo| vec![value(wi, wo)])?;
         Ok((bytes, None))
     }
 

@@ -22,7 +22,7 @@ use crate::load::failure_of_scene;
 use crate::print::failure::{Failure, Report};
 
 /// Endings of files of measured reflectance.
-const TABLES: [&str; 5] = ["csv", "binary", "bsdf", "astm", "txt", "xml", "bin", "ssdd", "alta"];
+const TABLES: [&str; 9] = ["csv", "binary", "bsdf", "astm", "txt", "xml", "bin", "ssdd", "alta"];
 
 /// What is measured.
 pub(super) enum Subject {

@@ -1,0 +1,169 @@
+//! `glanz measure smooth`: readings smoothed by Gaussians.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+use glanz_math::Vec3;
+use glanz_measure::{Channels, Quantity, Smoothed};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::convert::{Kind, save};
+use super::written::Written;
+use super::{ReadArgs, read};
+use crate::args::check_folder;
+use crate::print::failure::{Failure, Report};
+use crate::print::{self, FormatArgs};
+
+/// Shown after the help.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  glanz measure smooth readings.csv -o smooth.bsdf
+  glanz measure smooth cloth.csv -o cloth.binary
+  glanz measure smooth readings.csv --neighbours 128 -o table.csv
+
+Between readings the logarithm of the data over a fitted sum of lobes is that of a plane through the nearest
+ones, each weighted by a Gaussian of its distance: noise is averaged, and holes are filled from their rims. As
+many neighbours count as tell readings best from the others, unless --neighbours says how many. Far from all
+readings the fitted lobes alone remain. A .csv has a line for each direction of a regular grid, and tells in
+its column distance how far the nearest reading is in (fourth root of 1 - n·h, root of 1 - wo·h, half the
+difference of the cosines); beyond about 0.1 it is a hole.";
+
+/// A direction this far from all readings is a hole.
+const HOLE: f64 = 0.1;
+
+/// Options of `glanz measure smooth`.
+#[derive(Args, Debug)]
+pub(crate) struct SmoothArgs {
+    /// A file of measured reflectance
+    #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
+    file: PathBuf,
+
+    /// The file that is written; its ending is that of its format, as convert has them
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    output: PathBuf,
+
+    /// Its format, whatever the ending is
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    to: Option<Kind>,
+
+    /// How many readings tell a direction between them [default: as many as tell readings best]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    neighbours: Option<u32>,
+
+    #[command(flatten)]
+    read: ReadArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// What was smoothed, and written.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Document {
+    file: String,
+    /// csv, merl, rgl, zemax or klems
+    format: &'static str,
+    /// How many readings count
+    readings: usize,
+    /// How many tell a direction between them
+    neighbours: usize,
+    /// The mean difference of the logarithms of readings from what their neighbours tell of them
+    noise: f64,
+    /// Whether readings are told better where the azimuth of the half vector counts
+    anisotropic: bool,
+    /// The part of the directions that the file asked for that are far from all readings
+    holes: f64,
+    /// What is odd, and what was dropped
+    notes: Vec<String>,
+}
+
+impl SmoothArgs {
+    /// Reads, smooths and writes.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let kind = Kind::of(&self.output, self.to)?;
+        check_folder(&self.output)?;
+        let measured = read(&self.file, &self.read)?;
+        let mut notes = measured.notes.clone();
+        let smoothed = Smoothed::of(&measured, self.neighbours.map(|count| count as usize))
+            .map_err(|error| Failure::from(Report::new(error).file(&self.file)))?;
+        let mut looks = [0_usize; 2];
+        let mut f = |wi: Vec3<f64>, wo: Vec3<f64>| {
+            let (values, nearest) = smoothed.value(wi, wo);
+            looks[0] += 1;
+            looks[1] += usize::from(nearest > HOLE);
+            (values, nearest)
+        };
+        let description = format!("{}, smoothed by Glanz", measured.description);
+        let bytes = match kind {
+            Kind::Csv => table(smoothed.channels(), smoothed.is_anisotropic(), &mut f).into_bytes(),
+            _ => {
+                let written = Written {
+                    channels: smoothed.channels(),
+                    anisotropic: smoothed.is_anisotropic(),
+                    description: description.trim_start_matches(", "),
+                    output: &self.output,
+                };
+                written.bytes(kind, &mut notes, &mut |wi, wo| f(wi, wo).0)?
+            }
+        };
+        save(&bytes, &self.output)?;
+        let document = Document {
+            file: self.output.display().to_string(),
+            format: kind.name(),
+            readings: smoothed.readings(),
+            neighbours: smoothed.neighbours(),
+            noise: smoothed.noise(),
+            anisotropic: smoothed.is_anisotropic(),
+            holes: looks[1] as f64 / looks[0].max(1) as f64,
+            notes,
+        };
+        self.tell(&document)
+    }
+
+    fn tell(&self, document: &Document) -> Result<(), Failure> {
+        print::note(format_args!("wrote {}", self.output.display()));
+        document.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
+        if self.format.is_json() {
+            return print::json(document);
+        }
+        let Document { readings, neighbours, noise, holes, anisotropic, .. } = document;
+        let grain = if *anisotropic { ", with a grain" } else { "" };
+        print::text(&format!(
+            "{readings} readings{grain}; {neighbours} tell a direction; readings are off by {:.1} % from what the others tell\n\
+             {:.1} % of the directions are far from all readings\n",
+            100.0 * noise,
+            100.0 * holes
+        ))
+    }
+}
+
+/// A line for each direction of a regular grid.
+fn table(
+    channels: &Channels,
+    anisotropic: bool,
+    f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> (Vec<f64>, f64),
+) -> String {
+    let names = channels.names().join(",");
+    let mut text = format!(
+        "# quantity {}\n# Readings smoothed by Glanz.\ntheta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,{names},distance\n",
+        Quantity::Brdf.name()
+    );
+    let at = |theta: u32, phi: u32| Vec3::from_angles(f64::from(theta).to_radians(), f64::from(phi).to_radians());
+    let lights: Vec<u32> = if anisotropic { (0..360).step_by(15).collect() } else { vec![180] };
+    for theta_i in (0..=85).step_by(5) {
+        for phi_i in &lights {
+            for theta_o in (0..=85).step_by(5) {
+                for phi_o in (0..360).step_by(15).take(if theta_o == 0 { 1 } else { 24 }) {
+                    let (values, distance) = f(at(theta_i, *phi_i), at(theta_o, phi_o));
+                    let values: Vec<String> = values.iter().map(|value| format!("{}", *value as f32)).collect();
+                    text += &format!(
+                        "{theta_i},{phi_i},{theta_o},{phi_o},{},{:.4}\n",
+                        values.join(","),
+                        distance.min(9.0)
+                    );
+                }
+            }
+        }
+    }
+    text
+}
