@@ -11,7 +11,7 @@ mod example;
 mod info;
 mod lesson;
 mod material;
-mod measure;
+pub(crate) mod measure;
 mod plot;
 mod probe;
 mod schema;

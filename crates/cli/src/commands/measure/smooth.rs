@@ -148,14 +148,16 @@ fn table(
         "# quantity {}\n# Readings smoothed by Glanz.\ntheta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,{names},distance\n",
         Quantity::Brdf.name()
     );
-    let at = |theta: u32, phi: u32| Vec3::from_angles(f64::from(theta).to_radians(), f64::from(phi).to_radians());
+    let at =
+        |theta: u32, phi: u32| Vec3::from_angles(f64::from(theta).to_radians(), f64::from(phi).to_radians());
     let lights: Vec<u32> = if anisotropic { (0..360).step_by(15).collect() } else { vec![180] };
     for theta_i in (0..=85).step_by(5) {
         for phi_i in &lights {
             for theta_o in (0..=85).step_by(5) {
                 for phi_o in (0..360).step_by(15).take(if theta_o == 0 { 1 } else { 24 }) {
                     let (values, distance) = f(at(theta_i, *phi_i), at(theta_o, phi_o));
-                    let values: Vec<String> = values.iter().map(|value| format!("{}", *value as f32)).collect();
+                    let values: Vec<String> =
+                        values.iter().map(|value| format!("{}", *value as f32)).collect();
                     text += &format!(
                         "{theta_i},{phi_i},{theta_o},{phi_o},{},{:.4}\n",
                         values.join(","),
