@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 52] = [
+const SCHEMAS: [Named; 54] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -50,7 +50,9 @@ const SCHEMAS: [Named; 52] = [
     ("measure-appearance", schema::<measure::appearance::Document>),
     ("measure-fit", schema::<measure::fit::Document>),
     ("measure-convert", schema::<measure::convert::Document>),
+    ("measure-compare", schema::<measure::compare::Document>),
     ("measure-sample", schema::<measure::convert::Document>),
+    ("measure-smooth", schema::<measure::smooth::Document>),
     ("lesson-ward", schema::<lesson::ward::Document>),
     ("shader-run", schema::<shader::run::Document>),
     ("shader-check", schema::<shader::check::Document>),

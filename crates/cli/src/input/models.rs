@@ -9,14 +9,11 @@ use glanz_bsdf::{MODELS, Shape};
 use glanz_shader::{Brdf, BrdfSource};
 
 use super::shader_text::Texts;
-use crate::commands::measure::{ReadArgs, read};
+use crate::commands::measure::{ReadArgs, is_measured, read};
 use crate::print::failure::{Failure, Report};
 
 /// How names of files end that hold a BRDF.
 const ENDINGS: [&str; 6] = ["brdf", "glsl", "wgsl", "frag", "fs", "txt"];
-
-/// How names of files of measured reflectance end.
-const MEASURED: [&str; 8] = ["csv", "binary", "bsdf", "astm", "xml", "bin", "ssdd", "alta"];
 
 /// Parses a model: a name of the list, or what can be no name.
 pub(crate) fn models() -> ModelParser {
@@ -61,7 +58,7 @@ pub(crate) fn model(word: &str) -> Result<Model, Failure> {
     }
     let path = Path::new(word);
     let ending = path.extension().and_then(OsStr::to_str).unwrap_or("");
-    if MEASURED.contains(&ending) {
+    if is_measured(path) {
         let measured = read(path, &ReadArgs::default())?;
         measured.notes.iter().for_each(|note| crate::print::note(format_args!("note: {word}: {note}")));
         let name = path.file_name().and_then(OsStr::to_str).unwrap_or(word);

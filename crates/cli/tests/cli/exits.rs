@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 55] = [
+const COULD_NOT: [&[&str]; 57] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -51,6 +51,8 @@ const COULD_NOT: [&[&str]; 55] = [
     &["measure", "info", "a.png"],
     &["measure", "convert", "tile.csv", "-o", "tile.bsdf"],
     &["measure", "sample", "phong", "-o", "none/a.csv"],
+    &["measure", "compare", "none.csv", "ggx"],
+    &["measure", "smooth", "tile.csv", "-o", "a.bsdf"],
     &["measure", "appearance", "none.toml"],
     &["lesson", "ward", "--readings", "tile.csv"],
     &["example", "ball", "-o", "none/a.toml"],

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 59] = [
+pub(crate) const COMMANDS: [&[&str]; 61] = [
     &[],
     &["render"],
     &["sweep"],
@@ -48,7 +48,9 @@ pub(crate) const COMMANDS: [&[&str]; 59] = [
     &["measure", "convert"],
     &["measure", "fit"],
     &["measure", "appearance"],
+    &["measure", "compare"],
     &["measure", "sample"],
+    &["measure", "smooth"],
     &["lesson"],
     &["lesson", "ward"],
     &["shader"],

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 50] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 52] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -98,7 +98,9 @@ const DOCUMENTS: [(&str, &[&[&str]]); 50] = [
     ("lesson-ward", &[&["lesson", "ward"], &["lesson", "ward", "--readings", "ggx.bsdf"]]),
     ("measure-fit", &[&["measure", "fit", "ggx.bsdf", "--models", "ggx+lambert,lambert", "-o", "fit.toml"]]),
     ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
+    ("measure-compare", &[&["measure", "compare", "ggx.bsdf", "ggx", "--size", "32x32"]]),
     ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),
+    ("measure-smooth", &[&["measure", "smooth", "ggx.bsdf", "-o", "smooth.csv"]]),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
     (
         "shader-certify",

@@ -1,12 +1,15 @@
 //! `glanz measure`: measured reflectance.
 
 pub(super) mod appearance;
+mod balls;
+pub(super) mod compare;
 pub(super) mod convert;
 pub(super) mod fit;
 mod fitted_material;
 pub(super) mod info;
 pub(super) mod sample;
 pub(super) mod smooth;
+mod surface;
 mod tristimulus;
 mod written;
 
@@ -35,6 +38,9 @@ pub(crate) enum MeasureCommand {
     /// Tell gloss, haze, colours, flop, whiteness and yellowness
     #[command(after_help = appearance::EXAMPLES)]
     Appearance(Box<appearance::AppearanceArgs>),
+    /// Tell how far two reflectances are apart, in numbers and balls
+    #[command(after_help = compare::EXAMPLES)]
+    Compare(compare::CompareArgs),
     /// Measure a model as a goniometer would
     #[command(after_help = sample::EXAMPLES)]
     Sample(sample::SampleArgs),
@@ -51,6 +57,7 @@ impl MeasureCommand {
             Self::Convert(_) => "convert",
             Self::Fit(_) => "fit",
             Self::Appearance(_) => "appearance",
+            Self::Compare(_) => "compare",
             Self::Sample(_) => "sample",
             Self::Smooth(_) => "smooth",
         }
@@ -63,10 +70,20 @@ impl MeasureCommand {
             Self::Convert(args) => args.run(),
             Self::Fit(args) => args.run(),
             Self::Appearance(args) => args.run(),
+            Self::Compare(args) => args.run(),
             Self::Sample(args) => args.run(),
             Self::Smooth(args) => args.run(),
         }
     }
+}
+
+/// How names of files of measured reflectance end, beside those that others share.
+const ENDINGS: [&str; 8] = ["csv", "binary", "bsdf", "astm", "xml", "bin", "ssdd", "alta"];
+
+/// Whether a file is one of measured reflectance, by its ending.
+pub(crate) fn is_measured(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()))
 }
 
 /// How files are read.

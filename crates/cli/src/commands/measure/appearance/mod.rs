@@ -16,6 +16,7 @@ use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 pub(crate) use document::Document;
+pub(in crate::commands::measure) use subject::{of_library, of_scene};
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\

@@ -15,14 +15,11 @@ use glanz_scene::{Lobe, Material, OpenError, Tint, library};
 
 use super::AppearanceArgs;
 use crate::commands::bsdf::shape_of;
-use crate::commands::measure::read;
+use crate::commands::measure::{is_measured, read};
 use crate::input::media;
 use crate::input::spectra::{Source, TableArgs, source};
 use crate::load::failure_of_scene;
 use crate::print::failure::{Failure, Report};
-
-/// Endings of files of measured reflectance.
-const TABLES: [&str; 9] = ["csv", "binary", "bsdf", "astm", "txt", "xml", "bin", "ssdd", "alta"];
 
 /// What is measured.
 pub(super) enum Subject {
@@ -49,7 +46,7 @@ impl Subject {
         let is_word = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
         let found = match ending.as_str() {
             "toml" => Self::Material(Box::new(of_scene(path, args.material.as_deref())?)),
-            table if TABLES.contains(&table) => Self::Table(Box::new(of_table(path, args)?)),
+            table if table == "txt" || is_measured(path) => Self::Table(Box::new(of_table(path, args)?)),
             _ if is_name || !is_word => return of_model(args),
             _ => Self::Material(Box::new(of_library(name)?)),
         };
@@ -226,7 +223,7 @@ fn of_model(args: &AppearanceArgs) -> Result<Subject, Failure> {
 }
 
 /// The material of a scene file: the one that is named, or the only one.
-fn of_scene(path: &Path, name: Option<&str>) -> Result<Material, Failure> {
+pub(in crate::commands::measure) fn of_scene(path: &Path, name: Option<&str>) -> Result<Material, Failure> {
     let opened = glanz_scene::open(path, &LoadOptions::default()).map_err(|error| match error {
         OpenError::Scene(error) => failure_of_scene(error, "--material"),
         OpenError::Model(error) => Report::from(&error).into(),
@@ -252,7 +249,7 @@ fn of_scene(path: &Path, name: Option<&str>) -> Result<Material, Failure> {
 }
 
 /// A material of the library, or a matte surface that re-radiates.
-fn of_library(name: &str) -> Result<Material, Failure> {
+pub(in crate::commands::measure) fn of_library(name: &str) -> Result<Material, Failure> {
     if let Ok(material) = library::material(name) {
         return Ok(material);
     }
