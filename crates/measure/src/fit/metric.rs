@@ -45,7 +45,7 @@ impl Metric {
     }
 
     /// g(x); below 0 that of 0.
-    pub(super) fn of(self, x: f64) -> f64 {
+    pub fn of(self, x: f64) -> f64 {
         let mut values = [x];
         self.apply(&mut values);
         values[0]
