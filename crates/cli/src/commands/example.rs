@@ -29,7 +29,7 @@ macro_rules! stored {
 }
 
 /// The example scenes, by the names of their files.
-const SCENES: [Stored; 27] = stored![
+const SCENES: [Stored; 29] = stored![
     "ball.toml",
     "brewster.toml",
     "brushed.toml",
@@ -45,6 +45,7 @@ const SCENES: [Stored; 27] = stored![
     "leaf.toml",
     "lights.toml",
     "mach-bands.toml",
+    "measured.toml",
     "metals.toml",
     "metamers.toml",
     "mixing.toml",
@@ -53,6 +54,7 @@ const SCENES: [Stored; 27] = stored![
     "shader-lights.toml",
     "shader-normal-matrix.toml",
     "shader-toon.toml",
+    "smoothing.toml",
     "soap.toml",
     "suzanne.toml",
     "teapot.toml",
@@ -60,10 +62,14 @@ const SCENES: [Stored; 27] = stored![
 ];
 
 /// The files that they name.
-const FILES: [Stored; 13] = stored![
+const FILES: [Stored; 17] = stored![
     "data/metamer-a.csv",
     "data/metamer-b.csv",
     "data/studio.hdr",
+    "measured/cc_ibiza_sunset_rgb.bsdf",
+    "measured/noisy.csv",
+    "measured/paper_white_rgb.bsdf",
+    "measured/satin_rosaline_rgb.bsdf",
     "models/hls-double-cone.ply",
     "models/suzanne.glb",
     "shaders/course.vert",

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use glam::DVec3;
+use glanz_bsdf::{FactorTable, LayerWeight};
 use glanz_plot::number;
 use glanz_scene::{
     AlphaMode, AreaShape, Attenuation, Bounds, Camera, Light, LightColors, LightKind, Lobe, Luminaire,
@@ -159,10 +160,14 @@ fn mesh_text(mesh: &Mesh) -> String {
 }
 
 fn lobe_text(lobe: &Lobe) -> String {
+    format!("{} × {}", shape_text(lobe), colors::tint_text(&lobe.tint))
+}
+
+fn shape_text(lobe: &Lobe) -> String {
     let info = lobe.shape.info();
     let params = info.params.iter().zip(lobe.shape.params());
     let params: String = params.map(|(param, value)| format!(" {} {}", param.name, number(value))).collect();
-    format!("{}{params} × {}", info.name, colors::tint_text(&lobe.tint))
+    format!("{}{params}", info.name)
 }
 
 pub(super) fn maps(material: &Material) -> Vec<&'static str> {
@@ -174,8 +179,32 @@ pub(super) fn maps(material: &Material) -> Vec<&'static str> {
     has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
 }
 
+/// The table of factors that a lobe of measured reflectance lies under.
+fn factor_table(lobe: &Lobe) -> Option<&FactorTable> {
+    lobe.layers.iter().find_map(|layer| match layer {
+        LayerWeight::Table { table, .. } => Some(&**table),
+        _ => None,
+    })
+}
+
+/// Measured reflectance in a few words: its table, and what that is a factor of.
+fn measured_text(lobes: &[Lobe]) -> Option<String> {
+    let measured: Vec<(&Lobe, &FactorTable)> =
+        lobes.iter().filter_map(|lobe| Some((lobe, factor_table(lobe)?))).collect();
+    let (_, table) = measured.first()?;
+    let mut shapes: Vec<String> = measured.iter().map(|(lobe, _)| shape_text(lobe)).collect();
+    shapes.dedup();
+    let [x, y, z, w] = table.sizes();
+    let around = if w > 1 { format!(" x {w}") } else { String::new() };
+    let (ranks, kilobytes) = (table.ranks(), table.bytes().div_ceil(1000));
+    let ranks = plural(ranks, "rank");
+    let over = shapes.join(" and ");
+    Some(format!("measured: {ranks} of {x} x {y} x {z}{around} factors ({kilobytes} kB) over {over}"))
+}
+
 fn material_text(material: &Material) -> String {
-    let lobes = material.lobes.iter().map(lobe_text).collect::<Vec<_>>().join(" + ");
+    let others = material.lobes.iter().filter(|lobe| factor_table(lobe).is_none()).map(lobe_text);
+    let lobes = measured_text(&material.lobes).into_iter().chain(others).collect::<Vec<_>>().join(" + ");
     let mut text = format!("{}: {}", name(&material.name), if lobes.is_empty() { "black" } else { &lobes });
     let maps = maps(material);
     if !maps.is_empty() {

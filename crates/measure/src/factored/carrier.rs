@@ -20,6 +20,9 @@ const LEAST_TINT: f64 = 1e-4;
 /// Nearer to the horizon products with the cosine are divided by this one.
 const LEAST_COSINE: f64 = 0.01;
 
+/// So near to a multiple of a quarter turn, in quarters, a grain runs along an axis.
+const ALIGNED: f64 = 0.02;
+
 /// A sum of lobes, each with a tint for each channel.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Carrier {
@@ -40,6 +43,23 @@ impl Carrier {
             }
         }
         Ok(Self::of(best, readings))
+    }
+
+    /// One with a grain along x or y; none where the grain runs otherwise, or nothing can be fitted.
+    pub(super) fn grained(readings: &Readings) -> Option<Self> {
+        let options = FitOptions { most_readings: 6000, ..FitOptions::default() };
+        let mut found = fit(readings, &["ggx:aniso", "lambert"], &options).ok()?;
+        let quarters = found.aniso_deg? / 90.0;
+        if (quarters - libm::round(quarters)).abs() > ALIGNED {
+            return None;
+        }
+        if libm::round(quarters) as i64 % 2 != 0 {
+            for lobe in found.lobes.iter_mut().filter(|lobe| lobe.shape.info().anisotropic) {
+                let [x, y] = ["alpha", "alpha_y"].map(|name| lobe.shape.get(name));
+                lobe.shape = lobe.shape.with("alpha", y?).ok()?.with("alpha_y", x?).ok()?;
+            }
+        }
+        Some(Self::of(found, readings))
     }
 
     fn of(fit: Fit, readings: &Readings) -> Self {

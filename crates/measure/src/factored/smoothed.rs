@@ -62,14 +62,15 @@ impl Smoothed {
         let channels = Positive::new(readings.channels());
         let readings = channels.readings(&readings);
         let carrier = Carrier::fitted(&readings)?;
-        let mut kernel = Kernel::Isotropic(Smooth::new(&readings, &carrier, neighbours));
-        if may_have_grain(measured, &readings) {
-            let grained = Smooth::new(&readings, &carrier, neighbours);
-            if grained.error < GRAIN * kernel.error() {
-                kernel = Kernel::Grained(grained);
-            }
+        let kernel = Kernel::Isotropic(Smooth::new(&readings, &carrier, neighbours));
+        let isotropic = Self { channels, carrier, kernel };
+        if !may_have_grain(measured, &readings) {
+            return Ok(isotropic);
         }
-        Ok(Self { channels, carrier, kernel })
+        let carrier = Carrier::grained(&readings).unwrap_or_else(|| isotropic.carrier.clone());
+        let kernel = Kernel::Grained(Smooth::new(&readings, &carrier, neighbours));
+        let grained = Self { channels: isotropic.channels.clone(), carrier, kernel };
+        Ok(if grained.noise() < GRAIN * isotropic.noise() { grained } else { isotropic })
     }
 
     /// What the values belong to.

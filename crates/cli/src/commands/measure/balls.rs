@@ -18,7 +18,7 @@ use crate::progress::Progress;
 const STAGES: [&str; 2] = ["lamps", "studio"];
 
 /// Stops by which lamps alone are exposed more.
-const LAMPS_EV: f32 = 1.5;
+const LAMPS_EV: f64 = 1.5;
 
 /// Samples per pixel.
 const SAMPLES: u32 = 8;
@@ -61,8 +61,7 @@ impl Balls {
             let pictures = [draw(&surfaces[0])?, draw(&surfaces[1])?];
             let pair = Pair::new(picture(&pictures[0]), picture(&pictures[1]), true).map_err(Failure::new)?;
             let measured = pair.measure(Metric::De2000, &MetricOptions::default()).map_err(Failure::new)?;
-            let rgb = heat_colors(&measured.map, HOTTEST);
-            let rgba = rgb.chunks(3).flat_map(|code| [code[0], code[1], code[2], 255]).collect();
+            let rgba = heat_colors(&measured.map, HOTTEST);
             let map = Canvas { width: size.0 as usize, height: size.1 as usize, rgba };
             stages.push((pictures, map, measured.spread));
         }
@@ -77,7 +76,7 @@ impl Balls {
     /// All of them in one picture.
     pub(super) fn sheet(&self, names: [&str; 2]) -> Result<Canvas, Failure> {
         let captions = STAGES.iter().zip(&self.stages).flat_map(|(stage, (_, _, spread))| {
-            let map = format!("ΔE00: mean {:.2}, 95 % {:.2}", spread.mean, spread.p95);
+            let map = format!("dE00: mean {:.2}, 95 % {:.2}", spread.mean, spread.p95);
             [format!("{}, {stage}", names[0]), format!("{}, {stage}", names[1]), map]
         });
         let sheet = ContactSheet {

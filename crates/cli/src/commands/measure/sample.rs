@@ -120,7 +120,7 @@ impl SampleArgs {
         value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64,
     ) -> Result<(Vec<u8>, Option<usize>), Failure> {
         if kind == Kind::Csv {
-            let readings = self.readings(value);
+            let readings = self.readings(value, anisotropic);
             let text = write_csv(&readings, self.written, description);
             return Ok((text.into_bytes(), Some(readings.len())));
         }
@@ -130,18 +130,21 @@ impl SampleArgs {
         Ok((bytes, None))
     }
 
-    fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64) -> Readings {
+    /// Readings one by one; of a surface with a grain from several azimuths of the light.
+    fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64, anisotropic: bool) -> Readings {
         let mut readings = Readings::new(Channels::Luminance);
         let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
         let azimuths: Vec<f64> = match self.geometry {
             Geometry::InPlane => vec![0.0, 180.0],
             Geometry::Hemisphere => (0..24).map(|step| 15.0 * f64::from(step)).collect(),
         };
-        for theta_i in LIGHTS {
-            let wi = at(theta_i, 180.0);
+        let turns = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0];
+        let turns = &turns[..if anisotropic && self.geometry == Geometry::Hemisphere { 6 } else { 1 }];
+        for (theta_i, turn) in LIGHTS.iter().flat_map(|theta| turns.iter().map(move |turn| (*theta, *turn))) {
+            let wi = at(theta_i, 180.0 + turn);
             for theta_o in (0..=85).step_by(5) {
                 for phi in azimuths.iter().take(if theta_o == 0 { 1 } else { azimuths.len() }) {
-                    let wo = at(f64::from(theta_o), *phi);
+                    let wo = at(f64::from(theta_o), *phi + turn);
                     readings.push(wi, wo, &[value(wi, wo) as f32]);
                 }
             }

@@ -39,16 +39,16 @@ names! {
     } default Brdf
 }
 
-/// How many readings are neighbours.
+/// How many readings are neighbours: a number that is rounded, so that films can run through it.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(try_from = "i64")]
+#[serde(try_from = "f64")]
 pub(crate) struct NeighboursValue(pub usize);
 
-impl TryFrom<i64> for NeighboursValue {
+impl TryFrom<f64> for NeighboursValue {
     type Error = String;
-    fn try_from(count: i64) -> Result<Self, String> {
+    fn try_from(count: f64) -> Result<Self, String> {
         match count {
-            1..=1000 => Ok(Self(count as usize)),
+            1.0..=1000.0 => Ok(Self(libm::round(count) as usize)),
             _ => Err(format!("expected a number from 1 to 1000, found {count}")),
         }
     }
@@ -59,7 +59,7 @@ impl JsonSchema for NeighboursValue {
         "Neighbours".into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "integer", "minimum": 1, "maximum": 1000 })
+        json_schema!({ "type": "number", "minimum": 1, "maximum": 1000 })
     }
 }
 
