@@ -62,6 +62,7 @@
 )]
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels: prepare, view, back ends |
+//! | [`measure`] | measured reflectance: files, smoothing, fits, numbers of appearance |
 //! | [`shader`] | GLSL and WGSL of users: programs, machines, traces, warnings |
 #![cfg_attr(feature = "gpu", doc = "| [`gpu`] | a back end for programs on GPUs, and what GPUs there are |")]
 //!
@@ -89,6 +90,7 @@ pub use glanz_color as color;
 #[cfg(feature = "gpu")]
 pub use glanz_gpu as gpu;
 pub use glanz_math as math;
+pub use glanz_measure as measure;
 pub use glanz_picture as picture;
 #[cfg(feature = "plot")]
 pub use glanz_plot as plot;

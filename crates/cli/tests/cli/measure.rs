@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::folder::Folder;
+use crate::pictures::Png;
 
 /// A white tile and a glossy one, by one goniometer.
 pub(crate) const TILE: &str = "\
@@ -304,5 +305,87 @@ fn what_makes_no_sense_of_an_appearance_is_refused() {
     ] {
         let run = folder.glanz(&[&["measure", "appearance"], words].concat());
         assert!(run.code == 2 && run.stderr.contains(expected), "{words:?}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn readings_are_smoothed_and_compared() {
+    let folder = Folder::new();
+    let sample = ["measure", "sample", "ward", "--set", "alpha=0.2", "--diffuse", "0.3", "--noise", "0.05"];
+    folder.glanz(&[&sample[..], &["--geometry", "hemisphere", "-o", "noisy.csv"]].concat()).text();
+    folder.glanz(&[&sample[..7], &["--geometry", "hemisphere", "-o", "exact.csv"]].concat()).text();
+    let smooth = ["measure", "smooth", "noisy.csv", "-o", "smooth.bsdf", "--format", "json"];
+    let facts = folder.glanz(&smooth).json();
+    assert_eq!((facts["format"].as_str(), facts["readings"].as_u64()), (Some("rgl"), Some(2310)));
+    assert_eq!(facts["anisotropic"].as_bool(), Some(false));
+    let noise = facts["noise"].as_f64().unwrap();
+    assert!((0.03..0.08).contains(&noise), "{noise}");
+    let compare = |words: &[&str]| {
+        let more = ["--size", "32x32", "--format", "json"];
+        folder.glanz(&[&["measure", "compare"], words, &more[..]].concat()).json()
+    };
+    let facts = compare(&["exact.csv", "smooth.bsdf", "-o", "balls.png"]);
+    let median = facts["delta_e"]["median"].as_f64().unwrap();
+    assert!(median < 1.5, "{median}");
+    assert_eq!(
+        (facts["metrics"].as_array().unwrap().len(), facts["balls"].as_array().unwrap().len()),
+        (3, 2)
+    );
+    let balls = Png::decode(&folder.read("balls.png"));
+    assert!((0..32).any(|x| balls.pixel(x, 20)[0] > 100), "balls are lit");
+    // Far from what it is not.
+    let far = compare(&["exact.csv", "velvet-red"])["delta_e"]["median"].as_f64().unwrap();
+    assert!(far > 10.0 * median, "{far}");
+    // A table of directions with what is known about them.
+    folder.glanz(&["measure", "smooth", "noisy.csv", "-o", "grid.csv", "--neighbours", "4"]).text();
+    let text = std::fs::read_to_string(folder.path("grid.csv")).unwrap();
+    assert!(text.lines().nth(2).unwrap().ends_with(",Y,distance"), "{text}");
+    assert!(folder.glanz(&["measure", "info", "grid.csv"]).text().contains("one channel"));
+}
+
+#[test]
+fn data_stand_where_models_do_and_in_scenes() {
+    let folder = Folder::new();
+    let sample = ["measure", "sample", "ggx", "--set", "alpha=0.2", "--diffuse", "0.3", "-o", "a.bsdf"];
+    folder.glanz(&sample).text();
+    let run = folder.glanz(&["check", "a.bsdf", "--allow-known"]);
+    let told = String::from_utf8_lossy(&run.stdout);
+    assert!(told.contains("reciprocity") && told.contains("lanes"), "{told}{}", run.stderr);
+    folder.glanz(&["plot", "a.bsdf", "ggx", "--theta", "30,60", "-o", "a.svg"]).text();
+    assert!(std::fs::read_to_string(folder.path("a.svg")).unwrap().contains("a.bsdf"));
+    let scene = |keys: &str| {
+        format!(
+            "[image]\nwidth = 24\nheight = 24\n[[lights]]\nkind = \"directional\"\ndirection = [0, 0, -1]\n\
+             [materials.m]\n{keys}\n[[objects]]\nmesh = \"sphere\"\nmaterial = \"m\"\n"
+        )
+    };
+    folder.write("data.toml", scene("measured = { file = \"a.bsdf\" }"));
+    folder.write(
+        "model.toml",
+        scene("lobes = [{ shape = \"ggx\", alpha = 0.2 }, { shape = \"lambert\", tint = 0.3 }]"),
+    );
+    for mode in ["rgb", "spectral"] {
+        for name in ["data", "model"] {
+            let (input, output) = (format!("{name}.toml"), format!("{name}.exr"));
+            folder.glanz(&["render", &input, "--mode", mode, "-o", &output, "--force"]).text();
+        }
+        let facts = folder.glanz(&["compare", "model.exr", "data.exr", "--format", "json"]).json();
+        let de = facts["measurements"].to_string();
+        assert!(!de.is_empty());
+        folder.glanz(&["compare", "model.exr", "data.exr", "--fail-above", "de2000.median=0.3"]).text();
+    }
+    let told = folder.glanz(&["info", "data.toml"]);
+    assert!(told.text().contains("measured: 1 rank of 48 x 48 x 17 factors"), "{}", told.text());
+    for (keys, expected) in [
+        ("measured = { file = \"b.bsdf\" }", "there is no file 'b.bsdf'"),
+        ("measured = { file = \"a.bsdf\", ranks = 4 }", "4 ranks of 3 channels"),
+        ("measured = { file = \"a.bsdf\", ranks = \"all\" }", "\"auto\", or a number from 1 to 8"),
+        ("measured = { file = \"a.bsdf\", neighbours = 0 }", "expected a number from 1 to 1000, found 0"),
+        ("measured = { file = \"wrong.toml\" }", "'wrong.toml'"),
+        ("measured = { file = \"a.bsdf\" }\ndiffuse = 0.5", "'diffuse' beside 'measured'"),
+    ] {
+        folder.write("wrong.toml", scene(keys));
+        let run = folder.glanz(&["render", "wrong.toml", "-o", "wrong.png"]);
+        assert!(run.code == 3 && run.stderr.contains(expected), "{keys}: {}", run.stderr);
     }
 }

@@ -4,17 +4,17 @@ use glanz_scene::AreaShape;
 
 use super::*;
 
-const VIEWS: [f64; 4] = [0.0, 30.0, 60.0, 75.0];
+pub(super) const VIEWS: [f64; 4] = [0.0, 30.0, 60.0, 75.0];
 
 /// Where the lights are: above, in the mirror direction of flat views, and half below the horizon.
-const PLACES: [[f64; 3]; 3] = [[0.0, 0.0, 1.5], [-1.2, 0.3, 0.8], [-0.8, -0.6, 0.1]];
+pub(super) const PLACES: [[f64; 3]; 3] = [[0.0, 0.0, 1.5], [-1.2, 0.3, 0.8], [-0.8, -0.6, 0.1]];
 
-fn area(form: AreaShape, position: DVec3) -> LightKind {
+pub(super) fn area(form: AreaShape, position: DVec3) -> LightKind {
     LightKind::Area { shape: form, position, direction: -position, up: DVec3::Y, two_sided: false }
 }
 
 /// ∫ f_cos dω over the light, by a grid of points.
-fn by_sum(form: AreaShape, position: DVec3, shape: &Shape, degrees: f64) -> f64 {
+pub(super) fn by_sum(form: AreaShape, position: DVec3, shape: &Shape, degrees: f64) -> f64 {
     const N: usize = 240;
     let facing = -position.normalize();
     let across = DVec3::Y.cross(facing).normalize();

@@ -9,7 +9,7 @@ use super::*;
 
 const VIEWS: [f64; 4] = [0.0, 30.0, 60.0, 75.0];
 
-fn map(value: impl Fn(DVec3) -> f64) -> Arc<EnvironmentMap> {
+pub(super) fn map(value: impl Fn(DVec3) -> f64) -> Arc<EnvironmentMap> {
     let (width, height) = (256, 128);
     let pixel = |i: usize| {
         let (u, v) = ((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
@@ -19,18 +19,18 @@ fn map(value: impl Fn(DVec3) -> f64) -> Arc<EnvironmentMap> {
     Arc::new(EnvironmentMap { width, height, pixels: (0..width * height).map(pixel).collect() })
 }
 
-fn environment(map: Option<Arc<EnvironmentMap>>) -> Light {
+pub(super) fn environment(map: Option<Arc<EnvironmentMap>>) -> Light {
     white(LightKind::Environment { map, rotation: DMat3::IDENTITY })
 }
 
 /// A bright sky with a window sixteen times as bright, and a dim ground.
-fn room(d: DVec3) -> f64 {
+pub(super) fn room(d: DVec3) -> f64 {
     let window = (d.x + 0.5).abs() < 0.25 && (d.y - 0.3).abs() < 0.2 && d.z > 0.0;
     (0.3 + 0.4 * (d.y + 0.3 * d.x)).max(0.1) + if window { 8.0 } else { 0.0 }
 }
 
 /// ∫ L f_cos dω over the pixels of the map.
-fn by_sum(map: &EnvironmentMap, shape: &Shape, degrees: f64) -> f64 {
+pub(super) fn by_sum(map: &EnvironmentMap, shape: &Shape, degrees: f64) -> f64 {
     let mut sum = 0.0;
     for row in 0..map.height {
         let weight = map.solid_angle(row);

@@ -10,6 +10,7 @@ mod common;
 
 mod areas;
 mod environments;
+mod measured;
 mod panes;
 mod shadows;
 
