@@ -1,6 +1,6 @@
 //! `glanz measure compare`: how far two reflectances are apart, in numbers and in pictures.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 use glanz_color::difference::ciede2000;
@@ -155,7 +155,7 @@ impl CompareArgs {
         let file = match &target {
             None => None,
             Some(target) => {
-                let sheet = balls.sheet(words.map(String::as_str))?;
+                let sheet = balls.sheet(words.map(|word| file_name(word)))?;
                 encode::deliver(sheet.into(), target, &encode::metadata(0))?;
                 self.output.as_ref().map(|path| path.display().to_string())
             }
@@ -177,6 +177,11 @@ impl CompareArgs {
         }
         print::text(&text(&document))
     }
+}
+
+/// A word, or the name of a file without its folders.
+fn file_name(word: &str) -> &str {
+    Path::new(word).file_name().and_then(std::ffi::OsStr::to_str).unwrap_or(word)
 }
 
 /// Pairs of directions above the horizon: those of readings where there are some.
