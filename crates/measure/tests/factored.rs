@@ -184,14 +184,15 @@ fn spectra_need_as_many_ranks_as_they_have_parts() {
 
 #[test]
 fn a_grain_is_seen_where_there_is_one() {
-    let brushed = shape("ward", &[("alpha", 0.08), ("alpha_y", 0.3)]);
+    // No model that the table is a factor of.
+    let brushed = shape("ashikhmin-shirley", &[("nu", 150.0), ("nv", 10.0)]);
     let f = move |wi: Vec3<f64>, wo: Vec3<f64>| vec![0.05 * FRAC_1_PI + 0.5 * brushed(wi, wo)];
     let file = readings(Channels::Luminance, 20_000, 0.0, &f);
     let factored = Factored::of(&file, &FactorOptions::default()).unwrap();
     assert!(factored.table().is_anisotropic());
     let [median, most] = errors(&|wi, wo| factored.value(wi, wo), &f);
     println!("{median} {most} {:?}", factored.facts);
-    assert!(median < 0.1, "{median}, {most}");
+    assert!(median < 0.04 && most < 0.4, "{median}, {most}");
     let isotropic = Factored::of(&readings(Channels::Rgb, 8000, 0.02, &paint), &FactorOptions::default());
     assert!(!isotropic.unwrap().table().is_anisotropic());
 }

@@ -8,6 +8,9 @@ use crate::{Fit, FitError, FitOptions, Readings, fit};
 /// Candidates, the simplest first.
 const CANDIDATES: [&[&str]; 2] = [&["ggx", "lambert"], &["ggx", "ggx", "lambert"]];
 
+/// Highlights with a grain, of which the one that fits best is taken.
+const GRAINED: [&str; 3] = ["ggx:aniso", "beckmann:aniso", "ward:aniso"];
+
 /// More lobes are taken where they leave no more than this part of the error.
 const WORTH: f64 = 0.85;
 
@@ -48,7 +51,9 @@ impl Carrier {
     /// One with a grain along x or y; none where the grain runs otherwise, or nothing can be fitted.
     pub(super) fn grained(readings: &Readings) -> Option<Self> {
         let options = FitOptions { most_readings: 6000, ..FitOptions::default() };
-        let mut found = fit(readings, &["ggx:aniso", "lambert"], &options).ok()?;
+        // Few readings tell a grain of much: the better the model, the less is left to them.
+        let fits = GRAINED.iter().filter_map(|model| fit(readings, &[model, "lambert"], &options).ok());
+        let mut found = fits.min_by(|a, b| a.error.total_cmp(&b.error))?;
         let quarters = found.aniso_deg? / 90.0;
         if (quarters - libm::round(quarters)).abs() > ALIGNED {
             return None;

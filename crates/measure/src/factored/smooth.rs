@@ -26,8 +26,8 @@ const WIDTH: f64 = 0.5;
 /// Readings nearer than this are the same pair of directions, or its mirror image.
 const SAME: f64 = 1e-9;
 
-/// Slopes are held back by this part of the weights.
-const RIDGE: f64 = 1e-3;
+/// Slopes are held back by one of these parts of the weights: readings along few lines say little about slopes across them.
+const RIDGES: [f64; 3] = [1e-3, 0.05, 1.0];
 
 /// Readings count at least this part of the carrier, and at most its inverse: their logarithms are finite.
 const LEAST_FACTOR: f64 = 1e-3;
@@ -82,6 +82,7 @@ pub(super) struct Smooth<P: Place> {
     /// Of each reading that counts, by channels.
     logs: Vec<f32>,
     pub(super) neighbours: usize,
+    ridge: f64,
     /// The mean of |Δ ln| where readings were told from their neighbours.
     pub(super) error: f64,
 }
@@ -107,7 +108,8 @@ impl<P: Place> Smooth<P> {
         }
         let tried: Vec<_> = points.iter().step_by((points.len() / TRIED).max(1)).copied().collect();
         let tree = RTree::bulk_load(points);
-        let mut own = Self { channels, tree, logs, neighbours: NEIGHBOURS[0], error: f64::MAX };
+        let mut own =
+            Self { channels, tree, logs, neighbours: NEIGHBOURS[0], ridge: RIDGES[0], error: f64::MAX };
         own.choose(&tried, neighbours.as_slice());
         own
     }
@@ -117,51 +119,65 @@ impl<P: Place> Smooth<P> {
         self.tree.size()
     }
 
-    /// Takes the neighbourhood that tells readings best from the others.
+    /// Takes the neighbourhood and the ridge that tell readings best from the others; only the ridge where neighbours are
+    /// asked for.
     fn choose(&mut self, tried: &[GeomWithData<P, usize>], asked: &[usize]) {
-        let mut best = (f64::MAX, NEIGHBOURS[0]);
-        for &neighbours in if asked.is_empty() { &NEIGHBOURS } else { asked } {
-            self.neighbours = neighbours;
-            let mut sum = 0.0;
-            for point in tried {
-                let (told, _) = self.logs_at(point.geom(), true);
-                let own = &self.logs[point.data * self.channels..][..self.channels];
-                let off = told.iter().zip(own).map(|(told, own)| (told - f64::from(*own)).abs());
-                sum += off.sum::<f64>() / self.channels as f64;
-            }
-            let error = sum / tried.len().max(1) as f64;
-            if error < best.0 || !asked.is_empty() {
-                best = (error, neighbours);
+        let counts = if asked.is_empty() { &NEIGHBOURS } else { asked };
+        let most = counts.iter().copied().max().unwrap_or(1);
+        let near: Vec<_> = tried.iter().map(|point| self.near(point.geom(), most, SAME * SAME)).collect();
+        let mut best = (f64::MAX, counts[0], RIDGES[0]);
+        for &count in counts {
+            for ridge in RIDGES {
+                let off = tried.iter().zip(&near).map(|(point, near)| {
+                    let told = self.logs_from(&near[..count.min(near.len())], point.geom(), ridge);
+                    self.off(point.data, &told)
+                });
+                let error = off.sum::<f64>() / tried.len().max(1) as f64;
+                if error < best.0 {
+                    best = (error, count, ridge);
+                }
             }
         }
-        (self.error, self.neighbours) = best;
+        (self.error, self.neighbours, self.ridge) = best;
+    }
+
+    /// The mean of |Δ ln| of a reading from what is told of it.
+    fn off(&self, reading: usize, told: &[f64]) -> f64 {
+        let off = told.iter().zip(self.log(reading)).map(|(told, own)| (told - f64::from(*own)).abs());
+        off.sum::<f64>() / self.channels as f64
+    }
+
+    fn log(&self, reading: usize) -> &[f32] {
+        &self.logs[reading * self.channels..][..self.channels]
     }
 
     /// The factors over the carrier at a pair of directions, and how far the nearest reading is.
     pub(super) fn factors(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> (Vec<f64>, f64) {
-        let (logs, nearest) = self.logs_at(&P::of(wi, wo), false);
+        let place = P::of(wi, wo);
+        let near = self.near(&place, self.neighbours, -1.0);
+        let nearest = near.first().map_or(f64::MAX, |near| libm::sqrt(near.squared));
         let far = nearest / FAR;
         let known = 1.0 / (1.0 + far * far * far * far);
+        let logs = self.logs_from(&near, &place, self.ridge);
         (logs.into_iter().map(|log| libm::exp(log * known)).collect(), nearest)
     }
 
-    /// Logarithms of factors at a place, and how far the nearest reading is; the reading there itself may be left out.
-    fn logs_at(&self, place: &P, leaves_out: bool) -> (Vec<f64>, f64) {
-        let least = if leaves_out { SAME * SAME } else { -1.0 };
+    /// The readings nearest to a place, those left out whose squared distance is not above the least.
+    fn near(&self, place: &P, count: usize, least: f64) -> Vec<Near<P>> {
         let near = self.tree.nearest_neighbor_iter_with_distance_2(place);
-        let near: Vec<_> = near.filter(|(_, squared)| *squared > least).take(self.neighbours).collect();
-        let Some((first, last)) = near.first().zip(near.last()) else {
-            return (vec![0.0; self.channels], f64::MAX);
-        };
-        let (nearest, width) = (libm::sqrt(first.1), WIDTH * libm::sqrt(last.1).max(1e-6));
-        let weights: Vec<f64> =
-            near.iter().map(|(_, squared)| libm::exp(-0.5 * squared / (width * width))).collect();
-        let weights = linear(&weights, near.iter().map(|(point, _)| point.geom()), place, width);
+        let near = near.filter(|(_, squared)| *squared > least).take(count);
+        near.map(|(point, squared)| Near { place: *point.geom(), reading: point.data, squared }).collect()
+    }
+
+    /// Logarithms of factors at a place, of its neighbours.
+    fn logs_from(&self, near: &[Near<P>], place: &P, ridge: f64) -> Vec<f64> {
         let mut logs = vec![0.0; self.channels];
+        let Some(last) = near.last() else { return logs };
+        let width = WIDTH * libm::sqrt(last.squared).max(1e-6);
+        let weights = linear(near, place, (width, ridge));
         let (mut low, mut high) = (vec![f64::MAX; self.channels], vec![f64::MIN; self.channels]);
-        for ((point, _), weight) in near.iter().zip(weights) {
-            let own = &self.logs[point.data * self.channels..][..self.channels];
-            for (c, log) in own.iter().map(|log| f64::from(*log)).enumerate() {
+        for (near, weight) in near.iter().zip(weights) {
+            for (c, log) in self.log(near.reading).iter().map(|log| f64::from(*log)).enumerate() {
                 logs[c] += weight * log;
                 low[c] = low[c].min(log);
                 high[c] = high[c].max(log);
@@ -172,29 +188,34 @@ impl<P: Place> Smooth<P> {
             let more = 0.25 * (high - low);
             *log = log.clamp(low - more, high + more);
         }
-        (logs, nearest)
+        logs
     }
+}
+
+/// A neighbour.
+struct Near<P> {
+    place: P,
+    reading: usize,
+    /// The square of its distance.
+    squared: f64,
 }
 
 /// Unknowns of a plane in the most dimensions.
 const UNKNOWNS: usize = 5;
 
 /// What each neighbour counts for in the height of the weighted plane at the place: the first row of (XᵀGX)⁻¹ XᵀG.
-fn linear<'p, P: Place + 'p>(
-    weights: &[f64],
-    points: impl Iterator<Item = &'p P>,
-    place: &P,
-    width: f64,
-) -> Vec<f64> {
+fn linear<P: Place>(near: &[Near<P>], place: &P, (width, ridge): (f64, f64)) -> Vec<f64> {
     let n = P::DIMENSIONS + 1;
-    let row = |point: &P| {
+    let row = |near: &Near<P>| {
         core::array::from_fn::<f64, UNKNOWNS, _>(|i| match i {
             0 => 1.0,
-            i if i < n => (point.nth(i - 1) - place.nth(i - 1)) / width,
+            i if i < n => (near.place.nth(i - 1) - place.nth(i - 1)) / width,
             _ => 0.0,
         })
     };
-    let rows: Vec<_> = points.map(row).collect();
+    let rows: Vec<_> = near.iter().map(row).collect();
+    let weight = |near: &Near<P>| libm::exp(-0.5 * near.squared / (width * width));
+    let weights: Vec<f64> = near.iter().map(weight).collect();
     let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
     for (weight, row) in weights.iter().zip(&rows) {
         for i in 0..n {
@@ -205,7 +226,7 @@ fn linear<'p, P: Place + 'p>(
     }
     let whole = matrix[0][0];
     for (i, line) in matrix.iter_mut().enumerate().take(n).skip(1) {
-        line[i] += RIDGE * whole;
+        line[i] += ridge * whole;
     }
     let heights = first_column_of_inverse(matrix, n);
     let share = |(weight, row): (&f64, &[f64; UNKNOWNS])| {
