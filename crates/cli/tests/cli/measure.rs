@@ -284,8 +284,11 @@ fn rgb_is_under_d65_whatever_light_and_a_fit_is_a_material() {
     assert_eq!(color(&d65, "45/0", "xyz", 0), color(&a, "45/0", "xyz", 0));
     assert!(a["notes"].to_string().contains("linear sRGB"), "{}", a["notes"]);
     assert_eq!(a["yellowness"].as_array().unwrap().len(), 1);
-    let words = ["measure", "fit", "a.bsdf", "--models", "ggx+lambert", "-o", "fit.toml"];
+    let words =
+        ["measure", "fit", "a.bsdf", "--models", "ggx+lambert", "-o", "fit.toml", "--report", "fit.csv"];
     folder.glanz(&words).text();
+    let report = std::fs::read_to_string(folder.path("fit.csv")).unwrap();
+    assert!(report.contains("\"read, light at 0°\",") && report.contains("\"fitted, light at 0°\","), "{report}");
     let fit = appearance(&folder, &["fit.toml"]);
     for (geometry, within) in [("45/0", 0.5), ("45as15", 1.0), ("sci", 1.0)] {
         let (own, fitted) = (color(&d65, geometry, "lab", 0), color(&fit, geometry, "lab", 0));
@@ -341,6 +344,11 @@ fn readings_are_smoothed_and_compared() {
     let text = std::fs::read_to_string(folder.path("grid.csv")).unwrap();
     assert!(text.lines().nth(2).unwrap().ends_with(",Y,distance"), "{text}");
     assert!(folder.glanz(&["measure", "info", "grid.csv"]).text().contains("one channel"));
+    // Numbers of appearance are of what lies between readings.
+    let [own, exact] = ["noisy.csv", "smooth.bsdf"].map(|name| {
+        appearance(&folder, &[name])["colors"][0]["lab"][0].as_f64().unwrap_or_else(|| panic!("{name}"))
+    });
+    assert!((own - exact).abs() < 1.0, "{own} {exact}");
 }
 
 #[test]

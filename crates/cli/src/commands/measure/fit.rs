@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::fitted_material::material;
-use super::{ReadArgs, read};
+use super::{ReadArgs, fit_report, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs, number};
@@ -19,7 +19,7 @@ use crate::print::{self, FormatArgs, number};
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
 Examples:
-  glanz measure fit readings.csv
+  glanz measure fit readings.csv --report fit.svg
   glanz measure fit paint.bsdf --models ggx+lambert,ggx*2+lambert,cook-torrance+oren-nayar -o fit.toml
   glanz measure fit gold.binary --models ggx*2 --metric log --format json
   glanz measure fit brushed.csv --models ggx:aniso:schlick+diffuse -o brushed.toml
@@ -64,6 +64,11 @@ pub(crate) struct FitArgs {
     /// The scene file with the best one as a material
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     output: Option<PathBuf>,
+
+    /// A plot of the best one: readings in the plane of incidence as points, the fit as lines; .svg, .png, .pdf, .csv or
+    /// .json
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    report: Option<PathBuf>,
 
     #[command(flatten)]
     read: ReadArgs,
@@ -138,6 +143,7 @@ impl FitArgs {
         if let Some(output) = &self.output {
             check_folder(output)?;
         }
+        let report = fit_report::target(self.report.as_deref())?;
         let measured = read(&self.file, &self.read)?;
         let readings = measured.readings();
         let options = FitOptions {
@@ -160,6 +166,10 @@ impl FitArgs {
         let mut notes = measured.notes.clone();
         notes.extend(remarks(&fits));
         let file = self.write(&readings, &fits[0].1)?;
+        if let Some(report) = report {
+            let (name, best) = &fits[0];
+            report.save(&mut fit_report::chart(name, &readings, best)?)?;
+        }
         let document = self.document(&readings, &fits, file, notes);
         if self.format.is_json() {
             return print::json(&document);

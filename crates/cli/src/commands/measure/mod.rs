@@ -5,6 +5,7 @@ mod balls;
 pub(super) mod compare;
 pub(super) mod convert;
 pub(super) mod fit;
+mod fit_report;
 mod fitted_material;
 pub(super) mod info;
 pub(super) mod sample;

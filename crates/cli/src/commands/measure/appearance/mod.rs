@@ -27,7 +27,7 @@ Examples:
   glanz measure appearance fit.toml --format json
   glanz measure appearance paper-brightened --light FL11
 
-What is measured is a file with values everywhere (MERL, RGL), a model of `glanz bsdf list` or of one's own, a
+What is measured is a file of measured reflectance (of readings what lies between them, smoothed), a model of `glanz bsdf list` or of one's own, a
 material of `glanz material list`, one of a scene file, such as `glanz measure fit -o` writes, or a matte surface of
 `glanz color list fluorescent`.
 

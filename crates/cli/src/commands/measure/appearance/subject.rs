@@ -7,7 +7,7 @@ use glanz_bsdf::{DirectionPair, MODELS, Shape};
 use glanz_color::{Observer, Spectrum, SpectrumKind, fluorescent};
 use glanz_math::Vec3;
 use glanz_math::names::did_you_mean;
-use glanz_measure::{Channels, Data, Measured, forty_five_zero};
+use glanz_measure::{Channels, Data, FactorOptions, Factored, Measured, forty_five_zero};
 use glanz_plot::Factor;
 use glanz_render::MaterialResponse;
 use glanz_scene::file::LoadOptions;
@@ -19,6 +19,7 @@ use crate::commands::measure::{is_measured, read};
 use crate::input::media;
 use crate::input::spectra::{Source, TableArgs, source};
 use crate::load::failure_of_scene;
+use crate::print;
 use crate::print::failure::{Failure, Report};
 
 /// What is measured.
@@ -46,7 +47,7 @@ impl Subject {
         let is_word = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
         let found = match ending.as_str() {
             "toml" => Self::Material(Box::new(of_scene(path, args.material.as_deref())?)),
-            table if table == "txt" || is_measured(path) => Self::Table(Box::new(of_table(path, args)?)),
+            table if table == "txt" || is_measured(path) => of_data(path, args)?,
             _ if is_name || !is_word => return of_model(args),
             _ => Self::Material(Box::new(of_library(name)?)),
         };
@@ -188,16 +189,17 @@ fn of_measured(measured: &Measured, wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
     measured.value(wi, wo).unwrap_or_else(|| vec![0.0; measured.channels().count()])
 }
 
-fn of_table(path: &Path, args: &AppearanceArgs) -> Result<Measured, Failure> {
+/// A table as it is; readings as they are drawn, smoothed by Gaussians.
+fn of_data(path: &Path, args: &AppearanceArgs) -> Result<Subject, Failure> {
     let measured = read(path, &args.read)?;
-    if matches!(measured.data, Data::Readings(_)) {
-        let report = Report::new("these numbers are integrals, and readings alone say nothing between them");
-        return Err(report
-            .file(path)
-            .help("a .binary of MERL or a .bsdf of RGL has values everywhere")
-            .into());
+    if !matches!(measured.data, Data::Readings(_)) {
+        return Ok(Subject::Table(Box::new(measured)));
     }
-    Ok(measured)
+    let factored = Factored::of(&measured, &FactorOptions::default())
+        .map_err(|error| Failure::from(Report::new(error).file(path)))?;
+    measured.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
+    print::note(format_args!("note: readings are smoothed; the numbers are of what lies between them"));
+    Ok(Subject::Material(Box::new(Material::measured(path.display().to_string(), &factored))))
 }
 
 fn of_model(args: &AppearanceArgs) -> Result<Subject, Failure> {
