@@ -288,7 +288,10 @@ fn rgb_is_under_d65_whatever_light_and_a_fit_is_a_material() {
         ["measure", "fit", "a.bsdf", "--models", "ggx+lambert", "-o", "fit.toml", "--report", "fit.csv"];
     folder.glanz(&words).text();
     let report = std::fs::read_to_string(folder.path("fit.csv")).unwrap();
-    assert!(report.contains("\"read, light at 0°\",") && report.contains("\"fitted, light at 0°\","), "{report}");
+    assert!(
+        report.contains("\"read, light at 0°\",") && report.contains("\"fitted, light at 0°\","),
+        "{report}"
+    );
     let fit = appearance(&folder, &["fit.toml"]);
     for (geometry, within) in [("45/0", 0.5), ("45as15", 1.0), ("sci", 1.0)] {
         let (own, fitted) = (color(&d65, geometry, "lab", 0), color(&fit, geometry, "lab", 0));
