@@ -110,7 +110,8 @@ impl ColorModel for Hls {
 
     fn from_xyz(xyz: Xyz) -> Self {
         let hsl = palette::Hsl::from_color_unclamped(settled(xyz));
-        Self([hsl.hue.into_positive_degrees(), hsl.lightness, hsl.saturation])
+        // Near black and white the quotient of two small numbers rounds to a little more than 1.
+        Self([hsl.hue.into_positive_degrees(), hsl.lightness, hsl.saturation.min(1.0)])
     }
 }
 
@@ -137,6 +138,6 @@ impl ColorModel for Hsv {
 
     fn from_xyz(xyz: Xyz) -> Self {
         let hsv = palette::Hsv::from_color_unclamped(settled(xyz));
-        Self([hsv.hue.into_positive_degrees(), hsv.saturation, hsv.value])
+        Self([hsv.hue.into_positive_degrees(), hsv.saturation.min(1.0), hsv.value])
     }
 }

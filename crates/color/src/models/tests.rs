@@ -119,6 +119,12 @@ fn black_has_finite_numbers_in_every_model() {
     }
 }
 
+#[test]
+fn saturation_is_at_most_1_next_to_white() {
+    let Hls([_, _, saturation]) = Srgb([0.9999417780965207, 1.0651656808672754, 2.1187071310667087]).to();
+    assert_eq!(saturation, 1.0);
+}
+
 /// What rounding and the branches of sRGB (which miss each other by 3e-8) may lose; OKLab's inverse in
 /// palette is given to nine digits.
 const ROUND_TRIP: f64 = 1e-6;

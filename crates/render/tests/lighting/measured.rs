@@ -90,8 +90,8 @@ fn areas_show_what_was_measured() {
 #[test]
 fn environments_show_what_was_measured() {
     let map = map(room);
-    // The stated errors of models are up to 0.8 of what the map gives on average: lobes are blurred as for a viewer above.
-    compare("environment", (0.3, map.mean()[0]), &|| environment(Some(map.clone())), &|shape, degrees| {
+    // Measured, at 75°; the stated errors of models are up to 0.8: lobes are blurred as for a viewer above.
+    compare("environment", (0.31, map.mean()[0]), &|| environment(Some(map.clone())), &|shape, degrees| {
         environments::by_sum(&map, shape, degrees)
     });
 }

@@ -110,7 +110,7 @@ fn measured_matte(lobes: &[Lobe]) -> Spectrum {
     let mut whole = Spectrum::ZERO;
     for lobe in lobes.iter().filter(|lobe| is_matte(lobe) && is_measured(lobe)) {
         if let Tint::Spectrum(tint) = &lobe.tint {
-            whole = whole + **tint * layered_albedo(&lobe.shape, &lobe.layers, MEAN_COSINE);
+            whole += **tint * layered_albedo(&lobe.shape, &lobe.layers, MEAN_COSINE);
         }
     }
     whole.map(|rho| rho.clamp(0.0, 1.0))
