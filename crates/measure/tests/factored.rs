@@ -114,7 +114,7 @@ fn a_paint_is_drawn_as_it_was_measured() {
     // The sum of the lobes is the value.
     let [wi, wo] = Noise(3).pair();
     let pair = DirectionPair::new(wo, wi);
-    let mut sum = vec![0.0; 3];
+    let mut sum = [0.0; 3];
     for (shape, layer, tint) in factored.lobes() {
         let value = shape.f_cos(&pair) / wi.z * layer.factor(&pair);
         sum.iter_mut().zip(tint).for_each(|(sum, tint)| *sum += value * tint);
@@ -177,7 +177,7 @@ fn spectra_need_as_many_ranks_as_they_have_parts() {
     println!("{median} {most}");
     assert!(median < 0.01 && most < 0.08, "{median}, {most}");
     let one = Factored::of(&file, &FactorOptions { ranks: Some(1), ..FactorOptions::default() }).unwrap();
-    assert_eq!((one.table().ranks(), one.facts.bytes * 1), (1, factored.facts.bytes));
+    assert_eq!((one.table().ranks(), one.facts.bytes), (1, factored.facts.bytes));
     let asked = FactorOptions { ranks: Some(9), ..FactorOptions::default() };
     assert_eq!(Factored::of(&file, &asked), Err(FactorError::Ranks { asked: 9, channels: 31 }));
 }
