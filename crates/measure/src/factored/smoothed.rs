@@ -24,7 +24,7 @@ const GRAIN: f64 = 0.7;
 ///     for theta_o in (-80..80).step_by(5) {
 ///         let phi = if theta_o < 0 { 180 } else { 0 };
 ///         // A matte surface, read with an error of 2 % that has no rule.
-///         let noise = 1.0 + 0.02 * f64::from((theta_i * 7 + theta_o * 11).rem_euclid(13) - 6) / 6.0;
+///         let noise = 1.0 + 0.02 * f64::from(i32::rem_euclid(theta_i * 7 + theta_o * 11, 13) - 6) / 6.0;
 ///         text += &format!("{theta_i},180,{},{phi},{}\n", i32::abs(theta_o), 0.2 * noise);
 ///     }
 /// }
