@@ -215,3 +215,10 @@ fn colours_outside_of_srgb_are_kept() {
     let [wi, wo] = Noise(11).pair();
     assert!(factored.value(wi, wo)[2] < 0.0);
 }
+
+#[test]
+fn readings_of_nothing_are_refused_in_words() {
+    let file = readings(Channels::Rgb, 600, 0.0, &|_, _| vec![0.0; 3]);
+    let error = Factored::of(&file, &FactorOptions::default()).unwrap_err();
+    assert!(error.to_string().ends_with("all values are 0 or below"), "{error}");
+}
