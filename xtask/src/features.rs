@@ -4,7 +4,7 @@ use crate::workspace::{Workspace, run, run_quietly};
 use crate::{Failure, Result};
 
 /// The crates that know no window and no terminal.
-pub(crate) const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-measure -p glanz-plot -p glanz-shader -p glanz-scene -p glanz-render -p glanz";
+pub(crate) const LIBRARIES: &str = "-p glanz-math -p glanz-color -p glanz-bsdf -p glanz-picture -p glanz-measure -p glanz-eye -p glanz-plot -p glanz-shader -p glanz-scene -p glanz-render -p glanz";
 
 /// All features but threads.
 pub(crate) const SERIAL: &str = "glanz/exr,glanz/gif,glanz/plot";
