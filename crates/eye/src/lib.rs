@@ -1,2 +1,23 @@
 //! The eye: what another person sees of a scene, at another age, by another light, and why.
+//!
+//! An [`Eye`] becomes an [`Observer`](glanz_color::Observer), by which a picture is drawn at no further cost.
+//!
+//! ```
+//! use glanz_color::light;
+//! use glanz_eye::Eye;
+//!
+//! // How much of daylight the cones of an eye of 70 get, in parts of one of 32.
+//! let (old, young) = ("age:70".parse::<Eye>()?.observer(), Eye::default().observer());
+//! let d65 = light("D65")?;
+//! let parts: Vec<f64> = old.response(&d65).iter().zip(young.response(&d65)).map(|(a, b)| a / b).collect();
+//! assert!(parts[0] > 0.8 && parts[2] < 0.5, "S loses most");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+mod cones;
+mod eye;
+mod media;
+mod parse;
+
+pub use eye::{AGES, Cones, Eye, EyeError, FIELDS_DEG, KNOWN_AGES, Lens, MAX_SHIFT_NM};
+pub use media::{macular_density, pigment_density};

@@ -570,6 +570,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         title: String::new(),
         channels: vec![Channel { name: "V".to_owned(), sensitivity }],
         kind: ObserverKind::Other,
+        reference: None,
     }));
     (parts, camera, observer, any::<bool>(), rgb(), -3.0..3.0f64).prop_map(
         |((meshes, textures, materials, lights, objects), camera, observer, photometric, color, ev)| Scene {

@@ -29,6 +29,10 @@ pub struct Observer {
     pub channels: Vec<Channel>,
     /// What the channels are.
     pub kind: ObserverKind,
+    /// The observer by whose responses the channels are scaled in pictures, and by whose way to a screen they are shown; none: by its
+    /// own. Where the two differ, as an old eye does from a young one, the difference is seen.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference: Option<Box<Observer>>,
 }
 
 /// One kind of receptor, or one colour-matching function.
@@ -93,6 +97,7 @@ pub fn observer(name: &str) -> Result<Observer, UnknownName> {
         title: info.title.to_owned(),
         channels: channels.collect(),
         kind: info.kind,
+        reference: None,
     })
 }
 
@@ -145,7 +150,7 @@ impl Observer {
     /// A camera or any other sensor, from the curves of its channels.
     pub fn from_channels(name: impl Into<String>, channels: Vec<Channel>) -> Self {
         let name = name.into();
-        Self { title: name.clone(), name, channels, kind: ObserverKind::Other }
+        Self { title: name.clone(), name, channels, kind: ObserverKind::Other, reference: None }
     }
 
     /// The response of each channel: Σ s(λ) E(λ) · 5 nm, in the unit of the light's values times nm.

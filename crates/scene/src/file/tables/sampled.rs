@@ -101,6 +101,7 @@ impl ObserverTable {
             title: self.title.clone(),
             channels: self.channels.iter().map(channel).collect(),
             kind: self.kind,
+            reference: None,
         }
     }
 }
