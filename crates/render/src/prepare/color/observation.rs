@@ -47,7 +47,7 @@ pub enum ObservationError {
 ///
 /// Frames drawn for it hold the observer's channels, scaled so that a white Lambert surface that faces
 /// a D65 light of 1 gives 1: in Y for observers in XYZ (their own x̄ and z̄ on the same scale), in every
-/// channel for all others. In mode RGB they hold linear sRGB.
+/// channel for all others. Where the observer has a reference, it is the reference to which it gives 1. In mode RGB they hold linear sRGB.
 ///
 /// ```
 /// use glanz_render::Observation;
@@ -64,6 +64,8 @@ pub struct Observation {
     pub(crate) observer: Option<Observer>,
     /// The sensitivities on that scale; none in RGB.
     pub(crate) weights: Vec<Spectrum>,
+    /// How far an eye is adapted to the white as it sees it itself, from 0 to 1.
+    pub(crate) adapted: f64,
 }
 
 impl Default for Observation {
@@ -75,7 +77,7 @@ impl Default for Observation {
 impl Observation {
     /// Componentwise RGB.
     pub fn rgb() -> Self {
-        Self { mode: ColorMode::Rgb, observer: None, weights: Vec::new() }
+        Self { mode: ColorMode::Rgb, observer: None, weights: Vec::new(), adapted: 1.0 }
     }
 
     /// The mode, with this observer or else the one that the mode implies.
@@ -91,7 +93,7 @@ impl Observation {
             let (mode, found) = (mode.to_string(), chosen.name);
             return Err(ObservationError::MeyerIsFor1931 { mode, found });
         }
-        Ok(Self { mode, weights: scaled(&chosen), observer: Some(chosen) })
+        Ok(Self { mode, weights: scaled(&chosen), observer: Some(chosen), adapted: 1.0 })
     }
 
     /// The 97 samples of the grid as channels: what is written into spectral pictures, in radiance per
@@ -104,7 +106,14 @@ impl Observation {
             weight
         };
         let weights = (0..SAMPLES).map(channel).collect();
-        Self { mode: ColorMode::Spectral, observer: None, weights }
+        Self { mode: ColorMode::Spectral, observer: None, weights, adapted: 1.0 }
+    }
+
+    /// The same, adapted to its own white by this degree: 0, what it sees beside what its reference sees (the yellow of an old
+    /// lens, all of it); 1, white is white to it. It matters to observers with a reference alone.
+    #[must_use]
+    pub fn adapted(self, degree: f64) -> Self {
+        Self { adapted: degree.clamp(0.0, 1.0), ..self }
     }
 
     /// The colour mode.
@@ -141,10 +150,13 @@ pub(crate) fn cie1931() -> Observer {
     observer("cie1931").expect("the standard observer is in the list")
 }
 
-/// The observer's sensitivities on the scale of frames.
+/// The observer's sensitivities on the scale of frames: that of its reference, if it has one.
 pub(crate) fn scaled(observer: &Observer) -> Vec<Spectrum> {
     let daylight = rgb_spectra::daylight();
-    let answer = |channel: usize| observer.channels[channel].sensitivity.dot(&daylight);
+    let answer = |channel: usize| {
+        let reference = observer.reference.as_ref().and_then(|reference| reference.channels.get(channel));
+        reference.unwrap_or(&observer.channels[channel]).sensitivity.dot(&daylight)
+    };
     let common = (observer.kind == ObserverKind::Xyz).then(|| answer(1));
     let channels = observer.channels.iter().enumerate();
     channels.map(|(i, channel)| channel.sensitivity * (1.0 / common.unwrap_or_else(|| answer(i)))).collect()

@@ -26,12 +26,13 @@ impl Observation {
                 (gain != 1.0).then(|| ToScreen::of_matrix(self.meaning(), Matrix3::IDENTITY.scaled(gain)))
             );
         };
-        let to_xyz = ToXyz::new(observer, &self.weights);
+        let to_xyz = ToXyz::new(observer);
+        let own = self.own_white(lights, white)?;
         let to_rgb = match white {
             White::None => rgb_spectra::XYZ_TO_RGB,
             _ => {
                 let luminance = self.luminance(lights, white)?;
-                let seen = to_xyz.apply(&self.white(lights, white)?);
+                let seen = to_xyz.apply(&own.reference);
                 let adapted = Adaptation::Bradford
                     .matrix(Xyz(seen.map(|v| v / luminance)), Xyz(rgb_spectra::SCREEN_WHITE))
                     .map_err(|source| ObservationError::NotWhite { white: white.name(), source })?;
@@ -40,8 +41,24 @@ impl Observation {
         };
         Ok(Some(ToScreen::of_columns(
             self.meaning(),
-            to_xyz.columns.iter().map(|xyz| to_rgb.apply(*xyz).map(|v| v * gain)),
+            to_xyz.columns.iter().zip(own.gains()).map(|(xyz, own)| to_rgb.apply(*xyz).map(|v| v * own * gain)),
         )))
+    }
+
+    /// The white as the observer sees it and as its reference does.
+    ///
+    /// # Errors
+    /// If the scene has no light that could be a white.
+    pub fn own_white(&self, lights: &[Light], white: White) -> Result<OwnWhite, ObservationError> {
+        let own = self.white(lights, white)?;
+        let reference = match self.observer.as_ref().and_then(|observer| observer.reference.as_deref()) {
+            None => own.clone(),
+            Some(reference) => {
+                let seen = Self { weights: scaled(reference), observer: Some(reference.clone()), ..self.clone() };
+                seen.white(lights, white)?
+            }
+        };
+        Ok(OwnWhite { own, reference, adapted: self.adapted })
     }
 
     /// The luminance of a white surface under that white: the observer's own, from the whole spectrum, since
@@ -98,6 +115,29 @@ impl Observation {
     }
 }
 
+/// A white as an observer sees it, and as its reference sees it, in the channels of frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnWhite {
+    /// As the observer sees it.
+    pub own: Vec<f64>,
+    /// As its reference sees it.
+    pub reference: Vec<f64>,
+    /// How far the observer is adapted to it, from 0 to 1.
+    pub adapted: f64,
+}
+
+impl OwnWhite {
+    /// By what each channel is multiplied: von Kries, from the observer's white to its reference's, by the degree of adaptation. 1
+    /// where a channel does not see the white.
+    pub fn gains(&self) -> impl Iterator<Item = f64> {
+        self.own.iter().zip(&self.reference).map(|(own, reference)| {
+            let whole = reference / own;
+            let seen = whole.is_finite() && whole > 0.0 && self.adapted > 0.0;
+            if seen { libm::pow(whole, self.adapted) } else { 1.0 }
+        })
+    }
+}
+
 /// The lights that make a white.
 fn white_lights(lights: &[Light], white: White) -> Result<Vec<LightColor>, ObservationError> {
     let colors: Vec<LightColor> = match white {
@@ -140,22 +180,30 @@ fn own_color(light: &Light) -> &LightColor {
     }
 }
 
-/// What XYZ each channel stands for, by least squares over the curves of CIE 1931.
+/// What XYZ each channel stands for, by least squares over the curves of CIE 1931; of an observer with a reference, what
+/// it stands for to the reference.
 ///
 /// Observers in XYZ are taken as they are, a single channel is a grey. A sensor whose curves are linear
-/// combinations of those of CIE 1931 comes out exactly.
+/// combinations of those of CIE 1931 comes out exactly. Receptors beyond L, M, S, which are rods, have no colour.
 struct ToXyz {
     columns: Vec<[f64; 3]>,
 }
 
 impl ToXyz {
-    fn new(observer: &Observer, weights: &[Spectrum]) -> Self {
+    fn new(observer: &Observer) -> Self {
+        let weights = scaled(observer.reference.as_deref().unwrap_or(observer));
         let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let white = rgb_spectra::SCREEN_WHITE;
         match (observer.kind, weights.len()) {
             (ObserverKind::Xyz, _) => Self { columns: units.to_vec() },
             (_, 1) => Self { columns: vec![white] },
-            _ => Self { columns: least_squares(weights, &scaled(&cie1931())) },
+            (ObserverKind::Lms, count) => {
+                let cones = &weights[..count.min(3)];
+                let mut columns = least_squares(cones, &scaled(&cie1931()));
+                columns.resize(count, [0.0; 3]);
+                Self { columns }
+            }
+            _ => Self { columns: least_squares(&weights, &scaled(&cie1931())) },
         }
     }
 

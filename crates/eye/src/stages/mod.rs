@@ -1,0 +1,12 @@
+//! What happens to a picture in the eye, stage after stage.
+
+pub(crate) mod acuity;
+pub(crate) mod deficiency;
+pub(crate) mod dusk;
+pub(crate) mod glare;
+pub(crate) mod plane;
+pub(crate) mod pyramid;
+mod see;
+
+pub use deficiency::Defect;
+pub use see::{Seeing, Seen};

@@ -1,0 +1,38 @@
+//! One channel of a picture, and rows of work on it.
+
+/// One channel: values in rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plane {
+    pub width: usize,
+    pub height: usize,
+    pub values: Vec<f32>,
+}
+
+impl Plane {
+    /// One without light.
+    pub(crate) fn zero(width: usize, height: usize) -> Self {
+        Self { width, height, values: vec![0.0; width * height] }
+    }
+
+    /// A row; beyond the edges the nearest.
+    pub(crate) fn row(&self, y: isize) -> &[f32] {
+        let y = y.clamp(0, self.height as isize - 1) as usize;
+        &self.values[y * self.width..(y + 1) * self.width]
+    }
+}
+
+/// Calls `work` with the number and the values of every row, in parallel where the feature `rayon` is on. Rows depend on nothing but
+/// their number, so that the bits do not depend on the threads.
+pub(crate) fn for_each_row(values: &mut [f32], width: usize, work: impl Fn(usize, &mut [f32]) + Sync + Send) {
+    if width == 0 {
+        return;
+    }
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        let least = (1 << 13) / width.max(1) + 1;
+        values.par_chunks_mut(width).with_min_len(least).enumerate().for_each(|(y, row)| work(y, row));
+    }
+    #[cfg(not(feature = "rayon"))]
+    values.chunks_mut(width).enumerate().for_each(|(y, row)| work(y, row));
+}

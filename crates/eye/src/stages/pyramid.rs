@@ -1,0 +1,294 @@
+//! Sums of Gaussian blurs on an octave pyramid.
+//!
+//! Each level has half the pixels of the one before in each direction; a Gaussian is applied where its σ is 1.2 to 2.4 pixels. Going
+//! down and up again blurs by itself, with a variance that is known and taken off. No transform to frequencies: the same bits on every
+//! machine.
+
+use glanz_math::{SimdLevel, at_level};
+use libm::{exp, log2};
+
+use super::plane::{Plane, for_each_row};
+
+/// A blur: how much of the light it takes, and how far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Blur {
+    pub weight: f64,
+    pub sigma_px: f64,
+}
+
+/// Below this σ in pixels a blur is none.
+const SHARP: f64 = 0.25;
+
+/// The least σ in pixels of a level at which a Gaussian is applied there.
+const LEAST: f64 = 1.2;
+
+/// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge.
+pub(crate) fn blurred(plane: &Plane, rest: f64, blurs: &[Blur]) -> Plane {
+    let mut kept = rest;
+    let mut by_level: Vec<Vec<Blur>> = Vec::new();
+    for blur in blurs {
+        if blur.sigma_px < SHARP {
+            kept += blur.weight;
+            continue;
+        }
+        let level = level_of(blur.sigma_px);
+        if by_level.len() <= level {
+            by_level.resize(level + 1, Vec::new());
+        }
+        by_level[level].push(*blur);
+    }
+    descend(plane, 0, kept, &by_level)
+}
+
+/// The level at which a Gaussian is applied.
+fn level_of(sigma_px: f64) -> usize {
+    let level = log2(sigma_px / LEAST).floor();
+    if level > 0.0 { level as usize } else { 0 }
+}
+
+/// The sum of what the levels from `level` on add to a plane at that level, and `kept` of itself.
+fn descend(plane: &Plane, level: usize, kept: f64, by_level: &[Vec<Blur>]) -> Plane {
+    let own = by_level.get(level).map_or(&[][..], Vec::as_slice);
+    let mut sum = Plane { values: plane.values.clone(), ..*plane };
+    let more = by_level.len() > level + 1;
+    let coarse = more.then(|| {
+        let half = halved(plane);
+        descend(&half, level + 1, 0.0, by_level)
+    });
+    scale_and_double(&mut sum, kept as f32, coarse.as_ref());
+    for blur in own {
+        let blurred = gaussian(plane, variance_left(blur.sigma_px, level));
+        add(&mut sum, &blurred, blur.weight as f32);
+    }
+    sum
+}
+
+/// The variance in pixels of a level that is left to be applied there, when going down and up has blurred already.
+pub(crate) fn variance_left(sigma_px: f64, level: usize) -> f64 {
+    let scale = libm::exp2(-(level as f64));
+    let way = 0.5 * (1.0 - scale * scale);
+    (sigma_px * sigma_px * scale * scale - way).max(0.0)
+}
+
+/// The next level: half as wide and high, by the weights 1 3 3 1.
+pub(crate) fn halved(plane: &Plane) -> Plane {
+    let (width, height) = (plane.width.div_ceil(2), plane.height.div_ceil(2));
+    let mut half = Plane::zero(width, height);
+    let level = SimdLevel::best();
+    for_each_row(&mut half.values, width, |y, row| {
+        let y = 2 * y as isize;
+        let rows = [-1, 0, 1, 2].map(|dy| plane.row(y + dy));
+        let mut tall = vec![0.0_f32; plane.width];
+        at_level!(level, simd => {
+            let _ = simd;
+            tall_sum(&rows, &mut tall);
+            halve_row(&tall, row);
+        });
+    });
+    half
+}
+
+#[inline(always)]
+fn tall_sum(rows: &[&[f32]; 4], tall: &mut [f32]) {
+    let [a, b, c, d] = rows;
+    let n = tall.len();
+    let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
+    for x in 0..n {
+        tall[x] = 0.125 * (a[x] + d[x]) + 0.375 * (b[x] + c[x]);
+    }
+}
+
+#[inline(always)]
+fn halve_row(tall: &[f32], row: &mut [f32]) {
+    let last = tall.len() - 1;
+    let at = |x: isize| tall[x.clamp(0, last as isize) as usize];
+    let edge = |x: usize| {
+        let x = 2 * x as isize;
+        0.125 * (at(x - 1) + at(x + 2)) + 0.375 * (at(x) + at(x + 1))
+    };
+    // Inside, no index is beyond the edge.
+    let inside = if tall.len() >= 4 { (tall.len() - 2) / 2 } else { 0 };
+    for x in (0..row.len()).filter(|x| *x == 0 || *x >= inside) {
+        row[x] = edge(x);
+    }
+    for (x, out) in row.iter_mut().enumerate().take(inside).skip(1) {
+        let four = &tall[2 * x - 1..2 * x + 3];
+        *out = 0.125 * (four[0] + four[3]) + 0.375 * (four[1] + four[2]);
+    }
+}
+
+/// Multiplies a plane by `kept` and adds the plane of the next level, twice as wide and high, by the weights 3 and 1.
+fn scale_and_double(plane: &mut Plane, kept: f32, coarse: Option<&Plane>) {
+    let width = plane.width;
+    let level = SimdLevel::best();
+    for_each_row(&mut plane.values, width, |y, row| {
+        let Some(coarse) = coarse else {
+            row.iter_mut().for_each(|v| *v *= kept);
+            return;
+        };
+        let (near, far) = near_and_far(y);
+        let (near, far) = (coarse.row(near), coarse.row(far));
+        let mut tall = vec![0.0_f32; coarse.width];
+        at_level!(level, simd => {
+            let _ = simd;
+            for (x, tall) in tall.iter_mut().enumerate() {
+                *tall = 0.75 * near[x] + 0.25 * far[x];
+            }
+            double_row(&tall, row, kept);
+        });
+    });
+}
+
+/// The two rows of the next level that a row lies between, the nearer first.
+fn near_and_far(y: usize) -> (isize, isize) {
+    let near = (y / 2) as isize;
+    (near, if y % 2 == 0 { near - 1 } else { near + 1 })
+}
+
+#[inline(always)]
+fn double_row(tall: &[f32], row: &mut [f32], kept: f32) {
+    let last = tall.len() - 1;
+    for (half, pair) in row.chunks_mut(2).enumerate() {
+        let middle = 0.75 * tall[half];
+        let before = tall[half.saturating_sub(1)];
+        pair[0] = pair[0] * kept + (middle + 0.25 * before);
+        if let Some(second) = pair.get_mut(1) {
+            *second = *second * kept + (middle + 0.25 * tall[(half + 1).min(last)]);
+        }
+    }
+}
+
+/// A plane blurred by a Gaussian of this variance in its pixels, with weights that sum to 1.
+pub(crate) fn gaussian(plane: &Plane, variance: f64) -> Plane {
+    let weights = weights(variance);
+    if weights.len() == 1 {
+        return plane.clone();
+    }
+    let (width, height) = (plane.width, plane.height);
+    let level = SimdLevel::best();
+    let mut tall = Plane::zero(width, height);
+    for_each_row(&mut tall.values, width, |y, row| {
+        let y = y as isize;
+        at_level!(level, simd => {
+            let _ = simd;
+            for (d, weight) in weights.iter().enumerate() {
+                let d = d as isize;
+                add_rows(plane.row(y - d), plane.row(y + d), *weight, d == 0, row);
+            }
+        });
+    });
+    let radius = weights.len() - 1;
+    let mut wide = Plane::zero(width, height);
+    for_each_row(&mut wide.values, width, |y, row| {
+        let source = tall.row(y as isize);
+        let mut padded = vec![source[0]; radius];
+        padded.extend_from_slice(source);
+        padded.resize(width + 2 * radius, source[width - 1]);
+        at_level!(level, simd => {
+            let _ = simd;
+            for (d, weight) in weights.iter().enumerate() {
+                add_rows(&padded[radius - d..], &padded[radius + d..], *weight, d == 0, row);
+            }
+        });
+    });
+    wide
+}
+
+/// Adds two rows that are as far before as behind.
+#[inline(always)]
+fn add_rows(before: &[f32], behind: &[f32], weight: f32, same: bool, row: &mut [f32]) {
+    let n = row.len();
+    let (before, behind) = (&before[..n], &behind[..n]);
+    if same {
+        for x in 0..n {
+            row[x] += weight * before[x];
+        }
+    } else {
+        for x in 0..n {
+            row[x] += weight * (before[x] + behind[x]);
+        }
+    }
+}
+
+/// The weights of a Gaussian from its middle on: samples, of a sum of 1, whose variance is the one that is wanted.
+fn weights(variance: f64) -> Vec<f32> {
+    if variance < 1e-3 {
+        return vec![1.0];
+    }
+    if variance < 0.35 {
+        // Three weights: samples of a curve so narrow would not have its variance.
+        let side = variance / 2.0;
+        return vec![(1.0 - 2.0 * side) as f32, side as f32];
+    }
+    let radius = (3.5 * libm::sqrt(variance)).ceil() as usize;
+    let samples: Vec<f64> = (0..=radius).map(|d| exp(-((d * d) as f64) / (2.0 * variance))).collect();
+    let sum = samples[0] + 2.0 * samples[1..].iter().sum::<f64>();
+    samples.iter().map(|w| (w / sum) as f32).collect()
+}
+
+/// Adds a plane, weighed.
+fn add(sum: &mut Plane, plane: &Plane, weight: f32) {
+    let width = sum.width;
+    for_each_row(&mut sum.values, width, |y, row| {
+        for (sum, value) in row.iter_mut().zip(plane.row(y as isize)) {
+            *sum += weight * value;
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(size: usize) -> Plane {
+        let mut plane = Plane::zero(size, size);
+        plane.values[size / 2 * size + size / 2] = 1.0;
+        plane
+    }
+
+    /// The variance of what a point becomes, along x.
+    fn variance(plane: &Plane) -> f64 {
+        let middle = (plane.width / 2) as f64;
+        let (mut sum, mut second) = (0.0, 0.0);
+        for y in 0..plane.height {
+            for (x, value) in plane.row(y as isize).iter().enumerate() {
+                sum += f64::from(*value);
+                second += f64::from(*value) * (x as f64 - middle) * (x as f64 - middle);
+            }
+        }
+        assert!((sum - 1.0).abs() < 1e-4, "light is lost: {sum}");
+        second / sum
+    }
+
+    #[test]
+    fn blurs_have_the_width_that_was_asked_for() {
+        for sigma in [0.4, 0.9, 1.5, 2.3, 3.0, 4.7, 6.0, 9.5, 13.0] {
+            let blurred = blurred(&point(160), 0.0, &[Blur { weight: 1.0, sigma_px: sigma }]);
+            let found = libm::sqrt(variance(&blurred));
+            // A point on the coarse grid lies up to a quarter of a pixel of the level off its middle.
+            assert!((found / sigma - 1.0).abs() < 0.01, "{sigma}: {found}");
+        }
+    }
+
+    #[test]
+    fn uniform_light_stays_uniform() {
+        let plane = Plane { width: 53, height: 37, values: vec![0.7; 53 * 37] };
+        let blurs = [0.8, 3.0, 10.0, 50.0, 400.0].map(|sigma_px| Blur { weight: 0.15, sigma_px });
+        let blurred = blurred(&plane, 0.25, &blurs);
+        assert!(blurred.values.iter().all(|v| (v - 0.7).abs() < 1e-6));
+    }
+
+    #[test]
+    fn a_sum_is_the_sum_of_its_blurs() {
+        let plane = point(64);
+        let blurs = [(0.3, 1.4), (0.2, 5.0), (0.1, 5.5)].map(|(weight, sigma_px)| Blur { weight, sigma_px });
+        let together = blurred(&plane, 0.4, &blurs);
+        let mut sum = blurred(&plane, 0.4, &[]);
+        for blur in blurs {
+            add(&mut sum, &blurred(&plane, 0.0, &[blur]), 1.0);
+        }
+        for (a, b) in together.values.iter().zip(&sum.values) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
+    }
+}
