@@ -3,10 +3,9 @@
 use glanz_color::{Channel, Observer, ObserverKind, SAMPLES, Spectrum, lambda_nm, observer};
 use libm::{pow, round};
 
+use crate::curves::{lens_density_cie170, lens_density_cie203};
 use crate::eye::{Eye, Lens};
-use crate::media::{
-    FIRST, FIRST_APHAKIC, MEDIA, lens_203, lens_growth, macular_density, pigment_density, template,
-};
+use crate::media::{FIRST, FIRST_APHAKIC, MEDIA, macular_density, pigment_density, template};
 
 /// The names of the channels; rods are the fourth where they are asked for.
 const NAMES: [&str; 4] = ["L", "M", "S", "R"];
@@ -89,13 +88,13 @@ impl Eye {
 
     /// The density of the lens at a sample of the grid.
     fn lens_density(&self, sample: usize) -> f64 {
-        let (growing, constant) = (MEDIA.lens_growing[sample], MEDIA.lens_constant[sample]);
+        let nm = lambda_nm(sample);
         let density = match self.lens {
             Lens::None => return 0.0,
-            Lens::Cie170 => growing * lens_growth(self.age) + constant,
+            Lens::Cie170 => lens_density_cie170(nm, self.age),
             Lens::Cie203 => {
-                let nm = lambda_nm(sample);
-                growing + constant + lens_203(nm, self.age) - lens_203(nm, 32.0)
+                let change = lens_density_cie203(nm, self.age) - lens_density_cie203(nm, 32.0);
+                lens_density_cie170(nm, 32.0) + change
             }
         };
         density.max(0.0) * self.lens_density

@@ -133,11 +133,12 @@ impl Eye {
     /// # Errors
     /// [`EyeError::Range`] names the field, the value and the range.
     pub fn check(&self) -> Result<(), EyeError> {
-        let one = |name: &'static str, value: f64, least: f64, most: f64, unit: &'static str| {
-            match (least..=most).contains(&value) {
-                true => Ok(()),
-                false => Err(EyeError::Range { name, value, least, most, unit }),
-            }
+        let one = |name: &'static str, value: f64, least: f64, most: f64, unit: &'static str| match (least
+            ..=most)
+            .contains(&value)
+        {
+            true => Ok(()),
+            false => Err(EyeError::Range { name, value, least, most, unit }),
         };
         one("age", self.age, *AGES.start(), *AGES.end(), " years")?;
         one("field", self.field_deg, *FIELDS_DEG.start(), *FIELDS_DEG.end(), " degrees")?;

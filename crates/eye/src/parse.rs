@@ -7,8 +7,8 @@ use crate::eye::{Cones, Eye, EyeError, Lens};
 
 /// The words that parts begin with.
 const WORDS: [&str; 14] = [
-    "age", "field", "protan", "deutan", "tritan", "aphakic", "rods", "lens", "macula", "iris", "standard", "shift",
-    "density", "cie170",
+    "age", "field", "protan", "deutan", "tritan", "aphakic", "rods", "lens", "macula", "iris", "standard",
+    "shift", "density", "cie170",
 ];
 
 impl Eye {
@@ -128,7 +128,8 @@ impl Eye {
             Some("none") => Lens::None,
             _ => {
                 said.once("the density of the lens")?;
-                self.lens_density = number(rest, part, "lens:cie170, lens:cie203, lens:none, or a density in parts")?;
+                self.lens_density =
+                    number(rest, part, "lens:cie170, lens:cie203, lens:none, or a density in parts")?;
                 return Ok(());
             }
         };
@@ -165,7 +166,9 @@ fn wrong(part: &str, expected: &'static str) -> EyeError {
 }
 
 fn unknown(part: &str, word: &str) -> EyeError {
-    let close = |known: &&&str| known.len() > 2 && word.len() > 2 && known[..3] == word[..word.floor_char_boundary(3)];
+    let close = |known: &&&str| {
+        known.len() > 2 && word.len() > 2 && known[..3] == word[..word.floor_char_boundary(3)]
+    };
     EyeError::Unknown { part: part.to_owned(), suggestion: WORDS.iter().find(close).copied() }
 }
 
@@ -175,7 +178,8 @@ fn number(rest: Option<&str>, part: &str, expected: &'static str) -> Result<f64,
 }
 
 fn three(rest: Option<&str>, part: &str, expected: &'static str) -> Result<[f64; 3], EyeError> {
-    let values: Vec<f64> = rest.unwrap_or_default().split(',').filter_map(|v| v.trim().parse().ok()).collect();
+    let values: Vec<f64> =
+        rest.unwrap_or_default().split(',').filter_map(|v| v.trim().parse().ok()).collect();
     let values = <[f64; 3]>::try_from(values).map_err(|_| wrong(part, expected))?;
     if values.iter().all(|v| v.is_finite()) { Ok(values) } else { Err(wrong(part, expected)) }
 }

@@ -88,7 +88,10 @@ pub fn level_cd_m2(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|level| (1e-7..=1e7).contains(level));
     number.ok_or_else(|| {
         let names: Vec<&str> = LEVELS.iter().map(|(name, _)| *name).collect();
-        format!("expected {} or the luminance of white in cd/m², 1e-7 to 1e7, found '{text}'", names.join(", "))
+        format!(
+            "expected {} or the luminance of white in cd/m², 1e-7 to 1e7, found '{text}'",
+            names.join(", ")
+        )
     })
 }
 

@@ -31,7 +31,10 @@ fn eyes_of_32_years_are_the_standard_observers() {
 
 #[test]
 fn the_lens_yellows_as_cie_170_1_has_it() {
-    let expected = [("age:20", [0.2391, 0.6297, 0.7642, 0.8605, 0.9945]), ("age:80", [0.0292, 0.1768, 0.3591, 0.5643, 0.9790])];
+    let expected = [
+        ("age:20", [0.2391, 0.6297, 0.7642, 0.8605, 0.9945]),
+        ("age:80", [0.0292, 0.1768, 0.3591, 0.5643, 0.9790]),
+    ];
     for (name, values) in expected {
         let transmittance = eye(name).lens_transmittance();
         for (nm, value) in [420.0, 450.0, 500.0, 550.0, 650.0].into_iter().zip(values) {
@@ -44,13 +47,16 @@ fn the_lens_yellows_as_cie_170_1_has_it() {
 fn cie_203_changes_otherwise_with_age() {
     // From 32 to 70 years at 450 and 550 nm, in density.
     let density = |name: &str, nm: f64| -libm::log10(eye(name).lens_transmittance().at(nm));
-    let grown = |lens: &str, nm| density(&format!("age:70{lens}"), nm) - density(&format!("age:32{lens}"), nm);
+    let grown =
+        |lens: &str, nm| density(&format!("age:70{lens}"), nm) - density(&format!("age:32{lens}"), nm);
     for (lens, blue, green) in [("+lens:cie203", 0.3505, 0.0623), ("", 0.3172, 0.1054)] {
         assert!((grown(lens, 450.0) - blue).abs() < 1e-4, "{lens} {}", grown(lens, 450.0));
         assert!((grown(lens, 550.0) - green).abs() < 1e-4, "{lens} {}", grown(lens, 550.0));
     }
     let (same, standard) = (eye("lens:cie203"), Eye::default());
-    assert!((same.lens_transmittance().at(450.0) / standard.lens_transmittance().at(450.0) - 1.0).abs() < 1e-12);
+    assert!(
+        (same.lens_transmittance().at(450.0) / standard.lens_transmittance().at(450.0) - 1.0).abs() < 1e-12
+    );
 }
 
 #[test]
@@ -59,7 +65,8 @@ fn an_old_eye_gets_less_of_daylight_and_least_of_it_with_s() {
     let expected = [("D65", [0.8129, 0.7561, 0.46777]), ("A", [0.85511, 0.79501, 0.49423])];
     for (name, values) in expected {
         let source = light(name).unwrap();
-        let (old, young) = (eye("age:70").observer().response(&source), Eye::default().observer().response(&source));
+        let (old, young) =
+            (eye("age:70").observer().response(&source), Eye::default().observer().response(&source));
         for (c, value) in values.into_iter().enumerate() {
             let part = old[c] / young[c];
             assert!((part - value).abs() < 1e-4, "{name} {c}: {part}");

@@ -6,8 +6,18 @@ use proptest::prelude::*;
 #[test]
 fn names_of_the_documentation_are_read() {
     for name in [
-        "age:70", "protan", "deutan:10", "tritan", "aphakic", "rods", "age:70+deutan:10", "cie170:age=50,field=10", "standard",
-        "age:70+lens:cie203", "macula:0.5+iris:1.2", "shift:-2,1,0+density:1.1,0.9,1",
+        "age:70",
+        "protan",
+        "deutan:10",
+        "tritan",
+        "aphakic",
+        "rods",
+        "age:70+deutan:10",
+        "cie170:age=50,field=10",
+        "standard",
+        "age:70+lens:cie203",
+        "macula:0.5+iris:1.2",
+        "shift:-2,1,0+density:1.1,0.9,1",
     ] {
         let eye: Eye = name.parse().unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(eye.to_string().parse::<Eye>().unwrap(), eye, "{name} as {eye}");

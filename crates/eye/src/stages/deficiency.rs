@@ -116,7 +116,9 @@ impl Projection {
         let projected = by_numerator * numerator + by_denominator * denominator;
         match self.left {
             None => projected,
-            Some([by_own, by_other, by_projected]) => by_own * own + by_other * other + by_projected * projected,
+            Some([by_own, by_other, by_projected]) => {
+                by_own * own + by_other * other + by_projected * projected
+            }
         }
     }
 }
@@ -183,7 +185,9 @@ mod tests {
 
     #[test]
     fn the_red_patch_is_projected_as_computed_elsewhere() {
-        for (name, channel, expected) in [("protan", 0, 0.07553), ("deutan", 1, 0.13069), ("tritan", 2, 0.06481)] {
+        for (name, channel, expected) in
+            [("protan", 0, 0.07553), ("deutan", 1, 0.13069), ("tritan", 2, 0.06481)]
+        {
             let found = shown(name, &red())[channel];
             assert!((found - expected).abs() < 2e-5, "{name}: {found}");
         }
@@ -217,7 +221,9 @@ mod tests {
 
     #[test]
     fn white_and_the_anchors_stay_and_the_missing_cone_tells_nothing() {
-        for (name, channel, anchors) in [("protan", 0, [475.0, 575.0]), ("deutan", 1, [475.0, 575.0]), ("tritan", 2, [485.0, 660.0])] {
+        for (name, channel, anchors) in
+            [("protan", 0, [475.0, 575.0]), ("deutan", 1, [475.0, 575.0]), ("tritan", 2, [485.0, 660.0])]
+        {
             let (projection, white, eye) = projection(name);
             for spectrum in [d65(), line(anchors[0]), line(anchors[1])] {
                 let seen = eye.cone(channel).dot(&spectrum) / white[channel];

@@ -1,9 +1,6 @@
 //! Between day and night, where cones and rods see together: CIE 191:2010.
 
-use crate::curves::mesopic::mesopic;
-
-/// 683 and 1700 lm/W: a unit of scotopic light over one of photopic light.
-pub(crate) const SCOTOPIC_UNIT: f64 = 683.0 / 1700.0;
+use crate::curves::{SCOTOPIC_WEIGHT, mesopic};
 
 /// The luminance of L and M, whose values are 1 for D65, in parts of the white's: V_F of CIE 170-2.
 pub(crate) const LUMINANCE: [f64; 2] = [0.698_134, 0.301_866];
@@ -30,7 +27,7 @@ impl Mixture {
     /// The factors of the cones' channels and of the rods, for a white of these photopic and rod responses: that white keeps its
     /// luminance.
     pub(crate) fn factors(self, white_luminance: f64, white_rods: f64) -> [f64; 2] {
-        let rods = (1.0 - self.cones) * SCOTOPIC_UNIT * SCOTOPIC_OF_D65;
+        let rods = (1.0 - self.cones) * SCOTOPIC_WEIGHT * SCOTOPIC_OF_D65;
         let white = (self.cones * white_luminance + rods * white_rods) / white_luminance;
         let white = if white > 0.0 && white.is_finite() { white } else { 1.0 };
         [self.cones / white, rods / white]
@@ -53,7 +50,9 @@ mod tests {
         let mixture = Mixture::of(white, white * SCOTOPIC_OF_D65);
         assert!((mixture.cones - 0.48606).abs() < 1e-4, "{}", mixture.cones);
         let [by_cones, by_rods] = mixture.factors(1.0, 1.0);
-        for (name, day, night, dusk) in [("red", 0.11826, 0.04781, 0.08222), ("blue", 0.06230, 0.15423, 0.10932)] {
+        for (name, day, night, dusk) in
+            [("red", 0.11826, 0.04781, 0.08222), ("blue", 0.06230, 0.15423, 0.10932)]
+        {
             let (_, patch) = colorchecker().find(|(patch, _)| *patch == name).unwrap();
             let [_, y, _] = xyz_of_reflectance(&patch, &d65, &Observer::default());
             let seen = rods.dot(&(patch * d65)) / rods.dot(&d65);

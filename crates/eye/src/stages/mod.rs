@@ -8,5 +8,6 @@ pub(crate) mod plane;
 pub(crate) mod pyramid;
 mod see;
 
+pub use acuity::Angles;
 pub use deficiency::Defect;
 pub use see::{Seeing, Seen};

@@ -3,18 +3,27 @@
 /// One channel: values in rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plane {
+    /// The width of rows, margins included.
     pub width: usize,
+    /// The number of rows, margins included.
     pub height: usize,
+    /// How many pixels on each side are beyond the picture's edge; an even number.
+    pub margin: usize,
     pub values: Vec<f32>,
 }
 
 impl Plane {
-    /// One without light.
-    pub(crate) fn zero(width: usize, height: usize) -> Self {
-        Self { width, height, values: vec![0.0; width * height] }
+    /// A channel of a picture.
+    pub(crate) fn of(values: Vec<f32>, width: usize) -> Self {
+        Self { width, height: values.len() / width.max(1), margin: 0, values }
     }
 
-    /// A row; beyond the edges the nearest.
+    /// One without light.
+    pub(crate) fn zero(width: usize, height: usize, margin: usize) -> Self {
+        Self { width, height, margin, values: vec![0.0; width * height] }
+    }
+
+    /// A row, counted with the margin; beyond the edges the nearest.
     pub(crate) fn row(&self, y: isize) -> &[f32] {
         let y = y.clamp(0, self.height as isize - 1) as usize;
         &self.values[y * self.width..(y + 1) * self.width]

@@ -70,19 +70,26 @@ pub(crate) fn variance_left(sigma_px: f64, level: usize) -> f64 {
     (sigma_px * sigma_px * scale * scale - way).max(0.0)
 }
 
+/// Pixels of the levels beyond the picture's edge: as far as a Gaussian of a level reaches. Light that leaves the picture is not
+/// counted at its edge again.
+const MARGIN: usize = 12;
+
 /// The next level: half as wide and high, by the weights 1 3 3 1.
 pub(crate) fn halved(plane: &Plane) -> Plane {
-    let (width, height) = (plane.width.div_ceil(2), plane.height.div_ceil(2));
-    let mut half = Plane::zero(width, height);
+    let [width, height] =
+        [plane.width, plane.height].map(|size| (size - 2 * plane.margin).div_ceil(2) + 2 * MARGIN);
+    let mut half = Plane::zero(width, height, MARGIN);
     let level = SimdLevel::best();
+    // The first pixel of the next level lies between these two of this one: the second of them, counted with the margin.
+    let first = plane.margin as isize - 2 * MARGIN as isize;
     for_each_row(&mut half.values, width, |y, row| {
-        let y = 2 * y as isize;
+        let y = first + 2 * y as isize;
         let rows = [-1, 0, 1, 2].map(|dy| plane.row(y + dy));
         let mut tall = vec![0.0_f32; plane.width];
         at_level!(level, simd => {
             let _ = simd;
             tall_sum(&rows, &mut tall);
-            halve_row(&tall, row);
+            halve_row(&tall, first, row);
         });
     });
     half
@@ -99,62 +106,84 @@ fn tall_sum(rows: &[&[f32]; 4], tall: &mut [f32]) {
 }
 
 #[inline(always)]
-fn halve_row(tall: &[f32], row: &mut [f32]) {
-    let last = tall.len() - 1;
-    let at = |x: isize| tall[x.clamp(0, last as isize) as usize];
-    let edge = |x: usize| {
-        let x = 2 * x as isize;
-        0.125 * (at(x - 1) + at(x + 2)) + 0.375 * (at(x) + at(x + 1))
-    };
-    // Inside, no index is beyond the edge.
-    let inside = if tall.len() >= 4 { (tall.len() - 2) / 2 } else { 0 };
-    for x in (0..row.len()).filter(|x| *x == 0 || *x >= inside) {
-        row[x] = edge(x);
-    }
-    for (x, out) in row.iter_mut().enumerate().take(inside).skip(1) {
-        let four = &tall[2 * x - 1..2 * x + 3];
-        *out = 0.125 * (four[0] + four[3]) + 0.375 * (four[1] + four[2]);
+fn halve_row(tall: &[f32], first: isize, row: &mut [f32]) {
+    let last = tall.len() as isize - 1;
+    let at = |x: isize| tall[x.clamp(0, last) as usize];
+    for (x, out) in row.iter_mut().enumerate() {
+        let x = first + 2 * x as isize;
+        // Inside, no index is beyond the edge.
+        if let Some(four) = usize::try_from(x - 1).ok().and_then(|x| tall.get(x..x + 4)) {
+            *out = 0.125 * (four[0] + four[3]) + 0.375 * (four[1] + four[2]);
+        } else {
+            *out = 0.125 * (at(x - 1) + at(x + 2)) + 0.375 * (at(x) + at(x + 1));
+        }
     }
 }
 
 /// Multiplies a plane by `kept` and adds the plane of the next level, twice as wide and high, by the weights 3 and 1.
 fn scale_and_double(plane: &mut Plane, kept: f32, coarse: Option<&Plane>) {
-    let width = plane.width;
+    let (width, margin) = (plane.width, plane.margin);
     let level = SimdLevel::best();
     for_each_row(&mut plane.values, width, |y, row| {
         let Some(coarse) = coarse else {
             row.iter_mut().for_each(|v| *v *= kept);
             return;
         };
-        let (near, far) = near_and_far(y);
-        let (near, far) = (coarse.row(near), coarse.row(far));
-        let mut tall = vec![0.0_f32; coarse.width];
         at_level!(level, simd => {
             let _ = simd;
-            for (x, tall) in tall.iter_mut().enumerate() {
-                *tall = 0.75 * near[x] + 0.25 * far[x];
-            }
-            double_row(&tall, row, kept);
+            let tall = tall_between(coarse, margin, y);
+            double_row(&tall, first_of_next(margin), row, kept);
         });
     });
 }
 
-/// The two rows of the next level that a row lies between, the nearer first.
-fn near_and_far(y: usize) -> (isize, isize) {
-    let near = (y / 2) as isize;
-    (near, if y % 2 == 0 { near - 1 } else { near + 1 })
+/// Blends a plane with the plane of the next level, twice as wide and high, by the parts that `onward` writes for each row.
+pub(crate) fn double_blended(
+    mut plane: Plane,
+    coarse: &Plane,
+    onward: impl Fn(usize, &mut [f32]) + Sync + Send,
+) -> Plane {
+    let (width, margin) = (plane.width, plane.margin);
+    for_each_row(&mut plane.values, width, |y, row| {
+        let tall = tall_between(coarse, margin, y);
+        let mut parts = vec![0.0; width];
+        onward(y, &mut parts);
+        let mut doubled = vec![0.0; width];
+        double_row(&tall, first_of_next(margin), &mut doubled, 0.0);
+        for ((value, doubled), part) in row.iter_mut().zip(&doubled).zip(&parts) {
+            *value += part * (doubled - *value);
+        }
+    });
+    plane
 }
 
+/// The pixel of the next level in which the first one of this level lies, both counted with their margins.
+fn first_of_next(margin: usize) -> usize {
+    MARGIN - margin / 2
+}
+
+/// A row of the next level at the height of a row of this one: between the two that it lies between.
 #[inline(always)]
-fn double_row(tall: &[f32], row: &mut [f32], kept: f32) {
-    let last = tall.len() - 1;
-    for (half, pair) in row.chunks_mut(2).enumerate() {
-        let middle = 0.75 * tall[half];
-        let before = tall[half.saturating_sub(1)];
-        pair[0] = pair[0] * kept + (middle + 0.25 * before);
-        if let Some(second) = pair.get_mut(1) {
-            *second = *second * kept + (middle + 0.25 * tall[(half + 1).min(last)]);
-        }
+fn tall_between(coarse: &Plane, margin: usize, y: usize) -> Vec<f32> {
+    let near = (first_of_next(margin) + y / 2) as isize;
+    let far = if y % 2 == 0 { near - 1 } else { near + 1 };
+    let (near, far) = (coarse.row(near), coarse.row(far));
+    near.iter().zip(far).map(|(near, far)| 0.75 * near + 0.25 * far).collect()
+}
+
+/// `first` is the value of `tall` for the first two pixels of the row; there are more before and behind, since levels have margins.
+#[inline(always)]
+fn double_row(tall: &[f32], first: usize, row: &mut [f32], kept: f32) {
+    let pairs = row.len() / 2;
+    let three = &tall[first - 1..];
+    let (wholes, rest) = row.as_chunks_mut::<2>();
+    for (pair, three) in wholes.iter_mut().zip(three.windows(3)) {
+        let middle = 0.75 * three[1];
+        pair[0] = pair[0] * kept + (middle + 0.25 * three[0]);
+        pair[1] = pair[1] * kept + (middle + 0.25 * three[2]);
+    }
+    if let [last] = rest {
+        *last = *last * kept + (0.75 * three[pairs + 1] + 0.25 * three[pairs]);
     }
 }
 
@@ -166,7 +195,7 @@ pub(crate) fn gaussian(plane: &Plane, variance: f64) -> Plane {
     }
     let (width, height) = (plane.width, plane.height);
     let level = SimdLevel::best();
-    let mut tall = Plane::zero(width, height);
+    let mut tall = Plane::zero(width, height, plane.margin);
     for_each_row(&mut tall.values, width, |y, row| {
         let y = y as isize;
         at_level!(level, simd => {
@@ -178,7 +207,7 @@ pub(crate) fn gaussian(plane: &Plane, variance: f64) -> Plane {
         });
     });
     let radius = weights.len() - 1;
-    let mut wide = Plane::zero(width, height);
+    let mut wide = Plane::zero(width, height, plane.margin);
     for_each_row(&mut wide.values, width, |y, row| {
         let source = tall.row(y as isize);
         let mut padded = vec![source[0]; radius];
@@ -241,7 +270,7 @@ mod tests {
     use super::*;
 
     fn point(size: usize) -> Plane {
-        let mut plane = Plane::zero(size, size);
+        let mut plane = Plane::zero(size, size, 0);
         plane.values[size / 2 * size + size / 2] = 1.0;
         plane
     }
@@ -272,7 +301,7 @@ mod tests {
 
     #[test]
     fn uniform_light_stays_uniform() {
-        let plane = Plane { width: 53, height: 37, values: vec![0.7; 53 * 37] };
+        let plane = Plane::of(vec![0.7; 53 * 37], 53);
         let blurs = [0.8, 3.0, 10.0, 50.0, 400.0].map(|sigma_px| Blur { weight: 0.15, sigma_px });
         let blurred = blurred(&plane, 0.25, &blurs);
         assert!(blurred.values.iter().all(|v| (v - 0.7).abs() < 1e-6));
