@@ -49,6 +49,7 @@ impl Plan {
             white: seen.white,
             size: (image.width, image.height),
             camera,
+            viewer: seen.viewer,
             mistake: look.mistake.or(input.scene.render.mistake),
         };
         // What cannot be seen is told before anything is prepared.

@@ -18,12 +18,16 @@ mod cones;
 /// Formulas of the eye in closed form: pupil, mesopic luminance, glare, contrast sensitivity, response, Mach bands, retina.
 pub mod curves;
 mod eye;
+mod mach;
 mod media;
+mod opponent;
 mod parse;
 mod stages;
 mod viewing;
 
 pub use eye::{AGES, Cones, Eye, EyeError, FIELDS_DEG, KNOWN_AGES, Lens, MAX_SHIFT_NM};
+pub use mach::{MachBand, MachProfile};
 pub use media::{macular_density, pigment_density};
+pub use opponent::opponent;
 pub use stages::{Angles, Defect, Seeing, Seen};
 pub use viewing::{LEVELS, ROD_LIMIT_CD_M2, RodColor, SCREEN_PX_PER_DEG, Viewer, Viewing, level_cd_m2};

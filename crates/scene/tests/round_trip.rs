@@ -10,6 +10,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 use glanz_bsdf::models::charlie::Albedo;
 use glanz_bsdf::{Angle, Chebyshev, FactorTable, LayerWeight, MODELS, Shape};
 use glanz_color::{Channel, Ior, Observer, ObserverKind, Reradiation, Rgb, Spectrum};
+use glanz_eye::{Cones, Eye, Lens, RodColor, Viewer, Viewing};
 use glanz_scene::builtin::Builtin;
 use glanz_scene::file::{LoadOptions, WriteError, load, save, write};
 use glanz_scene::read::{ReadOptions, read_model};
@@ -53,6 +54,7 @@ fn assert_same(scene: &Scene, again: &Scene, what: &str) {
     assert_eq!(scene.camera, again.camera, "{what}");
     assert_eq!(scene.photometric, again.photometric, "{what}");
     assert!(scene.observer == again.observer, "{what}: observer");
+    assert!(scene.eye == again.eye, "{what}: eye");
     assert_eq!(scene.objects, again.objects, "{what}");
     assert!(scene.programs == again.programs && scene.program == again.program, "{what}: programs");
     for (a, b) in scene.lights.iter().zip(&again.lights) {
@@ -548,6 +550,35 @@ fn object() -> impl Strategy<Value = Object> {
     )
 }
 
+/// An eye with all its numbers, and how it looks.
+fn viewer() -> impl Strategy<Value = Viewer> {
+    let numbers = proptest::array::uniform12(0.1..1.0f64);
+    (numbers, any::<bool>(), 0..5_usize).prop_map(|(n, flag, kind)| Viewer {
+        eye: Eye {
+            age: 5.0 + 90.0 * n[0],
+            field_deg: 1.0 + 9.0 * n[1],
+            lens: [Lens::Cie170, Lens::Cie203, Lens::None, Lens::Cie170, Lens::Cie203][kind],
+            lens_density: n[2],
+            macula_density: n[3],
+            pigment_density: [n[4], 1.0, n[5]],
+            shift_nm: if flag { [0.0; 3] } else { [n[6], -n[7], 0.0] },
+            cones: [Cones::All, Cones::NoL, Cones::NoM, Cones::NoS, Cones::None][kind],
+            iris: n[8],
+        },
+        viewing: Viewing {
+            level_cd_m2: flag.then_some(n[9]),
+            adapted: n[10],
+            adaptation_cd_m2: (!flag).then_some(n[11]),
+            rods: if flag { RodColor::Blue } else { RodColor::White },
+            glare: flag,
+            acuity: !flag,
+            gaze: flag.then_some([100.0 * n[1], 50.0]),
+            px_per_deg: flag.then_some(60.0 * n[2]),
+            night: kind == 2,
+        },
+    })
+}
+
 fn scene() -> impl Strategy<Value = Scene> {
     let pair = || proptest::collection::vec(material(), 2..4);
     let parts = (
@@ -572,8 +603,15 @@ fn scene() -> impl Strategy<Value = Scene> {
         kind: ObserverKind::Other,
         reference: None,
     }));
-    (parts, camera, observer, any::<bool>(), rgb(), -3.0..3.0f64).prop_map(
-        |((meshes, textures, materials, lights, objects), camera, observer, photometric, color, ev)| Scene {
+    (parts, camera, (observer, viewer()), any::<bool>(), rgb(), -3.0..3.0f64).prop_map(
+        |(
+            (meshes, textures, materials, lights, objects),
+            camera,
+            (observer, viewer),
+            photometric,
+            color,
+            ev,
+        )| Scene {
             meshes,
             textures,
             materials,
@@ -595,6 +633,7 @@ fn scene() -> impl Strategy<Value = Scene> {
             },
             programs: Vec::new(),
             program: None,
+            eye: observer.is_none().then_some(viewer),
             observer,
             photometric,
         },

@@ -10,7 +10,7 @@ mod picture;
 mod plot;
 mod program;
 mod target;
-mod values;
+pub(crate) mod values;
 
 pub(crate) use camera::CameraArgs;
 pub(crate) use color::ColorArgs;

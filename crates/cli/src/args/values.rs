@@ -56,7 +56,7 @@ pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
 }
 
 /// `transparent`, `#rrggbb` (sRGB codes), or linear `r,g,b`.
-pub(super) fn background(text: &str) -> Result<Background, String> {
+pub(crate) fn background(text: &str) -> Result<Background, String> {
     const EXPECTED: &str = "expected #rrggbb, linear r,g,b, or transparent";
     if text == "transparent" {
         return Ok(Background::Transparent);

@@ -29,13 +29,15 @@ macro_rules! stored {
 }
 
 /// The example scenes, by the names of their files.
-const SCENES: [Stored; 29] = stored![
+const SCENES: [Stored; 34] = stored![
     "ball.toml",
+    "black-light.toml",
     "brewster.toml",
     "brushed.toml",
     "car-paint.toml",
     "colorchecker.toml",
     "cook-torrance.toml",
+    "flowers.toml",
     "fluorescence.toml",
     "full.toml",
     "glass.toml",
@@ -50,19 +52,22 @@ const SCENES: [Stored; 29] = stored![
     "metamers.toml",
     "mixing.toml",
     "orientation.toml",
+    "plate.toml",
     "shader-kite.toml",
     "shader-lights.toml",
     "shader-normal-matrix.toml",
     "shader-toon.toml",
     "smoothing.toml",
     "soap.toml",
+    "street-at-dusk.toml",
     "suzanne.toml",
     "teapot.toml",
     "three-spheres.toml",
+    "traffic-lights.toml",
 ];
 
 /// The files that they name.
-const FILES: [Stored; 17] = stored![
+const FILES: [Stored; 18] = stored![
     "data/metamer-a.csv",
     "data/metamer-b.csv",
     "data/studio.hdr",
@@ -71,6 +76,7 @@ const FILES: [Stored; 17] = stored![
     "measured/paper_white_rgb.bsdf",
     "measured/satin_rosaline_rgb.bsdf",
     "models/hls-double-cone.ply",
+    "models/plate.ply",
     "models/suzanne.glb",
     "shaders/course.vert",
     "shaders/normals.frag",

@@ -8,6 +8,7 @@ mod completions;
 mod devices;
 mod draw;
 mod example;
+mod eye;
 mod info;
 mod lesson;
 mod material;
@@ -42,6 +43,9 @@ pub(crate) enum Command {
     /// Draw under several light sources side by side, with and without fluorescence
     #[command(after_help = relight::EXAMPLES)]
     Relight(Box<relight::RelightArgs>),
+    /// See a scene with other eyes: by age, deficiency and light level, side by side
+    #[command(after_help = eye::EXAMPLES)]
+    Eye(Box<eye::EyeArgs>),
     /// Measure how far two picture files are apart
     #[command(after_help = compare::EXAMPLES)]
     Compare(Box<compare::CompareArgs>),
@@ -118,6 +122,7 @@ impl Command {
             Self::ShadeCompare(_) => vec!["shade-compare"],
             Self::Modes(_) => vec!["modes"],
             Self::Relight(_) => vec!["relight"],
+            Self::Eye(_) => vec!["eye"],
             Self::Compare(_) => vec!["compare"],
             Self::Info(_) => vec!["info"],
             Self::Probe(_) => vec!["probe"],
@@ -153,6 +158,7 @@ impl Command {
             Self::ShadeCompare(args) => &args.input,
             Self::Modes(args) => &args.input,
             Self::Relight(args) => &args.input,
+            Self::Eye(args) => &args.input,
             Self::Probe(args) => &args.input,
             _ => return None,
         };
@@ -166,6 +172,7 @@ impl Command {
             Self::ShadeCompare(args) => args.run(),
             Self::Modes(args) => args.run(),
             Self::Relight(args) => args.run(),
+            Self::Eye(args) => args.run(),
             Self::Compare(args) => args.run(),
             Self::Info(args) => args.run(),
             Self::Probe(args) => args.run(),

@@ -6,7 +6,7 @@ use glanz_plot::PlotData;
 use serde_json::Value;
 
 use super::draw::{film, modes, relight, render, shade_compare};
-use super::{bsdf, check, color, compare, devices, example, lesson, material, measure, probe, shader};
+use super::{bsdf, check, color, compare, devices, example, eye, lesson, material, measure, probe, shader};
 use crate::print;
 use crate::print::document::schema;
 use crate::print::failure::{ErrorDocument, Failure};
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 54] = [
+const SCHEMAS: [Named; 55] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -37,6 +37,7 @@ const SCHEMAS: [Named; 54] = [
     ("shade-compare", schema::<shade_compare::Document>),
     ("modes", schema::<modes::Document>),
     ("relight", schema::<relight::Document>),
+    ("eye", schema::<eye::Document>),
     ("compare", schema::<compare::Document>),
     ("info", schema::<scene_document::Document>),
     ("probe", schema::<probe::Document>),

@@ -14,6 +14,7 @@ use glanz_color::{
     CatalogSpectrum, FineSpectrum, Observer, Outside, Reradiation, Spectrum, SpectrumKind, TableError,
     UnknownName, catalog_spectrum, fluorescent, fluorescents, light, observer,
 };
+use glanz_eye::{Eye, EyeError};
 use glanz_math::names::{plain, suggestion};
 use glanz_scene::read::read_sensor;
 
@@ -118,8 +119,12 @@ pub(crate) fn light_source_with(word: &str, table: &TableArgs) -> Result<Source,
     }
 }
 
-/// The observer of that name, or the sensor whose channels are the columns of that file.
+/// The observer of that name, the eye, or the sensor whose channels are the columns of that file.
 pub(crate) fn observer_source(word: &str) -> Result<Observer, Failure> {
+    if Eye::is_named(word) {
+        let eye: Eye = word.parse().map_err(|error: EyeError| Failure::Usage(error.to_string()))?;
+        return Ok(eye.observer());
+    }
     let error = match observer(word) {
         Ok(observer) => return Ok(observer),
         Err(error) => error,

@@ -73,6 +73,8 @@ impl Seeing {
             projection.apply(&mut frame.rgb, width);
         }
         self.mix(frame, seen.cones);
+        frame.channels.white[..3.min(self.usual_white.len())]
+            .copy_from_slice(&self.usual_white[..3.min(self.usual_white.len())]);
         if (viewing.acuity || viewing.gaze.is_some())
             && let Some(acuity) = Acuity::new(seen.mesopic_cd_m2, viewing.gaze, self.angles)
         {

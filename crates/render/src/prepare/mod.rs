@@ -32,5 +32,6 @@ pub use build::programs::ProgramError;
 pub(crate) use build::programs::{compiled as compiled_program, traced_pair};
 pub use change::Change;
 pub use color::observation::{Observation, ObservationError, SCREEN_WHITE_CD_M2};
+pub use color::white::OwnWhite;
 pub use data::*;
 pub use options::{PrepareError, PrepareOptions};

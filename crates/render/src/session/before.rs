@@ -1,6 +1,7 @@
 //! The parts of a scene as they were when it was last drawn.
 
 use glanz_color::Observer;
+use glanz_eye::Viewer;
 use glanz_scene::{Camera, Image, Light, Material, Object, RenderSettings, Scene};
 
 use crate::prepare::Change;
@@ -12,7 +13,7 @@ pub(super) enum Part {
     Material(usize, Material),
     Object(usize, Object),
     Camera(Option<Camera>),
-    Observer(Option<Observer>),
+    Observer(Option<Observer>, Option<Viewer>),
     Image(Image),
     Render(RenderSettings),
 }
@@ -58,7 +59,7 @@ impl Before {
                 Part::Material(number, material) => scene.materials[number] = material,
                 Part::Object(number, object) => scene.objects[number] = object,
                 Part::Camera(camera) => scene.camera = camera,
-                Part::Observer(observer) => scene.observer = observer,
+                Part::Observer(observer, eye) => (scene.observer, scene.eye) = (observer, eye),
                 Part::Image(image) => scene.image = image,
                 Part::Render(render) => scene.render = render,
             }
@@ -81,7 +82,7 @@ impl Part {
             Self::Light(number, old) => one(*old != scene.lights[*number], Change::Light(*number)),
             Self::Material(number, old) => one(*old != scene.materials[*number], Change::Material(*number)),
             Self::Object(number, old) => one(*old != scene.objects[*number], Change::Object(*number)),
-            Self::Camera(_) | Self::Observer(_) | Self::Image(_) => [None; 3],
+            Self::Camera(_) | Self::Observer(..) | Self::Image(_) => [None; 3],
             Self::Render(old) => {
                 let new = &scene.render;
                 let shaded_otherwise = (old.shading, old.interpolation) != (new.shading, new.interpolation);

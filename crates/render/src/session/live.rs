@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use glanz_color::Observer;
+use glanz_eye::Viewer;
 use glanz_math::SimdLevel;
 use glanz_picture::{Encoding, Frame, ToneMap};
 use glanz_scene::{
@@ -142,7 +143,15 @@ impl Session {
     /// Looks with this eye, or with that of the colour mode.
     pub fn set_observer(&mut self, observer: Option<Observer>) {
         let old = core::mem::replace(&mut self.scene.observer, observer);
-        self.before.keep(|kept| matches!(kept, Part::Observer(_)), || Part::Observer(old));
+        let eye = self.scene.eye.take();
+        self.before.keep(|kept| matches!(kept, Part::Observer(..)), || Part::Observer(old, eye));
+    }
+
+    /// Looks with the eye of a person, which takes the place of an observer; modes with spectra alone have one.
+    pub fn set_eye(&mut self, eye: Option<Viewer>) {
+        let old = core::mem::replace(&mut self.scene.eye, eye);
+        let observer = self.scene.observer.take();
+        self.before.keep(|kept| matches!(kept, Part::Observer(..)), || Part::Observer(observer, old));
     }
 
     /// Sets width and height of the picture, in pixels.
@@ -239,11 +248,7 @@ impl Session {
             return self.begin_again(options);
         }
         let observation = &options.prepare.observation;
-        let to_screen = match options.draw.show.is_light() {
-            true => observation.to_screen(&self.scene, options.white)?,
-            false => None,
-        };
-        let sight = Sight::new(&options, to_screen)?;
+        let sight = Sight::of(&self.scene, &options)?;
         self.shot.makings = options.makings();
         match self.shot.prepared.observation() == observation {
             true => self.shot.prepared.update(&self.scene, changes)?,

@@ -1,5 +1,6 @@
 //! One picture: a scene, prepared, with its camera, its observer and its development.
 
+use glanz_eye::Seen;
 use glanz_math::SimdLevel;
 use glanz_picture::{Develop, Frame, develop, develop16};
 use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
@@ -32,6 +33,8 @@ pub struct Shot {
     pub(crate) scene_hash: Option<u64>,
     /// The mistake that is drawn, if any.
     pub(crate) mistake: Option<Mistake>,
+    /// What the eye made of the frame that was drawn last.
+    pub(crate) seen: Option<Seen>,
     /// What is unusual about its making, as files tell it.
     pub(crate) makings: Vec<(String, String)>,
     /// Whether the mistake changes anything.
@@ -57,15 +60,12 @@ impl Shot {
     /// Where the scene cannot be drawn so.
     pub fn with(scene: &Scene, options: ShotOptions) -> Result<Self, ShotError> {
         let (scene, options, effect) = mistaken(scene, &options);
-        let to_screen = match options.draw.show.is_light() {
-            true => options.prepare.observation.to_screen(&scene, options.white)?,
-            false => None,
-        };
         Ok(Self {
             backend: crate::default_backend(),
-            sight: Sight::new(&options, to_screen)?,
+            sight: Sight::of(&scene, &options)?,
             prepared: prepare(&scene, &options.prepare)?,
             scene_hash: None,
+            seen: None,
             mistake: options.mistake,
             makings: options.makings(),
             effect,
@@ -120,8 +120,7 @@ impl Shot {
     /// If the camera is unusable.
     pub fn set_camera(&mut self, camera: Camera) -> Result<(), ShotError> {
         let View { width, height, .. } = self.sight.view;
-        self.sight.view = View::new(&camera, width, height)?;
-        self.sight.camera = camera;
+        self.sight.turn(camera, View::new(&camera, width, height)?);
         Ok(())
     }
 
@@ -147,6 +146,12 @@ impl Shot {
         if self.sight.draw.show.is_light() {
             let to_screen = self.prepared.to_screen(self.sight.white)?;
             self.sight.adapt(to_screen);
+            if let Some(seeing) = self.sight.seeing.take() {
+                let light = (self.prepared.colors().0, self.prepared.is_photometric());
+                let observation = self.prepared.observation();
+                let anew = observation.seeing(&seeing.viewer, light, self.sight.white, seeing.angles)?;
+                self.sight.seeing = Some(anew);
+            }
         }
         Ok(())
     }
@@ -165,8 +170,20 @@ impl Shot {
     /// As [`Shot::frame`].
     pub fn frame_in_steps(&mut self, aovs: Aovs, step: Step) -> Result<Frame, ShotError> {
         let options = DrawOptions { aovs, ..self.sight.draw };
-        let frame = draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?;
+        let mut frame = draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?;
+        self.see(&mut frame);
         self.whole(frame)
+    }
+
+    /// Takes a frame through the stages of the eye, if there are any.
+    fn see(&mut self, frame: &mut Frame) {
+        self.seen = self.sight.seeing.as_ref().map(|seeing| seeing.see(frame));
+    }
+
+    /// What the eye made of the frame that was drawn last: what it is adapted to, the part of its cones; none where the frame is shown
+    /// as it is drawn.
+    pub fn seen(&self) -> Option<&Seen> {
+        self.seen.as_ref()
     }
 
     /// The same into a frame that was drawn before, whose memory is used again; all that it held is replaced.
@@ -177,6 +194,7 @@ impl Shot {
         let options = DrawOptions { aovs, ..self.sight.draw };
         let (backend, prepared) = (&mut *self.backend, &self.prepared);
         draw_observed_into(backend, prepared, &self.sight.view, &options, frame, &mut |_| ())?;
+        self.see(frame);
         self.whole(())
     }
 
@@ -213,7 +231,7 @@ impl Shot {
 
     pub(crate) fn draw_into_in_steps(&mut self, rgba: &mut [u8], step: Step) -> Result<(), ShotError> {
         self.check_length(rgba.len())?;
-        if takes_several_frames(&self.prepared) {
+        if takes_several_frames(&self.prepared) || self.sight.seeing.is_some() {
             let frame = self.frame_in_steps(Aovs::default(), step)?;
             rgba.copy_from_slice(&self.codes8(frame)?);
             return Ok(());

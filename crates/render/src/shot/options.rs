@@ -1,5 +1,6 @@
 //! What a picture is made with.
 
+use glanz_eye::Viewer;
 use glanz_picture::{Encoding, ToneMap};
 use glanz_scene::{Camera, Mistake, Scene, White};
 
@@ -41,6 +42,8 @@ pub struct ShotOptions {
     pub size: (u32, u32),
     /// The camera.
     pub camera: Camera,
+    /// The eye that looks, and how it looks; its observer is the observation's.
+    pub viewer: Option<Viewer>,
     /// A mistake to be drawn on purpose.
     pub mistake: Option<Mistake>,
 }
@@ -62,7 +65,10 @@ impl ShotOptions {
         let image = &scene.image;
         Ok(Self {
             prepare: PrepareOptions {
-                observation: Observation::new(scene.render.mode, scene.observer.clone())?,
+                observation: match &scene.eye {
+                    Some(viewer) => Observation::of_viewer(scene.render.mode, viewer)?,
+                    None => Observation::new(scene.render.mode, scene.observer.clone())?,
+                },
                 ..PrepareOptions::default()
             },
             draw: DrawOptions {
@@ -78,6 +84,7 @@ impl ShotOptions {
             white: scene.render.white,
             size: (image.width, image.height),
             camera: scene.camera_or_framing(f64::from(image.width) / f64::from(image.height)),
+            viewer: scene.eye.clone(),
             mistake: scene.render.mistake,
         })
     }

@@ -4,6 +4,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod eyes;
 mod modes;
 mod observers;
 mod reference;

@@ -2,6 +2,7 @@
 
 use glam::{DMat4, DVec3};
 use glanz_color::Observer;
+use glanz_eye::Viewer;
 
 use crate::{Background, Camera, ColorMode, Light, Material, Mesh, Object, Scene};
 
@@ -83,7 +84,13 @@ impl Scene {
     /// The same seen by this observer, which only some colour modes leave open.
     #[must_use]
     pub fn with_observer(self, observer: Observer) -> Self {
-        Self { observer: Some(observer), ..self }
+        Self { observer: Some(observer), eye: None, ..self }
+    }
+
+    /// The same seen by an eye, which the modes with spectra leave open.
+    #[must_use]
+    pub fn with_eye(self, eye: impl Into<Viewer>) -> Self {
+        Self { eye: Some(eye.into()), observer: None, ..self }
     }
 }
 

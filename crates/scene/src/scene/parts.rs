@@ -2,6 +2,7 @@
 
 use glam::DMat4;
 use glanz_color::Observer;
+use glanz_eye::Viewer;
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -52,6 +53,8 @@ pub struct Scene {
     pub render: RenderSettings,
     /// Who looks, where the colour mode leaves a choice; `None` for the standard observer.
     pub observer: Option<Observer>,
+    /// The eye that looks, in place of an observer, and how it looks.
+    pub eye: Option<Viewer>,
     /// Whether light is in photometric units: 1 in a frame is then 1 cd/m², else the classic unit.
     pub photometric: bool,
 }

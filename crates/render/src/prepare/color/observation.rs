@@ -1,6 +1,7 @@
 //! Who looks, and in which colour mode: the channels of a frame, and their way to a screen.
 
 use glanz_color::{AdaptationError, Observer, ObserverKind, SAMPLES, Spectrum, observer, rgb_spectra};
+use glanz_eye::Viewer;
 use glanz_scene::ColorMode;
 use thiserror::Error;
 
@@ -94,6 +95,11 @@ impl Observation {
             return Err(ObservationError::MeyerIsFor1931 { mode, found });
         }
         Ok(Self { mode, weights: scaled(&chosen), observer: Some(chosen), adapted: 1.0 })
+    }
+
+    /// The mode, seen by an eye that is adapted as it says.
+    pub fn of_viewer(mode: ColorMode, viewer: &Viewer) -> Result<Self, ObservationError> {
+        Ok(Self::new(mode, Some(viewer.observer()))?.adapted(viewer.viewing.adapted))
     }
 
     /// The 97 samples of the grid as channels: what is written into spectral pictures, in radiance per

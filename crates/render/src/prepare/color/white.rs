@@ -41,7 +41,11 @@ impl Observation {
         };
         Ok(Some(ToScreen::of_columns(
             self.meaning(),
-            to_xyz.columns.iter().zip(own.gains()).map(|(xyz, own)| to_rgb.apply(*xyz).map(|v| v * own * gain)),
+            to_xyz
+                .columns
+                .iter()
+                .zip(own.gains())
+                .map(|(xyz, own)| to_rgb.apply(*xyz).map(|v| v * own * gain)),
         )))
     }
 
@@ -54,7 +58,8 @@ impl Observation {
         let reference = match self.observer.as_ref().and_then(|observer| observer.reference.as_deref()) {
             None => own.clone(),
             Some(reference) => {
-                let seen = Self { weights: scaled(reference), observer: Some(reference.clone()), ..self.clone() };
+                let seen =
+                    Self { weights: scaled(reference), observer: Some(reference.clone()), ..self.clone() };
                 seen.white(lights, white)?
             }
         };
@@ -185,12 +190,12 @@ fn own_color(light: &Light) -> &LightColor {
 ///
 /// Observers in XYZ are taken as they are, a single channel is a grey. A sensor whose curves are linear
 /// combinations of those of CIE 1931 comes out exactly. Receptors beyond L, M, S, which are rods, have no colour.
-struct ToXyz {
+pub(super) struct ToXyz {
     columns: Vec<[f64; 3]>,
 }
 
 impl ToXyz {
-    fn new(observer: &Observer) -> Self {
+    pub(super) fn new(observer: &Observer) -> Self {
         let weights = scaled(observer.reference.as_deref().unwrap_or(observer));
         let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let white = rgb_spectra::SCREEN_WHITE;
@@ -205,6 +210,11 @@ impl ToXyz {
             }
             _ => Self { columns: least_squares(&weights, &scaled(&cie1931())) },
         }
+    }
+
+    /// What one unit of a channel stands for.
+    pub(super) fn column(&self, channel: usize) -> [f64; 3] {
+        self.columns.get(channel).copied().unwrap_or_default()
     }
 
     fn apply(&self, channels: &[f64]) -> [f64; 3] {

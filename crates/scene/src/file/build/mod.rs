@@ -4,6 +4,7 @@ mod appearance;
 mod builder;
 mod camera;
 mod dyes;
+mod eye;
 mod files;
 mod geometry;
 mod lights;

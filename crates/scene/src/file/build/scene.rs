@@ -9,7 +9,7 @@ impl Builder {
     /// Fills the scene.
     pub(crate) fn build(&mut self, table: &SceneTable) -> Result<(), Problem> {
         self.settings(table);
-        self.scene.observer = table.render.observer.as_ref().map(|name| self.observer(name)).transpose()?;
+        self.looks(table)?;
         if let Some(ambient) = &table.ambient {
             let colors = LightColors::ambient(self.ambient(ambient)?);
             let light = Light::new(LightKind::Ambient, colors);

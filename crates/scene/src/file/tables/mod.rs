@@ -4,6 +4,7 @@ pub(crate) mod appearance;
 pub(crate) mod camera;
 pub(crate) mod colors;
 pub(crate) mod dyes;
+pub(crate) mod eye;
 pub(crate) mod geometry;
 pub(crate) mod lights;
 pub(crate) mod media;

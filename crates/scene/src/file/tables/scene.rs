@@ -9,6 +9,7 @@ use super::appearance::materials::MaterialTable;
 use super::appearance::textures::NamedTextureTable;
 use super::camera::CameraRef;
 use super::colors::{ColorValue, SpectrumValue};
+use super::eye::EyeTable;
 use super::geometry::meshes::MeshTable;
 use super::geometry::objects::ObjectTable;
 use super::lights::LightTable;
@@ -30,6 +31,9 @@ pub(crate) struct SceneTable {
     /// Where the eye is. Without it the scene is framed automatically. The name of a camera of a
     /// glTF file chooses that one.
     pub camera: Option<At<CameraRef>>,
+    /// The eye that looks, and how it looks.
+    #[serde(default, deserialize_with = "table::optional")]
+    pub eye: Option<At<EyeTable>>,
     /// How to draw.
     #[serde(deserialize_with = "table::table")]
     pub render: RenderTable,

@@ -61,8 +61,8 @@ pub(crate) struct RenderTable {
     pub mode: ModeValue,
     /// The white that becomes the white of the screen.
     pub white: WhiteValue,
-    /// Who looks: the name of an observer, or a file with the curves of a sensor (CSV); the standard
-    /// observer of 1931 by default. Not in mode rgb.
+    /// Who looks: the name of an observer, an eye such as "age:70" or "deutan:10", or a file with the curves of a sensor
+    /// (CSV); the standard observer of 1931 by default. Not in mode rgb.
     pub observer: Option<At<ObserverValue>>,
     /// Whether light is in photometric units, 1 being 1 cd/m² on a white matte surface, also where no unit is
     /// written; by default where a light or an emission is given in such units.

@@ -123,6 +123,48 @@ number!(
     { "type": "number", "minimum": -100.0, "maximum": 100.0 }
 );
 
+number!(
+    /// Years of an eye.
+    Age, "an age between 5 and 100 years", |v| (5.0..=100.0).contains(&v),
+    { "type": "number", "minimum": 5.0, "maximum": 100.0 }
+);
+
+number!(
+    /// The field of an observer.
+    FieldSize, "a field between 1 and 10 degrees", |v| (1.0..=10.0).contains(&v),
+    { "type": "number", "minimum": 1.0, "maximum": 10.0 }
+);
+
+number!(
+    /// A density over the usual one.
+    Density, "a density between 0 and 3 in parts of the usual", |v| (0.0..=3.0).contains(&v),
+    { "type": "number", "minimum": 0.0, "maximum": 3.0 }
+);
+
+number!(
+    /// By how much a pigment is moved.
+    PigmentShift, "a shift between -20 and 20 nm", |v| (-20.0..=20.0).contains(&v),
+    { "type": "number", "minimum": -20.0, "maximum": 20.0 }
+);
+
+number!(
+    /// The pigment of an iris.
+    IrisPigment, "a number between 0 (black) and 1.2 (light blue)", |v| (0.0..=1.2).contains(&v),
+    { "type": "number", "minimum": 0.0, "maximum": 1.2 }
+);
+
+number!(
+    /// A light level.
+    Luminance, "a luminance between 1e-7 and 1e7 cd/m²", |v| (1e-7..=1e7).contains(&v),
+    { "type": "number", "minimum": 1e-7, "maximum": 1e7 }
+);
+
+number!(
+    /// Pixels of a degree of sight.
+    PixelsPerDegree, "a number of pixels between 0.1 and 10000", |v| (0.1..=1e4).contains(&v),
+    { "type": "number", "minimum": 0.1, "maximum": 1e4 }
+);
+
 /// Takes integers and floats, says what was expected in place of others. It tests them itself, since
 /// what is said after a visitor has left no longer points at an entry of a list.
 struct NumberVisitor {

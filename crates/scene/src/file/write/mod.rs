@@ -8,6 +8,7 @@
 //! Not kept is what a light's kind ignores, such as the direction of a sphere.
 
 mod color;
+mod eye;
 mod light;
 mod lobe;
 mod material;

@@ -12,6 +12,9 @@ pub(super) fn write(scene: &Scene, document: &mut Document) {
     if let Some(camera) = &scene.camera {
         document.section("[camera]", &camera_table(camera), false);
     }
+    if let Some(viewer) = &scene.eye {
+        document.section("[eye]", &super::eye::table(viewer), false);
+    }
     let mut table = render(&scene.render);
     if let Some(observer) = &scene.observer {
         table.put("observer", observer_value(observer));

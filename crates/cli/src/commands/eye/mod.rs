@@ -1,0 +1,409 @@
+//! `glanz eye`: one scene as other people see it.
+
+mod draw;
+mod patches;
+mod shown;
+mod variants;
+
+use clap::{Args, ValueEnum};
+use glanz_color::Rgb;
+use glanz_eye::{RodColor, Viewer};
+use glanz_picture::output::{Animation, Format, write_apng, write_atomically, write_gif};
+use glanz_plot::{Canvas, ContactSheet};
+use glanz_render::DebugView;
+use glanz_scene::{Background, Shading};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use self::draw::Drawn;
+use self::patches::Patches;
+use self::variants::{Ages, Variants};
+use crate::args::{
+    CameraArgs, ColorArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+    choices, values,
+};
+use crate::encode;
+use crate::load::{Input, More};
+use crate::print::failure::Failure;
+use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
+
+/// Shown after the help.
+pub(crate) const EXAMPLES: &str = "\
+Examples:
+  glanz eye scene.toml --age 20,50,80 -o ages.png
+  glanz eye scene.toml --age 25,75 --level day,dusk,moon --glare -o evening.png
+  glanz eye scene.toml --deficiency none,deutan:10,deutan,protan,tritan -o deficiencies.png
+  glanz eye scene.toml --show opponent -o opponent.png
+  glanz eye scene.toml --gaze 400,300 -o looked-at.png
+  glanz eye scene.toml --age 20:80:60 -o ageing.gif
+
+Each column is an eye, each row a light level, or what it is adapted to: an eye that just got its lens sees its yellow
+(unadapted), one that has lived with it sees white as white (adapted). Pictures have ordinary exposure at every light level; --ev
+darkens them. docs/EYE.md says what is standard, and what is not known.";
+
+/// Options of `glanz eye`.
+#[derive(Args, Debug)]
+pub(crate) struct EyeArgs {
+    #[command(flatten)]
+    pub(crate) input: InputArgs,
+    #[command(flatten)]
+    eyes: EyesArgs,
+    #[command(flatten)]
+    target: TargetArgs,
+    #[command(flatten)]
+    size: SizeArgs,
+    #[command(flatten)]
+    picture: PictureArgs,
+    #[command(flatten)]
+    camera: CameraArgs,
+    #[command(flatten)]
+    develop: DevelopArgs,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    format: FormatArgs,
+}
+
+/// Who looks, and how.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Eye")]
+struct EyesArgs {
+    /// The eye that the other options change, such as field:10+iris:1.2 [default: the scene's, else the standard one]
+    #[arg(long, value_name = "EYE")]
+    observer: Option<String>,
+
+    /// Ages in years: 20,50,80, or FIRST:LAST:COUNT
+    #[arg(long, value_name = "YEARS,…")]
+    age: Option<Ages>,
+
+    /// Deficiencies: none, protan, deutan, tritan, rods, or protan:10 and deutan:10 with a shift of the pigment in nm
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    deficiency: Vec<String>,
+
+    /// Light levels: sun, day, room, dusk, moon, stars, or the luminance of white in cd/m²
+    #[arg(long, value_name = "LEVEL,…", value_delimiter = ',')]
+    level: Vec<String>,
+
+    /// How far the cones are adapted to the white as the eye sees it, 0 to 1 [default: both where ages or lenses differ, else 1]
+    #[arg(long, value_name = "DEGREE,…", value_delimiter = ',')]
+    adapted: Vec<f64>,
+
+    /// The luminance that rods and pupil are adapted to, in cd/m² [default: the mean of the picture]
+    #[arg(long, value_name = "CD/M²")]
+    adaptation: Option<f64>,
+
+    /// The colour of what rods see
+    #[arg(long, value_name = "COLOR", value_enum)]
+    rods: Option<RodChoice>,
+
+    /// Scatter light in the eye, as it does at the eye's age
+    #[arg(long)]
+    glare: bool,
+
+    /// Leave out what the eye does not resolve at this light
+    #[arg(long)]
+    acuity: bool,
+
+    /// The pixel that is looked at, from the top left; details are lost around it
+    #[arg(long, value_name = "X,Y", value_parser = gaze)]
+    gaze: Option<[f64; 2]>,
+
+    /// Pixels per degree of sight [default: the camera's if it is perspective, else 40]
+    #[arg(long, value_name = "N")]
+    px_per_deg: Option<f64>,
+
+    /// What the pictures show
+    #[arg(long, value_name = "WHAT", value_enum, default_value = "picture")]
+    show: Show,
+}
+
+/// What the pictures show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    /// What the eye sees
+    Picture,
+    /// What each kind of receptors gets: L, M, S and the rods
+    Receptors,
+    /// The channels of the optic nerve: luminance, red against green, yellow against blue
+    Opponent,
+    /// Without and with the loss of detail
+    Acuity,
+    /// Without and with the light that is scattered in the eye
+    Glare,
+}
+
+/// The colour of what rods see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum RodChoice {
+    /// Colourless
+    White,
+    /// Bluish, as in films
+    Blue,
+}
+
+/// How the pictures are drawn.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Picture")]
+struct PictureArgs {
+    /// Samples per pixel for smooth edges [default: the scene's, else 4]
+    #[arg(long, value_name = "N", value_parser = choices::samples())]
+    samples: Option<u32>,
+
+    /// Where light is computed, for all objects
+    #[arg(long, value_name = "SHADING", value_parser = choices::shading())]
+    shading: Option<Shading>,
+
+    /// The background: #rrggbb, linear r,g,b, or transparent
+    #[arg(long, value_name = "COLOR", value_parser = values::background)]
+    background: Option<Background>,
+
+    /// Frames per second of a film
+    #[arg(long, value_name = "N", default_value_t = 20.0)]
+    fps: f64,
+}
+
+fn gaze(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+    <[f64; 2]>::try_from(numbers).map_err(|_| "expected the pixel as X,Y, such as 400,300".to_owned())
+}
+
+impl EyeArgs {
+    /// Draws.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        self.machine.apply()?;
+        let target = self.target.resolve(&self.input.input, "_eye.png")?;
+        let moving = self.moving(&target)?;
+        self.format.check_beside(&target)?;
+        let mut input = self.input.load(Some(&self.camera), More::default())?;
+        print::notes(&self.input.input, &input.notes);
+        let variants = Variants::of(&self.eyes, &input)?;
+        variants.remarks().iter().for_each(|remark| print::note(format_args!("note: {remark}")));
+        let drawn = self.draw(&mut input, &variants)?;
+        match moving {
+            Some(format) => self.film(&drawn, &target, format, &input)?,
+            None => self.sheet(&variants, &drawn, &target, &input)?,
+        }
+        self.tell(&target, &variants, &drawn, input.notes)
+    }
+
+    /// The format of a film, if the target is one.
+    fn moving(&self, target: &Target) -> Result<Option<Format>, Failure> {
+        if !target.path().is_some_and(|path| {
+            encode::format(target).is_ok_and(Format::is_animation) && path.extension().is_some()
+        }) {
+            encode::expect_png(target, "a sheet")?;
+            return Ok(None);
+        }
+        if !(self.picture.fps > 0.0 && self.picture.fps <= 1000.0) {
+            let fps = self.picture.fps;
+            return Err(Failure::Usage(format!("--fps is {fps}, but must be above 0 and at most 1000")));
+        }
+        if self.eyes.show != Show::Picture {
+            return Err(Failure::Usage(
+                "a film shows pictures alone: leave out --show, or write a .png".to_owned(),
+            ));
+        }
+        Ok(Some(encode::format(target)?))
+    }
+
+    fn draw(&self, input: &mut Input, variants: &Variants) -> Result<Vec<Drawn>, Failure> {
+        let mut progress = Progress::new(variants.eyes.len(), "eyes");
+        let mut drawn = Vec::with_capacity(variants.eyes.len());
+        for variant in &variants.eyes {
+            drawn.push(draw::draw(self, input, &variant.viewer, &mut progress)?);
+            progress.step();
+        }
+        Ok(drawn)
+    }
+
+    /// The options of a drawing command, for the scene's own eye.
+    fn look(&self) -> LookArgs {
+        LookArgs {
+            samples: self.picture.samples,
+            shading: self.picture.shading,
+            background: self.picture.background,
+            show: Some(DebugView::Lit),
+            color: ColorArgs { mode: Some(glanz_scene::ColorMode::Spectral), ..ColorArgs::default() },
+            ..LookArgs::default()
+        }
+    }
+
+    fn sheet(
+        &self,
+        variants: &Variants,
+        drawn: &[Drawn],
+        target: &Target,
+        input: &Input,
+    ) -> Result<(), Failure> {
+        // An eye is one picture, or a row of pictures that take it apart.
+        let parts = drawn[0].pictures.len();
+        let (columns, rows, per_row) = match parts {
+            1 => (variants.columns.clone(), variants.rows.clone(), variants.columns.len()),
+            _ => {
+                let labels = variants.eyes.iter().map(|variant| variant.label.clone()).collect();
+                (drawn[0].pictures.iter().map(|(name, _)| name.clone()).collect(), labels, parts)
+            }
+        };
+        let captions = drawn.iter().flat_map(|eye| {
+            let first = eye.caption.clone();
+            core::iter::once(first).chain((1..parts).map(|_| Vec::new()))
+        });
+        let pictures: Vec<&Canvas> =
+            drawn.iter().flat_map(|eye| eye.pictures.iter().map(|(_, picture)| picture)).collect();
+        let sheet = ContactSheet {
+            columns,
+            rows,
+            captions: captions.collect(),
+            per_row,
+            count: pictures.len(),
+            cell: (pictures[0].width, pictures[0].height),
+            ..ContactSheet::default()
+        };
+        let mut canvas = sheet.begin()?;
+        for (index, picture) in pictures.iter().enumerate() {
+            sheet.put(&mut canvas, index, picture);
+        }
+        encode::deliver(
+            canvas.into(),
+            target,
+            &encode::metadata_of_sheet(input.scene.content_hash(), Vec::new()),
+        )?;
+        self.wrote(target);
+        Ok(())
+    }
+
+    fn film(&self, drawn: &[Drawn], target: &Target, format: Format, input: &Input) -> Result<(), Failure> {
+        let Target::File(path) = target else { return Ok(()) };
+        let first = &drawn[0].pictures[0].1;
+        let animation = Animation {
+            width: first.width,
+            height: first.height,
+            frames: drawn.len(),
+            delay_ms: (1000.0 / self.picture.fps).round() as u32,
+        };
+        let metadata = encode::metadata_of_sheet(input.scene.content_hash(), Vec::new());
+        let codes =
+            drawn.iter().map(|eye| -> Result<Vec<u8>, Failure> { Ok(eye.pictures[0].1.rgba.clone()) });
+        write_atomically(path, |out| match format {
+            Format::Gif => write_gif(out, &animation, codes, &metadata),
+            _ => write_apng(out, &animation, codes, &metadata),
+        })?;
+        self.wrote(target);
+        Ok(())
+    }
+
+    fn wrote(&self, target: &Target) {
+        if let Target::File(path) = target {
+            print::note(format_args!("wrote {}", path.display()));
+        }
+    }
+
+    fn tell(
+        &self,
+        target: &Target,
+        variants: &Variants,
+        drawn: &[Drawn],
+        notes: Vec<String>,
+    ) -> Result<(), Failure> {
+        let patches = Patches::of(variants, drawn);
+        let Target::File(path) = target else {
+            print::note(patches.text().trim_end());
+            return Ok(());
+        };
+        if !self.format.is_json() {
+            return match patches.is_empty() {
+                true => Ok(()),
+                false => print::text(&patches.text()),
+            };
+        }
+        let eyes = variants.eyes.iter().zip(drawn);
+        print::json(&Document {
+            file: path.display().to_string(),
+            eyes: eyes.map(|(variant, drawn)| EyeFacts::of(&variant.label, &variant.viewer, drawn)).collect(),
+            patches,
+            notes,
+        })
+    }
+}
+
+impl From<RodChoice> for RodColor {
+    fn from(choice: RodChoice) -> Self {
+        match choice {
+            RodChoice::White => Self::White,
+            RodChoice::Blue => Self::Blue,
+        }
+    }
+}
+
+/// A scene as eyes see it.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Document {
+    /// The sheet of pictures, or the film
+    file: String,
+    /// In the order of the pictures
+    eyes: Vec<EyeFacts>,
+    /// What is lost between objects, for each eye against the first
+    patches: Patches,
+    /// What was ignored or changed of the scene's file
+    notes: Vec<String>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct EyeFacts {
+    /// What it is called on the sheet
+    label: String,
+    /// The eye, as --observer takes it
+    observer: String,
+    /// How far it is adapted to its own white
+    adapted: f64,
+    /// The luminance of white in cd/m², where the scene has none of its own
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level_cd_m2: Option<f64>,
+    /// What it is adapted to, its pupil, and what it resolves; none where the picture went through no stage
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seen: Option<SeenFacts>,
+}
+
+/// What an eye made of its picture.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SeenFacts {
+    /// The photopic luminance that it is adapted to, in cd/m²
+    adaptation_cd_m2: f64,
+    /// The part that cones have in seeing, m of CIE 191
+    cones: f64,
+    /// The mesopic luminance, in cd/m²
+    mesopic_cd_m2: f64,
+    /// The diameter of the pupil
+    pupil_mm: f64,
+    /// The light on the retina, in trolands
+    trolands: f64,
+    /// The finest grating that is resolved, in cycles per degree
+    cutoff_cpd: f64,
+}
+
+impl EyeFacts {
+    fn of(label: &str, viewer: &Viewer, drawn: &Drawn) -> Self {
+        Self {
+            label: label.replace('\n', ", "),
+            observer: viewer.eye.to_string(),
+            adapted: viewer.viewing.adapted,
+            level_cd_m2: viewer.viewing.level_cd_m2,
+            seen: drawn.seen.map(|seen| SeenFacts {
+                adaptation_cd_m2: seen.adaptation_cd_m2,
+                cones: seen.cones,
+                mesopic_cd_m2: seen.mesopic_cd_m2,
+                pupil_mm: seen.pupil_mm,
+                trolands: seen.trolands,
+                cutoff_cpd: seen.cutoff_cpd,
+            }),
+        }
+    }
+}
+
+/// Linear light of the screen as codes.
+fn code(rgb: [f32; 3]) -> [u8; 4] {
+    let Rgb(rgb) = Rgb(rgb);
+    let [r, g, b] = rgb.map(|c| (255.0 * glanz_color::srgb_encode(c.clamp(0.0, 1.0)) + 0.5) as u8);
+    [r, g, b, 255]
+}
