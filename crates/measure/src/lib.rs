@@ -26,14 +26,15 @@ mod facts;
 mod fit;
 mod format;
 mod goniometer;
+mod linear;
 mod published;
 mod readings;
 mod shape;
 mod ward;
 
 pub use appearance::{
-    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss, log_haze,
-    multi_angle, sphere,
+    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss,
+    log_haze, multi_angle, sphere,
 };
 pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
