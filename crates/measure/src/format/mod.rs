@@ -57,7 +57,7 @@ pub enum Format {
     Csail,
     /// libbsdf's `.ssdd`.
     Ssdd,
-    /// ALTA's text.
+    /// ALTA's text, or its numbers in binary.
     Alta,
 }
 
@@ -240,6 +240,9 @@ fn read_binary(bytes: &[u8], options: &ReadOptions) -> Option<Result<Measured, R
     }
     if ssdd::is_ssdd(bytes) {
         return Some(ssdd::read(bytes, options));
+    }
+    if alta::is_binary(bytes) {
+        return Some(alta::read_binary(bytes, options));
     }
     if merl::is_merl(bytes) {
         return Some(merl::read(bytes, options));
