@@ -27,6 +27,7 @@ mod fit;
 mod format;
 mod goniometer;
 mod linear;
+mod plane;
 mod published;
 mod readings;
 mod shape;
@@ -48,6 +49,7 @@ pub use format::{
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
 pub use goniometer::{Noise, spiral_about_mirror};
+pub use plane::PlaneSlice;
 pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};
 pub use readings::{Channels, Quantity, Readings};
 pub use ward::{WardFit, WardPoint, fit_ward};
