@@ -34,7 +34,7 @@ mod shape;
 mod ward;
 
 pub use appearance::{
-    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss,
+    Function, GlossMeter, HazeMeter, MultiAngle, SPHERE_DEG, flop_index, forty_five_zero, haze_of_gloss,
     log_haze, multi_angle, sphere,
 };
 pub use error::{ReadError, WriteError};
