@@ -25,6 +25,7 @@ mod factored;
 mod facts;
 mod fit;
 mod format;
+mod geometry;
 mod goniometer;
 mod linear;
 mod plane;
@@ -48,6 +49,7 @@ pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
+pub use geometry::Geometry;
 pub use goniometer::{Noise, spiral_about_mirror};
 pub use plane::PlaneSlice;
 pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};

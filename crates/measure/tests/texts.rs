@@ -117,6 +117,16 @@ fn alta_binary(head: &str, rows: &[[f64; 4]], to_bytes: fn(f64) -> [u8; 8]) -> V
 }
 
 #[test]
+fn a_file_of_nothing_is_told() {
+    for text in ["", " \r\n\n"] {
+        assert_eq!(
+            read(text).unwrap_err().to_string(),
+            "this is no file of measured reflectance that is known: 'a.txt' is empty"
+        );
+    }
+}
+
+#[test]
 fn alta_in_binary_is_as_its_text() {
     let rows = [[0.3, 0.1, 2.0, 0.5], [0.4, 0.1, 2.0, 0.25]];
     let text = read("#DIM 3 1\n#PARAM_IN ISOTROPIC_TV_TL_DPHI\n0.3 0.1 2.0 0.5\n0.4 0.1 2.0 0.25\n").unwrap();
