@@ -1,6 +1,6 @@
 //! Points and the lines that a regression laid through them.
 
-use crate::chart::{Axes, Axis, Curve, heading, legend, panel};
+use crate::chart::{Axes, Axis, Curve, heading, legend, panel, runs};
 use crate::data::PlotData;
 use crate::page::{Figure, Page, Rect};
 use crate::words::Lang;
@@ -69,8 +69,10 @@ impl RegressionChart {
             }
         }
         for line in &self.lines {
-            let points: Vec<_> = line.points.iter().map(|(x, y)| axes.at(*x, *y)).collect();
-            line.stroke(page, &points, 2.0);
+            for run in runs(&line.points, &self.y) {
+                let points: Vec<_> = run.iter().map(|(x, y)| axes.at(*x, *y)).collect();
+                line.stroke(page, &points, 2.0);
+            }
         }
         axes.frame(page);
     }

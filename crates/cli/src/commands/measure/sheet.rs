@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use glanz_color::Observer;
 use glanz_math::Vec3;
-use glanz_measure::PlaneSlice;
+use glanz_measure::{PlaneSlice, Readings};
 use glanz_plot::chart::sampled;
 use glanz_plot::figure::{ComparisonSheet, Ray};
 use glanz_plot::page::{Rgb8, curve_color};
@@ -77,11 +77,13 @@ impl Pair<'_> {
         }
     }
 
-    /// The azimuth of the light, where a surface with a grain tells one.
+    /// The azimuth of the light where a surface has a grain: that of readings, if there are some.
     fn azimuth_deg(&self) -> Option<f64> {
-        let grained = self.surfaces.iter().find(|surface| surface.anisotropic)?;
-        let told = grained.readings.as_ref().and_then(|readings| readings.commonest_azimuth_deg());
-        Some(told.unwrap_or(AZIMUTH_DEG))
+        if !self.responses.iter().any(has_grain) {
+            return None;
+        }
+        let mut read = self.surfaces.iter().filter_map(|surface| surface.readings.as_ref());
+        Some(read.find_map(Readings::commonest_azimuth_deg).unwrap_or(AZIMUTH_DEG))
     }
 
     /// Those of the readings, or such as lie far apart.
@@ -188,6 +190,16 @@ impl Pair<'_> {
         };
         (0..2).filter(is_read).map(cloud).collect()
     }
+}
+
+/// Whether turning both directions changes Y, by more than the rounding of f32.
+fn has_grain(response: &MaterialResponse) -> bool {
+    let y = |turn: f64| {
+        let [wi, wo] = [(0.6, 2.9), (0.4, 0.3)].map(|(theta, phi)| Vec3::from_angles(theta, phi + turn));
+        response.brdf(wi, wo)[1]
+    };
+    let first = y(0.0);
+    [0.5, 1.0, 1.5].iter().any(|turn| (y(*turn) - first).abs() > 1e-4 * first.abs())
 }
 
 impl Incidence {

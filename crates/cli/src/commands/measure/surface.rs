@@ -18,8 +18,6 @@ pub(super) struct Surface {
     pub(super) material: Material,
     /// None of what is no file of readings one by one.
     pub(super) readings: Option<Readings>,
-    /// Whether values depend on more than the difference of azimuths.
-    pub(super) anisotropic: bool,
     pub(super) notes: Vec<String>,
 }
 
@@ -27,12 +25,7 @@ impl Surface {
     /// The one that a word of the command line means.
     pub(super) fn of(word: &str, args: &ReadArgs) -> Result<Self, Failure> {
         let path = Path::new(word);
-        let bare = |material: Material| Self {
-            anisotropic: material.lobes.iter().any(|lobe| lobe.shape.info().anisotropic),
-            material,
-            readings: None,
-            notes: Vec::new(),
-        };
+        let bare = |material| Self { material, readings: None, notes: Vec::new() };
         if is_measured(path) {
             return Self::of_data(path, args);
         }
@@ -52,12 +45,11 @@ impl Surface {
             .map_err(|error| Failure::from(Report::new(error).file(path)))?;
         let name = path.display().to_string();
         let notes = measured.notes.iter().map(|note| format!("{name}: {note}")).collect();
-        let anisotropic = factored.table().is_anisotropic();
         let readings = match measured.data {
             Data::Readings(readings) => Some(readings),
             _ => None,
         };
-        Ok(Self { material: Material::measured(name, &factored), readings, anisotropic, notes })
+        Ok(Self { material: Material::measured(name, &factored), readings, notes })
     }
 
     /// Directions to light and detector that were measured.
