@@ -13,7 +13,7 @@ use std::{env, fs, io};
 
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::{SimdLevel, Vec3};
-use glanz_measure::{Channels, Data, Fit, FitOptions, Measured, Merl, Readings, fit};
+use glanz_measure::{Channels, Data, Fit, FitOptions, Measured, Merl, Noise, Readings, fit};
 
 /// Fits of one case.
 const TURNS: usize = 9;
@@ -62,23 +62,6 @@ const CASES: [Case; 4] = [
     },
 ];
 
-/// Numbers of a normal distribution (G. Marsaglia's xorshift, G. Box and M. Muller).
-struct Noise(u64);
-
-impl Noise {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (self.unit(), self.unit());
-        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
-    }
-}
-
 /// The middles of MERL's cells above the horizon, every n-th.
 fn cells(every: usize) -> Result<Vec<[Vec3<f64>; 2]>, Box<dyn std::error::Error>> {
     let table = Merl::of(&mut |_, _| [0.1; 3]);
@@ -104,7 +87,7 @@ fn readings(case: &Case) -> Result<Readings, Box<dyn std::error::Error>> {
         let set = [("m", *m)];
         shapes.push((Shape::named(model, if *m > 0.0 { &set } else { &[] })?, tints));
     }
-    let (mut readings, mut noise) = (Readings::new(channels), Noise(88_172_645));
+    let (mut readings, mut noise) = (Readings::new(channels), Noise::new(88_172_645));
     for [wi, wo] in cells(case.every)? {
         let pair = DirectionPair::new(wo, wi);
         let u5 = (1.0 - pair.cos_view_half()).powi(5);

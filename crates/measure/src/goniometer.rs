@@ -42,7 +42,7 @@ pub fn spiral_about_mirror() -> Vec<[Vec3<f64>; 2]> {
     pairs
 }
 
-/// Numbers of a normal distribution of variance 1, the same on every machine.
+/// Numbers of a normal distribution of variance 1, and of an even one, the same on every machine.
 ///
 /// ```
 /// use glanz_measure::Noise;
@@ -67,8 +67,8 @@ impl Noise {
         libm::sqrt(-2.0 * libm::log(a)) * libm::cos(core::f64::consts::TAU * b)
     }
 
-    /// 0 … 1, without 0 (G. Marsaglia's xorshift).
-    fn unit(&mut self) -> f64 {
+    /// The next number of an even distribution from 0 to 1, without 0 (G. Marsaglia's xorshift).
+    pub fn unit(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;

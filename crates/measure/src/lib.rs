@@ -25,15 +25,18 @@ mod factored;
 mod facts;
 mod fit;
 mod format;
+mod geometry;
 mod goniometer;
+mod linear;
+mod plane;
 mod published;
 mod readings;
 mod shape;
 mod ward;
 
 pub use appearance::{
-    Function, GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss, log_haze,
-    multi_angle, sphere,
+    Function, GlossMeter, HazeMeter, MultiAngle, SPHERE_DEG, flop_index, forty_five_zero, haze_of_gloss,
+    log_haze, multi_angle, sphere,
 };
 pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
@@ -46,7 +49,9 @@ pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,
     write_klems, write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
+pub use geometry::Geometry;
 pub use goniometer::{Noise, spiral_about_mirror};
+pub use plane::PlaneSlice;
 pub use published::{PublishedError, PublishedFit, PublishedLobe, PublishedModel};
 pub use readings::{Channels, Quantity, Readings};
 pub use ward::{WardFit, WardPoint, fit_ward};

@@ -7,16 +7,20 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 use glanz_measure::{
-    Channels, Data, FactorError, FactorOptions, Factored, Format, Measured, Quantity, Readings, Smoothed,
+    Channels, Data, FactorError, FactorOptions, Factored, Format, Measured, Noise, Quantity, Readings,
+    Smoothed,
 };
 
-/// Numbers from 0 to 1 without an order that one sees.
-struct Noise(u64);
+/// Directions without an order that one sees.
+struct Random(Noise);
 
-impl Noise {
+impl Random {
+    fn new(seed: u64) -> Self {
+        Self(Noise::new(seed))
+    }
+
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.unit()
     }
 
     /// A direction within 80° of the normal.
@@ -59,7 +63,7 @@ fn readings(
     noise: f64,
     f: &dyn Fn(Vec3<f64>, Vec3<f64>) -> Vec<f64>,
 ) -> Measured {
-    let mut random = Noise(7);
+    let mut random = Random::new(7);
     let mut readings = Readings::new(channels);
     for _ in 0..count {
         let [wi, wo] = random.pair();
@@ -80,7 +84,7 @@ fn errors(
     own: &dyn Fn(Vec3<f64>, Vec3<f64>) -> Vec<f64>,
     exact: &dyn Fn(Vec3<f64>, Vec3<f64>) -> Vec<f64>,
 ) -> [f64; 2] {
-    let mut random = Noise(99);
+    let mut random = Random::new(99);
     let mut all: Vec<f64> = (0..2000)
         .flat_map(|_| {
             let [wi, wo] = random.pair();
@@ -112,7 +116,7 @@ fn a_paint_is_drawn_as_it_was_measured() {
     assert!(median < 0.005 && most < 0.05, "{median}, {most}");
     assert!(factored.facts.holes < 0.05, "{}", factored.facts.holes);
     // The sum of the lobes is the value.
-    let [wi, wo] = Noise(3).pair();
+    let [wi, wo] = Random::new(3).pair();
     let pair = DirectionPair::new(wo, wi);
     let mut sum = [0.0; 3];
     for (shape, layer, tint) in factored.lobes() {
@@ -138,7 +142,7 @@ fn noise_of_readings_is_smoothed() {
 fn far_from_readings_the_fitted_lobes_remain() {
     let f = |_: Vec3<f64>, _: Vec3<f64>| vec![0.25];
     // Only light near the normal, and only near its mirror direction.
-    let mut random = Noise(5);
+    let mut random = Random::new(5);
     let mut list = Readings::new(Channels::Luminance);
     for _ in 0..500 {
         let wi = Vec3::from_angles(0.3 * random.next(), 2.0 * PI * random.next());
@@ -212,7 +216,7 @@ fn colours_outside_of_srgb_are_kept() {
     let [median, most] = errors(&|wi, wo| factored.value(wi, wo), &yellow);
     println!("{median} {most}");
     assert!(median < 0.02 && most < 0.2, "{median}, {most}");
-    let [wi, wo] = Noise(11).pair();
+    let [wi, wo] = Random::new(11).pair();
     assert!(factored.value(wi, wo)[2] < 0.0);
 }
 

@@ -3,7 +3,7 @@
 use glanz_bsdf::models::lambert::Lambert;
 use glanz_bsdf::{Angle, DirectionPair, LayerWeight, Model, ModelInfo, ParamInfo, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Fit, FitError, FitLobe, FitOptions, Metric, Readings, fit, fit_lobes};
+use glanz_measure::{Channels, Fit, FitError, FitLobe, FitOptions, Metric, Noise, Readings, fit, fit_lobes};
 
 /// A lobe: model, parameter and its value, albedo.
 type Lobe = (&'static str, &'static str, f64, f64);
@@ -15,29 +15,12 @@ fn shape((name, parameter, value, _): Lobe) -> Shape {
     }
 }
 
-/// Numbers of a normal distribution.
-struct Noise(u64);
-
-impl Noise {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (self.unit(), self.unit());
-        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
-    }
-}
-
 /// All over the hemisphere, with 5 % of noise and a little everywhere.
 fn readings(lobes: &[Lobe], channels: Channels) -> Readings {
     let shapes: Vec<(Shape, f64)> = lobes.iter().map(|lobe| (shape(*lobe), lobe.3)).collect();
     let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
     let (mut readings, count, mut noise) =
-        (Readings::new(channels.clone()), channels.count(), Noise(88_172_645));
+        (Readings::new(channels.clone()), channels.count(), Noise::new(88_172_645));
     for theta_i in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0] {
         for theta_o in (0..84).step_by(3) {
             for phi in (0..360).step_by(10) {
@@ -77,10 +60,12 @@ fn widths_and_tints_are_found_again_in_noise() {
             let width = fit.lobes[0].shape.params()[0];
             let log_error = (width / lobes[0].2).ln();
             assert!(log_error.abs() < 0.02, "{lobes:?} {metric:?}: {width}");
-            // The standard error tells about how far it is.
+            // The standard error tells about how far it is. It takes the noise of g for the same everywhere, which under L2
+            // that of the highlight is far from: there it says too little.
+            let most = if metric == Metric::L2 { 15.0 } else { 5.0 };
             let told = fit.lobes[0].parameters[0].log_error.expect("it is told");
             assert!(
-                log_error.abs() < 5.0 * told && told < 0.02,
+                log_error.abs() < most * told && told < 0.02,
                 "{lobes:?} {metric:?}: {log_error} ± {told}"
             );
             for (found, lobe) in fit.lobes.iter().zip(&lobes) {
@@ -180,7 +165,7 @@ fn what_cannot_be_fitted_is_told() {
 
 /// Readings of a function of f_cos, for light from all around if `turns`, with 3 % of noise.
 fn of_function(turns: bool, channels: Channels, f_cos: &dyn Fn(&DirectionPair<f64>) -> Vec<f64>) -> Readings {
-    let (mut readings, mut noise) = (Readings::new(channels), Noise(7_218_901));
+    let (mut readings, mut noise) = (Readings::new(channels), Noise::new(7_218_901));
     let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
     for theta_i in [10.0, 30.0, 50.0, 70.0] {
         for phi_i in (0..if turns { 360 } else { 1 }).step_by(30) {

@@ -2,7 +2,9 @@
 
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Data, FitOptions, Format, Measured, Merl, Metric, Quantity, Readings, fit};
+use glanz_measure::{
+    Channels, Data, FitOptions, Format, Measured, Merl, Metric, Noise, Quantity, Readings, fit,
+};
 
 /// Material, kd, ks, F0, m: the lobe is Cook and Torrance's, times ks (F0 + (1 − F0)(1 − wo·h)⁵).
 type Row = (&'static str, [f64; 3], [f64; 3], f64, f64);
@@ -34,23 +36,6 @@ const PUBLISHED: [Row; 22] = [
     ("yellow-matte-plastic", [0.291, 0.102, 0.0146], [0.116, 0.0923, 0.0653], 0.056, 0.0489),
 ];
 
-/// Numbers of a normal distribution.
-struct Noise(u64);
-
-impl Noise {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let (a, b) = (self.unit(), self.unit());
-        (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos()
-    }
-}
-
 /// The middles of every 55th of MERL's cells above the horizon: 20 000.
 fn cells() -> Vec<[Vec3<f64>; 2]> {
     let data = Data::Merl(Merl::of(&mut |_, _| [0.1; 3]));
@@ -63,7 +48,7 @@ fn cells() -> Vec<[Vec3<f64>; 2]> {
 /// What a goniometer with 5 % of noise, and 2e-4 everywhere, says of a material.
 fn readings(cells: &[[Vec3<f64>; 2]], (_, kd, ks, f0, m): Row) -> Readings {
     let gloss = Shape::named("cook-torrance", &[("m", m)]).expect("m is in range");
-    let (mut readings, mut noise) = (Readings::new(Channels::Rgb), Noise(88_172_645));
+    let (mut readings, mut noise) = (Readings::new(Channels::Rgb), Noise::new(88_172_645));
     for [wi, wo] in cells {
         let pair = DirectionPair::new(*wo, *wi);
         let lobe = gloss.f_cos(&pair) / wi.z * (f0 + (1.0 - f0) * (1.0 - pair.cos_view_half()).powi(5));

@@ -106,6 +106,46 @@ fn alta_has_radians_in_columns_that_it_names() {
     assert_eq!(wrong("RUSIN_TH_TD", "2 31", "0 1\n").1, "#DIM says 31 values, and must say 1 or 3");
 }
 
+/// ALTA's head, and rows of numbers of 64 bits.
+fn alta_binary(head: &str, rows: &[[f64; 4]], to_bytes: fn(f64) -> [u8; 8]) -> Vec<u8> {
+    let numbers = rows.iter().flatten().flat_map(|number| to_bytes(*number));
+    format!("#DIM 3 1\n#PARAM_IN ISOTROPIC_TV_TL_DPHI\n#FORMAT binary\n{head}")
+        .into_bytes()
+        .into_iter()
+        .chain(numbers)
+        .collect()
+}
+
+#[test]
+fn a_file_of_nothing_is_told() {
+    for text in ["", " \r\n\n"] {
+        assert_eq!(
+            read(text).unwrap_err().to_string(),
+            "this is no file of measured reflectance that is known: 'a.txt' is empty"
+        );
+    }
+}
+
+#[test]
+fn alta_in_binary_is_as_its_text() {
+    let rows = [[0.3, 0.1, 2.0, 0.5], [0.4, 0.1, 2.0, 0.25]];
+    let text = read("#DIM 3 1\n#PARAM_IN ISOTROPIC_TV_TL_DPHI\n0.3 0.1 2.0 0.5\n0.4 0.1 2.0 0.25\n").unwrap();
+    let of = |bytes: &[u8]| Measured::read(bytes, "a.alta", &ReadOptions::default());
+    let head = "#ENDIAN little\n#SAMPLE_COUNT 2\n#ALTA_END_HEADER\n";
+    let little = alta_binary(head, &rows, f64::to_le_bytes);
+    assert_eq!(of(&little).unwrap().data, text.data);
+    let big = alta_binary("#ENDIAN big\n#SAMPLE_COUNT 2\n#BEGIN_STREAM\n", &rows, f64::to_be_bytes);
+    assert_eq!(of(&big).unwrap().data, text.data);
+    let wrong = |head: &str| of(&alta_binary(head, &rows, f64::to_le_bytes)).unwrap_err().to_string();
+    let many = "#SAMPLE_COUNT 18446744073709551615\n#ALTA_END_HEADER\n";
+    assert!(wrong(many).contains("rows, and 2 are there"), "{}", wrong(many));
+    assert!(wrong("#ALTA_END_HEADER\n").contains("#SAMPLE_COUNT must say"));
+    assert!(wrong("#PRECISION ieee754-single\n#ALTA_END_HEADER\n").contains("ieee754-double"));
+    assert!(
+        of(&alta_binary("", &[], f64::to_le_bytes)).unwrap_err().to_string().contains("the head must end")
+    );
+}
+
 proptest! {
     #[test]
     fn mutated_texts_are_read_or_refused(

@@ -11,7 +11,7 @@ use crate::prepare::{Observation, PrepareError, PrepareOptions, PreparedMaterial
 /// angle, without one being drawn.
 ///
 /// Textures count as 1, and what is no reflection of light with a direction (ambient terms, light of its own, transmission,
-/// perfect mirrors) as nothing.
+/// perfect mirrors but for [`MaterialResponse::mirror`]) as nothing.
 ///
 /// ```
 /// use glanz_color::{Observer, light};
@@ -77,17 +77,45 @@ impl MaterialResponse {
     /// The BRDF in 1/sr, in X, Y and Z: 1/π of [`white`](Self::white) for the perfect diffuser. Directions point away from the
     /// surface, whose normal is z and whose tangent is x. 0 below the horizon.
     pub fn brdf(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> [f64; 3] {
-        let mut sum = [0.0; 3];
         if wi.z <= 0.0 || wo.z <= 0.0 {
-            return sum;
+            return [0.0; 3];
         }
         let [sin, cos] = self.material.aniso;
         let turned = |w: Vec3<f64>| Vec3::new(w.x * cos + w.y * sin, w.y * cos - w.x * sin, w.z);
         let pair = DirectionPair::new(turned(wo), turned(wi));
+        self.sum(&pair, |shape| shape.f_cos(&pair) / wi.z)
+    }
+
+    /// The part of light at an angle from the normal that perfect mirrors reflect, in X, Y and Z: [`white`](Self::white) of one
+    /// that reflects all. It is a part of the light, not a BRDF, which is without bounds in that direction.
+    ///
+    /// ```
+    /// use glanz_color::{Observer, light};
+    /// use glanz_render::MaterialResponse;
+    /// use glanz_scene::library;
+    ///
+    /// let pane = MaterialResponse::new(&library::material("glass-solid")?, &light("D65")?, &Observer::default())?;
+    /// let [_, y, _] = pane.mirror(0.0);
+    /// assert!((0.035..0.06).contains(&y), "glass reflects 4 % along the normal");
+    /// assert!(pane.mirror(80.0_f64.to_radians())[1] > 5.0 * y);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mirror(&self, theta: f64) -> [f64; 3] {
+        let [sin, cos] = self.material.aniso;
+        let wo = Vec3::from_angles(theta, 0.0);
+        let turned = |x: f64| Vec3::new(x * cos, -x * sin, wo.z);
+        let pair = DirectionPair::new(turned(wo.x), turned(-wo.x));
+        let is_mirror = |shape: &Shape| shape.info().delta && shape.info().side == Side::Reflection;
+        self.sum(&pair, |shape| if is_mirror(shape) { 1.0 } else { 0.0 })
+    }
+
+    /// The sum over lobes of a value of each, with its tint and what lies above it.
+    fn sum(&self, pair: &DirectionPair<f64>, of: impl Fn(&Shape) -> f64) -> [f64; 3] {
+        let mut sum = [0.0; 3];
         for (index, lobe) in self.material.lobes.iter().enumerate() {
-            let mut value = lobe.shape.f_cos(&pair) / (wi.z * self.scale);
+            let mut value = of(&lobe.shape) / self.scale;
             for layer in &lobe.layers {
-                value *= layer.factor(&pair);
+                value *= layer.factor(pair);
             }
             value *= match lobe.metalness {
                 Metalness::Any => 1.0,
@@ -96,7 +124,7 @@ impl MaterialResponse {
             };
             let tint = match lobe.coordinate {
                 TintCoordinate::None => self.material.tints[index],
-                coordinate => self.material.series[index].at(coordinate.at(&lobe.shape, &pair) as f32),
+                coordinate => self.material.series[index].at(coordinate.at(&lobe.shape, pair) as f32),
             };
             sum.iter_mut().zip(tint).for_each(|(sum, tint)| *sum += value * f64::from(tint));
         }
@@ -158,6 +186,23 @@ mod tests {
                 assert!((found - expected).abs() < 1e-6, "{found} {expected}");
             }
         }
+    }
+
+    #[test]
+    fn a_mirror_reflects_by_its_tint_and_what_lies_above_it() {
+        let (d65, eye) = (light("D65").unwrap(), Observer::default());
+        let mirror = |tint: f64| {
+            let tint = Tint::Spectrum(std::sync::Arc::new(Spectrum::constant(tint)));
+            Material::of_lobes("mirror", vec![Lobe::new(Shape::named("mirror", &[]).unwrap(), tint)])
+        };
+        let y = |material: &Material| MaterialResponse::new(material, &d65, &eye).unwrap().mirror(1.0)[1];
+        // The table is in f32.
+        assert!((y(&mirror(1.0)) - 1.0).abs() < 1e-6 && (y(&mirror(0.25)) - 0.25).abs() < 1e-6);
+        let mut weighed = mirror(1.0);
+        weighed.lobes[0].layers.push(glanz_bsdf::LayerWeight::Constant(0.5));
+        assert!((y(&weighed) - 0.5).abs() < 1e-6);
+        let matte = of_lambert(Tint::Spectrum(std::sync::Arc::new(Spectrum::ONE)));
+        assert_eq!(y(&matte), 0.0);
     }
 
     #[test]

@@ -17,6 +17,8 @@ mod library;
 mod lobes;
 mod materials;
 mod measure;
+mod measure_geometry;
+mod measure_sheet;
 mod models;
 mod numbers;
 mod pictures;

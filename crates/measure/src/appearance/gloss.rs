@@ -58,8 +58,19 @@ impl GlossMeter {
     /// assert!((GlossMeter::AT_20.of_smooth(1.5) - 82.0).abs() < 0.1);
     /// ```
     pub fn of_smooth(&self, n: f64) -> f64 {
-        let theta = self.angle_deg.to_radians();
-        100.0 * reflectance(n, theta) / reflectance(GLASS, theta)
+        self.of_mirror(reflectance(n, self.angle_deg.to_radians()))
+    }
+
+    /// The gloss of a perfect mirror that reflects this part of the light at the meter's angle: the image of the source lies
+    /// within the receptor, as that of the standard does.
+    ///
+    /// ```
+    /// use glanz_measure::GlossMeter;
+    ///
+    /// assert_eq!(GlossMeter::AT_60.of_mirror(1.0).round(), 999.0);
+    /// ```
+    pub fn of_mirror(&self, reflected: f64) -> f64 {
+        100.0 * reflected / reflectance(GLASS, self.angle_deg.to_radians())
     }
 
     /// The geometry that tells surfaces of this gloss at 60° apart best: 20° above 70 units, 85° below 10, else 60°

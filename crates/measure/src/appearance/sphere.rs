@@ -41,9 +41,12 @@ pub fn sphere(f: &mut Function<'_>, port_deg: f64) -> [Vec<f64>; 2] {
     [all, without]
 }
 
+/// The angle of the light from the normal, in degrees.
+pub const SPHERE_DEG: f64 = 8.0;
+
 /// The direction to the light.
 fn light() -> Vec3<f64> {
-    Vec3::from_angles(8.0_f64.to_radians(), PI)
+    Vec3::from_angles(SPHERE_DEG.to_radians(), PI)
 }
 
 /// Directions above the horizon from one angle about the mirror direction to another, most densely near the first; with their

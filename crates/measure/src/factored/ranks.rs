@@ -5,6 +5,7 @@
 //! those of a channel each, which are positive as the data are; signs are in the mixture alone, which is part of tints.
 
 use super::judge::Judge;
+use crate::linear::solve;
 
 /// A table in ranks.
 pub(super) struct Ranked {
@@ -90,24 +91,12 @@ fn mixture(columns: &[Vec<f64>], chosen: &[usize]) -> Vec<Vec<f64>> {
     mix
 }
 
-/// A positive system by elimination, a little heavier on its diagonal, so that columns that are alike share evenly.
+/// The solution of a positive system that is a little heavier on its diagonal, so that columns that are alike share evenly.
 fn solved(mut matrix: Vec<Vec<f64>>, mut x: Vec<f64>) -> Vec<f64> {
-    let n = x.len();
     for (i, row) in matrix.iter_mut().enumerate() {
         row[i] *= 1.0 + 1e-10;
     }
-    for i in 0..n {
-        for j in i + 1..n {
-            let factor = matrix[j][i] / matrix[i][i];
-            let above = matrix[i].clone();
-            matrix[j].iter_mut().zip(&above).for_each(|(own, above)| *own -= factor * above);
-            x[j] -= factor * x[i];
-        }
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| matrix[i][j] * x[j]).sum();
-        x[i] = (x[i] - known) / matrix[i][i];
-    }
+    solve(&mut matrix, &mut x);
     x
 }
 

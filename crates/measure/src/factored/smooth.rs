@@ -10,6 +10,7 @@ use rstar::primitives::GeomWithData;
 
 use super::carrier::Carrier;
 use crate::Readings;
+use crate::linear::solve;
 
 /// Neighbourhoods that are tried.
 const NEIGHBOURS: [usize; 5] = [8, 16, 32, 64, 128];
@@ -228,28 +229,12 @@ fn linear<P: Place>(near: &[Near<P>], place: &P, (width, ridge): (f64, f64)) -> 
     for (i, line) in matrix.iter_mut().enumerate().take(n).skip(1) {
         line[i] += ridge * whole;
     }
-    let heights = first_column_of_inverse(matrix, n);
+    // The first column of the inverse.
+    let mut heights = [0.0; UNKNOWNS];
+    heights[0] = 1.0;
+    solve(&mut matrix, &mut heights[..n]);
     let share = |(weight, row): (&f64, &[f64; UNKNOWNS])| {
         weight * heights.iter().zip(row).map(|(height, x)| height * x).sum::<f64>()
     };
     weights.iter().zip(&rows).map(share).collect()
-}
-
-/// The first column of the inverse of a positive matrix, by elimination.
-fn first_column_of_inverse(mut matrix: [[f64; UNKNOWNS]; UNKNOWNS], n: usize) -> [f64; UNKNOWNS] {
-    let mut x = [0.0; UNKNOWNS];
-    x[0] = 1.0;
-    for i in 0..n {
-        for j in i + 1..n {
-            let factor = matrix[j][i] / matrix[i][i];
-            let above = matrix[i];
-            matrix[j].iter_mut().zip(above).skip(i).for_each(|(own, above)| *own -= factor * above);
-            x[j] -= factor * x[i];
-        }
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| matrix[i][j] * x[j]).sum();
-        x[i] = (x[i] - known) / matrix[i][i];
-    }
-    x
 }

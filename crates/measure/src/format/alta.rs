@@ -1,4 +1,5 @@
-//! The text of ALTA: `#DIM`, `#PARAM_IN` and `#PARAM_OUT` say what the columns are, angles are in radians.
+//! ALTA's text, and its numbers in binary: `#DIM`, `#PARAM_IN` and `#PARAM_OUT` say what the columns are, angles are in
+//! radians.
 
 use glanz_math::Vec3;
 
@@ -30,46 +31,115 @@ struct Head {
     input: Option<(&'static str, usize)>,
     is_times_cosine: bool,
     is_xyz: bool,
+    /// Columns after each value: none, a radius of confidence, or its bounds.
+    intervals: usize,
+    /// Rows of numbers in binary.
+    samples: Option<usize>,
+    is_big_endian: bool,
 }
 
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Measured, ReadError> {
     let mut head = Head::default();
-    let mut readings: Option<Readings> = None;
-    let mut below = 0;
+    let mut rows = Rows::default();
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.trim();
         if let Some(key) = line.strip_prefix('#') {
             head.key(number, key.trim())?;
-            continue;
+        } else if !line.is_empty() {
+            rows.push(&head, number, &text::row(number, line)?, options)?;
         }
-        if line.is_empty() {
-            continue;
+    }
+    rows.measured(head.quantity(options))
+}
+
+/// How the last line of a head before numbers in binary begins.
+const ENDS: [&str; 3] = ["#ALTA_END_HEADER", "#ALTA END HEADER", "#BEGIN_STREAM"];
+
+/// The lines of a head longer than this are none.
+const LONGEST_HEAD: usize = 1 << 16;
+
+/// Whether a file has ALTA's head before numbers in binary.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(LONGEST_HEAD)];
+    let lines = || head.split(|byte| *byte == b'\n').take(200);
+    bytes.starts_with(b"#") && lines().any(|line| line.trim_ascii() == b"#FORMAT binary")
+}
+
+/// Rows of numbers of 64 bits after the head.
+pub(super) fn read_binary(bytes: &[u8], options: &ReadOptions) -> Result<Measured, ReadError> {
+    let (mut head, mut rows, mut rest, mut number) = (Head::default(), Rows::default(), bytes, 0);
+    loop {
+        let end = rest.iter().take(LONGEST_HEAD).position(|byte| *byte == b'\n');
+        let end = end.ok_or_else(|| ReadError::broken(format!("the head must end with {}", ENDS[0])))?;
+        let line = String::from_utf8_lossy(&rest[..end]).trim().to_owned();
+        rest = &rest[end + 1..];
+        number += 1;
+        if ENDS.iter().any(|end| line.starts_with(end)) {
+            break;
         }
-        let (name, columns) = head.input.ok_or_else(|| {
-            ReadError::at(number, "#PARAM_IN must stand above the rows, and say what their angles are")
-        })?;
+        head.key(number, line.trim_start_matches('#').trim())?;
+    }
+    let columns = head.columns(number)?;
+    let count =
+        head.samples.ok_or_else(|| ReadError::broken("#SAMPLE_COUNT must say how many rows there are"))?;
+    let bytes_of_row = 8 * columns;
+    let found = rest.len() / bytes_of_row;
+    if found < count {
+        return Err(ReadError::broken(format!("#SAMPLE_COUNT says {count} rows, and {found} are there")));
+    }
+    for row in rest.chunks_exact(bytes_of_row).take(count) {
+        let row: Vec<f64> = row.as_chunks::<8>().0.iter().map(|bytes| head.number(*bytes)).collect();
+        rows.push(&head, number, &row, options)?;
+    }
+    rows.measured(head.quantity(options))
+}
+
+/// What is read of rows.
+#[derive(Default)]
+struct Rows {
+    readings: Option<Readings>,
+    /// How many were below the horizon.
+    below: usize,
+}
+
+impl Rows {
+    fn push(
+        &mut self,
+        head: &Head,
+        number: u32,
+        row: &[f64],
+        options: &ReadOptions,
+    ) -> Result<(), ReadError> {
+        let (name, columns) = head.input(number)?;
         let channels = head.channels(number)?;
-        let row = text::row(number, line)?;
         let least = columns + channels.count();
         if row.len() < least {
             let message = format!("expected {least} numbers ({name} and values), found {}", row.len());
             return Err(ReadError::at(number, message));
         }
-        let [wi, wo] = pair(name, &row);
+        let [wi, wo] = pair(name, row);
+        // Also of what is no direction.
         let is_above = wi.z >= -1e-12 && wo.z >= -1e-12;
         if !is_above {
-            below += 1;
-            continue;
+            self.below += 1;
+            return Ok(());
         }
         let quantity = head.quantity(options);
         let of = |value: &f64| quantity.brdf(*value, wo.z).unwrap_or(f64::NAN) as f32;
         let values: Vec<f32> = row[columns..least].iter().map(of).collect();
-        readings.get_or_insert_with(|| Readings::new(channels)).push(wi, wo, &values);
+        self.readings.get_or_insert_with(|| Readings::new(channels)).push(wi, wo, &values);
+        Ok(())
     }
-    let readings = readings.ok_or_else(|| ReadError::broken("there are no rows above the horizon"))?;
-    let notes = if below > 0 { vec![format!("{below} rows below the horizon were dropped")] } else { vec![] };
-    let (quantity, data) = (head.quantity(options), Data::Readings(readings));
-    Ok(Measured { format: Format::Alta, quantity, description: String::new(), data, notes })
+
+    fn measured(self, quantity: Quantity) -> Result<Measured, ReadError> {
+        let readings =
+            self.readings.ok_or_else(|| ReadError::broken("there are no rows above the horizon"))?;
+        let below = self.below;
+        let notes =
+            if below > 0 { vec![format!("{below} rows below the horizon were dropped")] } else { vec![] };
+        let data = Data::Readings(readings);
+        Ok(Measured { format: Format::Alta, quantity, description: String::new(), data, notes })
+    }
 }
 
 impl Head {
@@ -99,9 +169,36 @@ impl Head {
                 self.is_times_cosine = words.contains("COSINE_FACTOR");
                 self.is_xyz = words.contains("XYZ");
             }
+            "VS" => {
+                let first = words.split_whitespace().next().and_then(|word| word.parse().ok());
+                self.intervals = first.unwrap_or(0).min(2);
+            }
+            "SAMPLE_COUNT" => self.samples = words.parse().ok(),
+            "ENDIAN" => self.is_big_endian = words == "big",
+            "PRECISION" if words != "ieee754-double" => {
+                return Err(ReadError::at(
+                    number,
+                    format!("expected #PRECISION ieee754-double, found '{words}'"),
+                ));
+            }
             _ => {}
         }
         Ok(())
+    }
+
+    fn input(&self, number: u32) -> Result<(&'static str, usize), ReadError> {
+        let message = "#PARAM_IN must stand above the rows, and say what their angles are";
+        self.input.ok_or_else(|| ReadError::at(number, message))
+    }
+
+    /// Numbers of a row in binary.
+    fn columns(&self, number: u32) -> Result<usize, ReadError> {
+        let (_, inputs) = self.input(number)?;
+        Ok(inputs + self.channels(number)?.count() * (1 + self.intervals))
+    }
+
+    fn number(&self, bytes: [u8; 8]) -> f64 {
+        if self.is_big_endian { f64::from_be_bytes(bytes) } else { f64::from_le_bytes(bytes) }
     }
 
     fn quantity(&self, options: &ReadOptions) -> Quantity {

@@ -81,6 +81,11 @@ fn centre(cell: usize) -> [Vec3<f64>; 2] {
     [wi, wo]
 }
 
+/// The middles of cells above the horizon.
+pub(crate) fn cells() -> Vec<[Vec3<f64>; 2]> {
+    (0..CELLS).filter(|cell| !is_below(*cell)).map(centre).collect()
+}
+
 fn is_below(cell: usize) -> bool {
     let [wi, wo] = centre(cell);
     wi.z <= 0.0 || wo.z <= 0.0

@@ -24,6 +24,7 @@ use crate::{Channels, Quantity, ReadError, Readings, published};
 
 pub use self::csv::write_csv;
 pub use coordinates::Coordinates;
+pub(crate) use merl::cells as merl_cells;
 pub use merl::{Merl, write_merl};
 pub use radiance::{Klems, TensorTree, write_klems};
 pub use rgl::{Rgl, write_rgl};
@@ -57,7 +58,7 @@ pub enum Format {
     Csail,
     /// libbsdf's `.ssdd`.
     Ssdd,
-    /// ALTA's text.
+    /// ALTA's text, or its numbers in binary.
     Alta,
 }
 
@@ -156,6 +157,9 @@ pub struct Measured {
 impl Measured {
     /// Reads a file; what it is its content tells. `name` is for what is said of it.
     pub fn read(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Self, ReadError> {
+        if bytes.iter().all(u8::is_ascii_whitespace) {
+            return Err(ReadError::Unknown(format!("'{name}' is empty")));
+        }
         let measured = match read_binary(bytes, options) {
             Some(read) => read?,
             None => {
@@ -240,6 +244,9 @@ fn read_binary(bytes: &[u8], options: &ReadOptions) -> Option<Result<Measured, R
     }
     if ssdd::is_ssdd(bytes) {
         return Some(ssdd::read(bytes, options));
+    }
+    if alta::is_binary(bytes) {
+        return Some(alta::read_binary(bytes, options));
     }
     if merl::is_merl(bytes) {
         return Some(merl::read(bytes, options));

@@ -8,6 +8,8 @@ use crate::page::{Anchor, Page, letters};
 const NAME: f64 = 24.0;
 /// The length of the piece of curve beside a name.
 const PIECE: f64 = 26.0;
+/// The radius of a point that stands for a cloud.
+const DOT: f64 = 3.0;
 /// From the end of the piece to the name.
 const GAP: f64 = 8.0;
 
@@ -23,10 +25,19 @@ pub(crate) fn height(curves: &[Curve]) -> f64 {
 }
 
 /// Writes the names below each other, each beside a piece of its curve.
-pub(crate) fn draw(page: &mut Page, (x, y): (f64, f64), curves: &[Curve]) {
-    for (index, curve) in curves.iter().filter(|curve| !curve.name.is_empty()).enumerate() {
-        let y = y + NAME * index as f64;
-        curve.stroke(page, &[(x, y), (x + PIECE, y)], 2.8);
+pub(crate) fn draw(page: &mut Page, at: (f64, f64), curves: &[Curve]) {
+    draw_after_clouds(page, at, curves, 0);
+}
+
+/// The same of curves the first of which are clouds of points, so many of them.
+pub(crate) fn draw_after_clouds(page: &mut Page, (x, y): (f64, f64), curves: &[Curve], clouds: usize) {
+    let named = curves.iter().enumerate().filter(|(_, curve)| !curve.name.is_empty());
+    for (row, (index, curve)) in named.enumerate() {
+        let y = y + NAME * row as f64;
+        match index < clouds {
+            true => page.disc((x + 0.5 * PIECE, y), DOT, curve.color),
+            false => curve.stroke(page, &[(x, y), (x + PIECE, y)], 2.8),
+        }
         let at = (x + PIECE + GAP, y + 0.36 * NUMBER);
         page.text(&curve.name, at, Anchor::Start, NUMBER, INK);
     }

@@ -182,7 +182,7 @@ impl Figure for SideBySide {
 
 /// The pieces of a curve that can be drawn: between values that are not finite, that a logarithmic axis does not
 /// have, or that lie beyond the upper end. Of the latter one remains on each side, at the edge.
-fn runs(points: &[(f64, f64)], axis: &Axis) -> Vec<Vec<(f64, f64)>> {
+pub(crate) fn runs(points: &[(f64, f64)], axis: &Axis) -> Vec<Vec<(f64, f64)>> {
     let beyond = |index: usize| points.get(index).is_none_or(|(_, y)| *y > axis.range.1);
     let drawn = |index: usize| {
         let y = points[index].1;

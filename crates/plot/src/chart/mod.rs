@@ -33,4 +33,5 @@ pub use wavelength_chart::{Marked, WavelengthChart};
 pub(crate) use color_scale::bar;
 pub(crate) use curve::extent;
 pub(crate) use heading::heading;
+pub(crate) use line_chart::runs;
 pub(crate) use wavelength_chart::{draw, names};

@@ -12,6 +12,7 @@
 
 mod chromaticity;
 mod color_vectors;
+mod comparison;
 mod cones;
 mod efficiency;
 mod lobe3d;
@@ -27,6 +28,7 @@ mod ward;
 
 pub use chromaticity::{ChromaticityDiagram, Mark};
 pub use color_vectors::ColorVectors;
+pub use comparison::{ComparisonSheet, PictureRow};
 pub use cones::cones;
 pub use efficiency::{EfficiencyChart, EfficiencyLine, EfficiencyPanel};
 pub use lobe3d::{LobeBodies, LobeBody};

@@ -15,6 +15,9 @@ const TOP: f64 = 92.0;
 /// The space below the surface where nothing passes through.
 const BOTTOM: f64 = 66.0;
 
+/// The radius of a point.
+const DOT: f64 = 2.0;
+
 /// A direction that is marked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
@@ -39,6 +42,8 @@ pub struct PolarChart {
     pub radius: Axis,
     /// Angles from the normal in degrees (−180 … 180, positive to the right) and values.
     pub curves: Vec<Curve>,
+    /// Points of the same kind, drawn as dots.
+    pub clouds: Vec<Curve>,
     /// Directions that are marked.
     pub rays: Vec<Ray>,
     /// Whether what is below the surface is shown too.
@@ -49,33 +54,23 @@ pub struct PolarChart {
 
 impl Figure for PolarChart {
     fn layout(&self, _size: Option<(f64, f64)>) -> Page {
-        let names = legend::width(&self.curves);
+        let all = self.all();
+        let names = legend::width(&all);
         let width = 2.0 * (RADIUS + RIM) + if names > 0.0 { names + 30.0 } else { 0.0 };
         let below = if self.whole { RADIUS + RIM } else { BOTTOM };
-        let height = TOP + 30.0 + RADIUS + below.max(legend::height(&self.curves) - RADIUS);
+        let height = TOP + 30.0 + RADIUS + below.max(legend::height(&all) - RADIUS);
         let mut page = Page::new(width.ceil() as u32, height.ceil() as u32);
-        let center = (RIM + RADIUS, TOP + 30.0 + RADIUS);
+        let circle = Circle { center: (RIM + RADIUS, TOP + 30.0 + RADIUS), radius: RADIUS };
         heading(&mut page, 40.0, &self.title, &self.subtitle);
-        self.grid(&mut page, center);
-        for ray in &self.rays {
-            self.ray(&mut page, center, ray);
-        }
-        for curve in &self.curves {
-            let points: Vec<_> = curve
-                .points
-                .iter()
-                .filter(|(_, value)| value.is_finite())
-                .map(|(degrees, value)| place(center, *degrees, RADIUS * self.part(*value)))
-                .collect();
-            curve.stroke(&mut page, &points, 2.4);
-        }
-        legend::draw(&mut page, (center.0 + RADIUS + RIM + 10.0, TOP + 40.0), &self.curves);
+        self.draw(&mut page, circle);
+        let at = (circle.center.0 + RADIUS + RIM + 10.0, TOP + 40.0);
+        legend::draw_after_clouds(&mut page, at, &all, self.clouds.len());
         page
     }
 
     fn data(&self) -> PlotData {
         let x = self.lang.say(Word::AngleOfLight, &[]);
-        PlotData::new(&self.title, &self.subtitle, vec![panel("", &x, &self.radius.label, &self.curves)])
+        PlotData::new(&self.title, &self.subtitle, vec![panel("", &x, &self.radius.label, &self.all())])
     }
 
     fn title_mut(&mut self) -> &mut String {
@@ -87,64 +82,109 @@ impl Figure for PolarChart {
     }
 }
 
+/// Where the outermost circle lies on a page.
+#[derive(Clone, Copy)]
+pub(super) struct Circle {
+    pub(super) center: (f64, f64),
+    pub(super) radius: f64,
+}
+
+impl Circle {
+    /// The point at an angle from the normal, in parts of the radius.
+    fn at(self, degrees: f64, part: f64) -> (f64, f64) {
+        place(self.center, degrees, self.radius * part)
+    }
+
+    /// The point so many points beyond the rim.
+    fn beyond(self, degrees: f64, points: f64) -> (f64, f64) {
+        place(self.center, degrees, self.radius + points)
+    }
+}
+
 impl PolarChart {
+    pub(super) fn all(&self) -> Vec<Curve> {
+        self.clouds.iter().chain(&self.curves).cloned().collect()
+    }
+
+    /// Draws all but title and legend.
+    pub(super) fn draw(&self, page: &mut Page, circle: Circle) {
+        self.grid(page, circle);
+        for ray in &self.rays {
+            ray.draw(page, circle);
+        }
+        let place = |(degrees, value): &(f64, f64)| circle.at(*degrees, self.part(*value));
+        let finite = |curve: &Curve| -> Vec<(f64, f64)> {
+            curve.points.iter().filter(|(_, value)| value.is_finite()).map(place).collect()
+        };
+        for cloud in &self.clouds {
+            finite(cloud).into_iter().for_each(|at| page.disc(at, DOT, cloud.color));
+        }
+        for curve in &self.curves {
+            curve.stroke(page, &finite(curve), 2.4);
+        }
+    }
+
     /// How far out a value is; none is in the middle.
     fn part(&self, value: f64) -> f64 {
         if value <= 0.0 { 0.0 } else { self.radius.part(value) }
     }
 
-    fn grid(&self, page: &mut Page, center: (f64, f64)) {
+    fn grid(&self, page: &mut Page, circle: Circle) {
+        let (center, radius) = (circle.center, circle.radius);
         let reach: i32 = if self.whole { 180 } else { 90 };
+        let arc = |part: f64| (-reach..=reach).map(move |d| circle.at(f64::from(d), part));
         for tick in self.radius.ticks.iter().filter(|tick| self.radius.part(**tick) > 0.0) {
-            let radius = RADIUS * self.radius.part(*tick);
-            page.line((-reach..=reach).map(|d| place(center, f64::from(d), radius)), GRID, 1.2);
-            let at = (center.0 + radius, center.1 + 1.4 * NUMBER);
+            let part = self.radius.part(*tick);
+            page.line(arc(part), GRID, 1.2);
+            let at = (center.0 + radius * part, center.1 + 1.4 * NUMBER);
             page.text(self.radius.number(*tick), at, Anchor::Middle, NUMBER - 1.0, GRAY);
         }
-        page.line((-reach..=reach).map(|d| place(center, f64::from(d), RADIUS)), GRAY, 1.2);
+        page.line(arc(1.0), GRAY, 1.2);
         for degrees in (-reach..=reach).step_by(15) {
             let angle = f64::from(degrees);
-            page.line([center, place(center, angle, RADIUS)], GRID, 1.0);
+            page.line([center, circle.at(angle, 1.0)], GRID, 1.0);
             if degrees % 30 == 0 && degrees != -180 && degrees.abs() != 90 {
-                let (x, y) = place(center, angle, RADIUS + 16.0);
+                let (x, y) = circle.beyond(angle, 16.0);
                 let text = format!("{degrees}°").replace('-', "–");
                 page.text(text, (x, y + 0.36 * NUMBER), Anchor::Middle, NUMBER, GRAY);
             }
         }
-        let (left, right) = (center.0 - RADIUS - 14.0, center.0 + RADIUS + 14.0);
+        self.ground(page, circle);
+    }
+
+    /// The line of the surface, with what stands below it.
+    fn ground(&self, page: &mut Page, Circle { center, radius }: Circle) {
+        let (left, right) = (center.0 - radius - 14.0, center.0 + radius + 14.0);
         page.line([(left, center.1), (right, center.1)], INK, 3.0);
-        page.text(
-            self.lang.say(Word::Surface, &[]),
-            (left, center.1 + 1.4 * NUMBER),
-            Anchor::Start,
-            NUMBER,
-            INK,
-        );
-        let at = (center.0, center.1 + if self.whole { 1.4 * NUMBER } else { 3.2 * NUMBER });
+        let at = (left, center.1 + 1.4 * NUMBER);
+        page.text(self.lang.say(Word::Surface, &[]), at, Anchor::Start, NUMBER, INK);
         if !self.whole {
+            let at = (center.0, center.1 + 3.2 * NUMBER);
             page.text(&self.radius.label, at, Anchor::Middle, NUMBER, INK);
         }
     }
+}
 
-    fn ray(&self, page: &mut Page, center: (f64, f64), ray: &Ray) {
-        let end = place(center, ray.degrees, RADIUS);
-        match ray.dashed {
-            true => page.dashes(&[center, end], ray.color, 1.6, (3.0, 5.0)),
-            false => page.line([center, end], ray.color, 1.8),
+impl Ray {
+    fn draw(&self, page: &mut Page, circle: Circle) {
+        let end = circle.at(self.degrees, 1.0);
+        match self.dashed {
+            true => page.dashes(&[circle.center, end], self.color, 1.6, (3.0, 5.0)),
+            false => page.line([circle.center, end], self.color, 1.8),
         }
-        if !ray.dashed {
-            page.disc(end, 5.0, ray.color);
+        if !self.dashed {
+            page.disc(end, 5.0, self.color);
         }
-        let (x, y) = place(center, ray.degrees, RADIUS + 30.0);
-        let anchor = match ray.degrees {
+        let (x, y) = circle.beyond(self.degrees, 30.0);
+        let anchor = match self.degrees {
             d if d.abs() < 12.0 => Anchor::Middle,
             d if d < 0.0 => Anchor::End,
             _ => Anchor::Start,
         };
         // Above the numbers of the rim, and within the page at its sides.
-        let x = x.clamp(RIM, center.0 + RADIUS + RIM);
+        let x = x.clamp(circle.center.0 - circle.radius, circle.center.0 + circle.radius + RIM);
         let lift = if anchor == Anchor::Middle { -2.0 } else { -6.0 };
-        page.text(&ray.label, (x, y + lift), anchor, NUMBER, ray.color);
+        page.text(&self.label, (x, y + lift), anchor, NUMBER, self.color);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Points and the lines that a regression laid through them.
 
-use crate::chart::{Axes, Axis, Curve, heading, legend, panel};
+use crate::chart::{Axes, Axis, Curve, heading, legend, panel, runs};
 use crate::data::PlotData;
 use crate::page::{Figure, Page, Rect};
 use crate::words::Lang;
@@ -53,11 +53,12 @@ pub struct RegressionChart {
 }
 
 impl RegressionChart {
-    fn all(&self) -> Vec<Curve> {
+    pub(super) fn all(&self) -> Vec<Curve> {
         self.clouds.iter().chain(&self.lines).cloned().collect()
     }
 
-    fn draw(&self, page: &mut Page, rect: Rect) {
+    /// Draws all but title and legend.
+    pub(super) fn draw(&self, page: &mut Page, rect: Rect) {
         let axes = Axes { rect, x: self.x.clone(), y: self.y.clone(), gap: 0.0 };
         axes.grid(page);
         let inside = |axis: &Axis, value: f64| value >= axis.range.0 && value <= axis.range.1;
@@ -68,8 +69,10 @@ impl RegressionChart {
             }
         }
         for line in &self.lines {
-            let points: Vec<_> = line.points.iter().map(|(x, y)| axes.at(*x, *y)).collect();
-            line.stroke(page, &points, 2.0);
+            for run in runs(&line.points, &self.y) {
+                let points: Vec<_> = run.iter().map(|(x, y)| axes.at(*x, *y)).collect();
+                line.stroke(page, &points, 2.0);
+            }
         }
         axes.frame(page);
     }
@@ -90,7 +93,8 @@ impl Figure for RegressionChart {
         heading(&mut page, left, &self.title, &self.subtitle);
         let rect = Rect { x: left, y: top, width: area.0, height };
         self.draw(&mut page, rect);
-        legend::draw(&mut page, (rect.right() + 24.0, rect.y + 12.0), &curves);
+        let at = (rect.right() + 24.0, rect.y + 12.0);
+        legend::draw_after_clouds(&mut page, at, &curves, self.clouds.len());
         page
     }
 

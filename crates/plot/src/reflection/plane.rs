@@ -44,6 +44,7 @@ impl LobePlot {
             radius,
             rays: rays.collect(),
             curves,
+            clouds: Vec::new(),
             whole,
             lang: self.lang,
         })

@@ -2,7 +2,8 @@
 
 use glanz_color::srgb_decode_u8;
 use glanz_picture::compare::{Metric, MetricOptions, Pair, Picture, Scale, Spread, heat_colors};
-use glanz_plot::{Canvas, ContactSheet};
+use glanz_plot::figure::PictureRow;
+use glanz_plot::{Canvas, ContactSheet, number};
 use glanz_scene::stage::MaterialStage;
 use glanz_scene::{LightColor, LightKind};
 
@@ -23,13 +24,21 @@ const LAMPS_EV: f64 = 1.5;
 /// Samples per pixel.
 const SAMPLES: u32 = 8;
 
-/// The difference that the hottest colour stands for.
-const HOTTEST: f64 = 10.0;
+/// The differences that the brightest colour of a map may stand for: the least that 95 of 100 pixels are below.
+const BRIGHTEST: [f64; 4] = [1.0, 2.0, 5.0, 10.0];
 
 /// Both balls on each stage, and the map of their differences.
 pub(super) struct Balls {
-    stages: Vec<([Canvas; 2], Canvas, Spread)>,
+    stages: Vec<Stage>,
     size: (u32, u32),
+}
+
+struct Stage {
+    pictures: [Canvas; 2],
+    map: Canvas,
+    spread: Spread,
+    /// What the brightest colour of the map stands for.
+    brightest: f64,
 }
 
 impl Balls {
@@ -61,23 +70,39 @@ impl Balls {
             let pictures = [draw(&surfaces[0])?, draw(&surfaces[1])?];
             let pair = Pair::new(picture(&pictures[0]), picture(&pictures[1]), true).map_err(Failure::new)?;
             let measured = pair.measure(Metric::De2000, &MetricOptions::default()).map_err(Failure::new)?;
-            let rgba = heat_colors(&measured.map, HOTTEST);
+            let brightest = brightest(measured.spread.p95);
+            let rgba = heat_colors(&measured.map, brightest);
             let map = Canvas { width: size.0 as usize, height: size.1 as usize, rgba };
-            stages.push((pictures, map, measured.spread));
+            stages.push(Stage { pictures, map, spread: measured.spread, brightest });
         }
         Ok(Self { stages, size })
     }
 
     /// How differences are spread, on each stage.
     pub(super) fn spreads(&self) -> [(&'static str, Spread); 2] {
-        [0, 1].map(|i| (STAGES[i], self.stages[i].2))
+        [0, 1].map(|i| (STAGES[i], self.stages[i].spread))
+    }
+
+    /// All of them, for a sheet with more.
+    pub(super) fn rows(self) -> Vec<PictureRow> {
+        let row = |(name, stage): (&str, Stage)| {
+            let ([a, b], spread) = (stage.pictures, stage.spread);
+            let [mean, p95] = [spread.mean, spread.p95].map(|value| number(round(value)));
+            PictureRow {
+                heading: format!("Balls, {name}: ΔE₀₀ mean {mean}, 95 of 100 below {p95}"),
+                pictures: vec![a, b, stage.map],
+                brightest: stage.brightest,
+            }
+        };
+        STAGES.into_iter().zip(self.stages).map(row).collect()
     }
 
     /// All of them in one picture.
     pub(super) fn sheet(&self, names: [&str; 2]) -> Result<Canvas, Failure> {
-        let captions = STAGES.iter().zip(&self.stages).flat_map(|(stage, (_, _, spread))| {
-            let map = format!("dE00: mean {:.2}, 95 % {:.2}", spread.mean, spread.p95);
-            [format!("{}, {stage}", names[0]), format!("{}, {stage}", names[1]), map]
+        let captions = STAGES.iter().zip(&self.stages).flat_map(|(name, stage)| {
+            let (spread, brightest) = (stage.spread, stage.brightest);
+            let map = format!("dE00 0 to {brightest}: mean {:.2}, 95 % {:.2}", spread.mean, spread.p95);
+            [format!("{}, {name}", names[0]), format!("{}, {name}", names[1]), map]
         });
         let sheet = ContactSheet {
             captions: captions.map(|caption| vec![caption]).collect(),
@@ -87,13 +112,23 @@ impl Balls {
             ..ContactSheet::default()
         };
         let mut canvas = sheet.begin()?;
-        for (row, (pictures, map, _)) in self.stages.iter().enumerate() {
-            for (column, picture) in pictures.iter().chain([map]).enumerate() {
+        for (row, stage) in self.stages.iter().enumerate() {
+            for (column, picture) in stage.pictures.iter().chain([&stage.map]).enumerate() {
                 sheet.put(&mut canvas, 3 * row + column, picture);
             }
         }
         Ok(canvas)
     }
+}
+
+/// What the brightest colour of a map stands for.
+fn brightest(p95: f64) -> f64 {
+    BRIGHTEST.into_iter().find(|top| *top >= p95).unwrap_or(BRIGHTEST[3])
+}
+
+/// To hundredths, finer than which no eye sees.
+fn round(difference: f64) -> f64 {
+    (difference * 100.0).round() / 100.0
 }
 
 /// A picture of codes in linear light.

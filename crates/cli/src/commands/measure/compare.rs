@@ -8,6 +8,7 @@ use glanz_color::models::{Lab, Xyz};
 use glanz_math::Vec3;
 use glanz_measure::{Metric, spiral_about_mirror};
 use glanz_picture::compare::Spread;
+use glanz_plot::{Figure, PlotData, PlotFormat};
 use glanz_render::MaterialResponse;
 use glanz_scene::LightColor;
 use schemars::JsonSchema;
@@ -15,8 +16,9 @@ use serde::Serialize;
 
 use super::ReadArgs;
 use super::balls::Balls;
+use super::sheet::Pair;
 use super::surface::Surface;
-use crate::args::{MachineArgs, TargetArgs, size};
+use crate::args::{MachineArgs, PlotTarget, TargetArgs, size};
 use crate::encode;
 use crate::input::spectra::{light_source, observer_source};
 use crate::print::failure::Failure;
@@ -27,6 +29,8 @@ pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz measure compare paint.bsdf readings.csv
   glanz measure compare paint.bsdf fit.toml -o compared.png
+  glanz measure compare paint.bsdf readings.csv --sheet -o compared.png
+  glanz measure compare paint.bsdf readings.csv --sheet -o slices.csv
   glanz measure compare gold.binary gold --light A --format json
 
 Each is a file of measured reflectance, a scene file with one material, such as glanz measure fit -o writes, a
@@ -34,7 +38,9 @@ material of glanz material list, or a model of glanz bsdf list. Numbers are of p
 readings, where either is a file of them, else pairs dense about the mirror direction, all within 80 degrees of
 the normal. Differences of colour are of radiance factors; metrics are root mean squares of the luminance factor
 times the cosine of the light, of its logarithm and of its cube root, as parts of those of the first. Pictures
-are balls under two lamps, and under them in a studio, with a map of their differences.";
+are balls under two lamps, and under them in a studio, with a map of their differences. --sheet adds slices of Y
+over the angle of the detector and polar cuts, both in the plane of incidence, with the readings as points; as .csv
+and .json, and in --format json, their numbers come out.";
 
 /// More pairs than this are thinned.
 const MOST_PAIRS: usize = 5000;
@@ -53,12 +59,17 @@ pub(crate) struct CompareArgs {
     #[arg(value_name = "OTHER")]
     other: String,
 
-    /// A PNG with balls of both and maps of their differences
+    /// A PNG with balls of both and maps of their differences; of a sheet also .svg or .pdf, or .csv or .json with the
+    /// numbers of its plots
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
     output: Option<PathBuf>,
 
+    /// Make it a sheet with slices and polar cuts, too
+    #[arg(long, help_heading = "Output")]
+    sheet: bool,
+
     /// Width and height of each ball, in pixels
-    #[arg(long, value_name = "WxH", default_value = "256x256", value_parser = size)]
+    #[arg(long, value_name = "WxH", default_value = "320x320", value_parser = size)]
     size: (u32, u32),
 
     /// The light of colours and balls: a name or a file
@@ -90,8 +101,10 @@ pub(crate) struct Document {
     metrics: Vec<MetricFacts>,
     /// CIEDE2000 of the pixels of balls
     balls: Vec<BallFacts>,
-    /// The PNG that was written
+    /// The file that was written
     file: Option<String>,
+    /// Slices and polar cuts, with --sheet
+    plots: Option<PlotData>,
     notes: Vec<String>,
 }
 
@@ -125,19 +138,17 @@ impl SpreadFacts {
     }
 }
 
+impl BallFacts {
+    fn of((stage, spread): (&'static str, Spread)) -> Self {
+        Self { stage, delta_e: SpreadFacts::of(spread) }
+    }
+}
+
 impl CompareArgs {
     /// Compares.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
-        let target = match &self.output {
-            None => None,
-            Some(path) => {
-                let target = TargetArgs { output: Some(path.clone()), force: false }.resolve(path, "")?;
-                encode::expect_png(&target, "a comparison")?;
-                self.format.check_beside(&target)?;
-                Some(target)
-            }
-        };
+        let target = self.target()?;
         let light = light_source(&self.light)?;
         let observer = observer_source(&self.observer)?;
         let words = [&self.reference, &self.other];
@@ -152,30 +163,77 @@ impl CompareArgs {
         let lamp = LightColor::unit(&light.spectrum)
             .ok_or_else(|| Failure::new(format_args!("--light '{}' sends no light", self.light)))?;
         let balls = Balls::drawn(&surfaces, lamp, self.size)?;
-        let file = match &target {
-            None => None,
-            Some(target) => {
-                let sheet = balls.sheet(words.map(|word| file_name(word)))?;
-                encode::deliver(sheet.into(), target, &encode::metadata(0))?;
-                self.output.as_ref().map(|path| path.display().to_string())
-            }
-        };
-        let ball =
-            |(stage, spread): (&'static str, Spread)| BallFacts { stage, delta_e: SpreadFacts::of(spread) };
+        let spreads = balls.spreads();
+        let names = words.map(|word| file_name(word));
+        let (light, observer) = (&light, &observer);
+        let pair = Pair { names, surfaces: &surfaces, responses: &responses, light, observer };
+        let plots = target.deliver(balls, &pair)?;
         let document = Document {
             reference: self.reference.clone(),
             other: self.other.clone(),
             pairs: pairs.len(),
             delta_e: SpreadFacts::of(delta_e),
             metrics,
-            balls: balls.spreads().map(ball).into(),
-            file,
-            notes: surfaces.into_iter().flat_map(|surface| surface.notes).collect(),
+            balls: spreads.map(BallFacts::of).into(),
+            file: self.output.as_ref().map(|path| path.display().to_string()),
+            plots,
+            notes: notes(surfaces, &responses, names),
         };
         if self.format.is_json() {
             return print::json(&document);
         }
         print::text(&text(&document))
+    }
+
+    fn target(&self) -> Result<Target, Failure> {
+        match (&self.output, self.sheet) {
+            (None, true) if !self.format.is_json() => {
+                let message = "--sheet is drawn into a file; name it with -o, such as -o compared.png";
+                Err(Failure::Usage(message.to_owned()))
+            }
+            (path, true) => path.as_deref().map(PlotTarget::of_file).transpose().map(Target::Sheet),
+            (None, false) => Ok(Target::None),
+            (Some(path), false) => {
+                let is_sheet = |format: PlotFormat| format != PlotFormat::Png;
+                if PlotFormat::from_path(path).is_ok_and(is_sheet) {
+                    let path = path.display();
+                    let message = format!("balls are written as .png; '{path}' may be a sheet, by --sheet");
+                    return Err(Failure::Usage(message));
+                }
+                let target = TargetArgs { output: Some(path.clone()), force: false }.resolve(path, "")?;
+                encode::expect_png(&target, "a comparison without --sheet")?;
+                self.format.check_beside(&target)?;
+                Ok(Target::Balls(target))
+            }
+        }
+    }
+}
+
+/// What is drawn, checked before any work is done.
+enum Target {
+    /// Balls, into a PNG.
+    Balls(crate::args::Target),
+    /// A sheet; into no file where its numbers alone are asked for.
+    Sheet(Option<PlotTarget>),
+    /// Nothing.
+    None,
+}
+
+impl Target {
+    /// Draws it; gives the numbers of a sheet's plots.
+    fn deliver(self, balls: Balls, pair: &Pair<'_>) -> Result<Option<PlotData>, Failure> {
+        match self {
+            Self::Balls(target) => {
+                encode::deliver(balls.sheet(pair.names)?.into(), &target, &encode::metadata(0))?;
+                Ok(None)
+            }
+            Self::Sheet(file) => {
+                let mut sheet = pair.sheet(balls);
+                file.map_or(Ok(()), |file| file.save(&mut sheet))?;
+                Ok(Some(sheet.data()))
+            }
+            Self::None => Ok(None),
+        }
     }
 }
 
@@ -186,8 +244,7 @@ fn file_name(word: &str) -> &str {
 
 /// Pairs of directions above the horizon: those of readings where there are some.
 fn pairs(surfaces: &[Surface; 2]) -> Vec<[Vec3<f64>; 2]> {
-    let known = surfaces.iter().find(|surface| !surface.pairs.is_empty());
-    let all = known.map_or_else(spiral_about_mirror, |surface| surface.pairs.clone());
+    let all = surfaces.iter().find_map(Surface::pairs).unwrap_or_else(spiral_about_mirror);
     let is_above = |[wi, wo]: &[Vec3<f64>; 2]| wi.z > LEAST_COSINE && wo.z > LEAST_COSINE;
     let above: Vec<_> = all.into_iter().filter(is_above).collect();
     let step = above.len().div_ceil(MOST_PAIRS).max(1);
@@ -219,6 +276,15 @@ fn of_pairs(
         relative: (off / own.max(f64::MIN_POSITIVE)).sqrt(),
     };
     (Spread::of(&differences), names.iter().zip(squares).map(facts).collect())
+}
+
+/// What readers of the numbers should know.
+fn notes(surfaces: [Surface; 2], responses: &[MaterialResponse; 2], names: [&str; 2]) -> Vec<String> {
+    let mut notes: Vec<String> = surfaces.into_iter().flat_map(|surface| surface.notes).collect();
+    for (_, name) in responses.iter().zip(names).filter(|(response, _)| response.has_mirror()) {
+        notes.push(format!("{name} has a perfect mirror, which balls show and numbers of pairs do not"));
+    }
+    notes
 }
 
 fn text(facts: &Document) -> String {

@@ -169,7 +169,8 @@ impl ConvertArgs {
         match measured.data {
             Data::Readings(_) => {
                 let message = format!("{format} files hold values everywhere, and these are readings alone");
-                Err(Report::new(message).file(&self.file).help("write a .csv").into())
+                let help = "write a .csv; or 'glanz measure smooth' tells what lies between them";
+                Err(Report::new(message).file(&self.file).help(help).into())
             }
             _ => Ok(()),
         }

@@ -9,6 +9,7 @@ mod fit_report;
 mod fitted_material;
 pub(super) mod info;
 pub(super) mod sample;
+mod sheet;
 pub(super) mod smooth;
 mod surface;
 mod tristimulus;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum, ValueHint};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Noise, Quantity, Readings, write_csv};
+use glanz_measure::{Channels, Geometry, Noise, Quantity, Readings, Rgl, write_csv};
 
 use super::convert::{Kind, deliver};
 use super::quantity;
@@ -19,27 +19,38 @@ use crate::print::failure::Failure;
 pub(crate) const EXAMPLES: &str = "\
 Examples:
   glanz measure sample ward --set alpha=0.1 -o ward.csv --geometry hemisphere --noise 0.03
+  glanz measure sample ward --set alpha=0.088 --set alpha_y=0.13 -o cells.csv --geometry merl --noise 0.03
   glanz measure sample ggx --set alpha=0.2 -o ggx.binary
   glanz measure sample cook-torrance --set m=0.15 -o ct.bsdf --diffuse 0.3
   glanz measure sample ward --set alpha=0.1 --set alpha_y=0.3 -o brushed.xml
   glanz measure sample \"n = 20; (n + 2) / (2 * pi) * pow(dot(N, H), n)\" -o own.csv --geometry in-plane
 
 The model is that of `glanz bsdf list`, or a BRDF of one's own; --diffuse adds a matte part, as measured
-surfaces have. Tables have readings: in the plane of the light every 5 degrees, or all over the hemisphere
-every 5 degrees and 15 around, each for lights at 0, 15, 30, 45, 60 and 75 degrees. --noise multiplies each
+surfaces have. Readings of a .csv are where --geometry says: in the plane of the light, all over the
+hemisphere, or dense about the mirror direction (astm), each for lights at 0, 15, 30, 45, 60 and 75 degrees, or
+at MERL's cells or RGL's nodes; what has a grain is turned under them. --noise multiplies each
 by a number of a normal distribution about 1, the same ones for the same --seed. MERL (.binary) and RGL
 (.bsdf) have nodes of their own and three channels that are the same, Radiance's matrices over Klems' patches
 (.xml) and Zemax's tables (--to zemax) have one. MERL takes what depends on the difference of azimuths alone.";
 
 /// Where a goniometer goes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Geometry {
-    /// In the plane of the light
+pub(crate) enum Way {
+    /// In the plane of the light, every 5 degrees
     InPlane,
-    /// All over the hemisphere
+    /// All over the hemisphere, every 5 degrees and 15 around
     #[default]
     Hemisphere,
+    /// In the plane of the light, dense about the mirror direction as scatterometers scan: even steps of log |sin o - sin i|
+    Astm,
+    /// The middles of MERL's cells, about 20000 of them
+    Merl,
+    /// The nodes of RGL's table of the model, about 20000 of them
+    Rgl,
 }
+
+/// Of more nodes of a table every n-th counts.
+const MOST_NODES: usize = 20_000;
 
 /// Options of `glanz measure sample`.
 #[derive(Args, Debug)]
@@ -57,7 +68,7 @@ pub(crate) struct SampleArgs {
 
     /// Where the goniometer goes; of a .csv
     #[arg(long, value_enum, value_name = "GEOMETRY", default_value_t)]
-    geometry: Geometry,
+    geometry: Way,
 
     /// The albedo of a matte part that is added
     #[arg(long, value_name = "ALBEDO", default_value_t = 0.0)]
@@ -79,8 +90,8 @@ pub(crate) struct SampleArgs {
     format: FormatArgs,
 }
 
-/// Angles of the light from the normal.
-const LIGHTS: [f64; 6] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0];
+/// Nearer to the horizon no goniometer sees.
+const LEAST_COSINE: f64 = 0.01;
 
 impl SampleArgs {
     /// Measures.
@@ -102,8 +113,7 @@ impl SampleArgs {
         }
         let mut noise = Noise::new(self.seed);
         let mut value = |wi: Vec3<f64>, wo: Vec3<f64>| {
-            let f =
-                shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI;
+            let f = self.exact(&shape, wi, wo);
             if self.noise > 0.0 { f * (1.0 + self.noise * noise.normal()).max(0.0) } else { f }
         };
         let description = format!("{}, by the virtual goniometer of Glanz", shape.info().name);
@@ -120,7 +130,7 @@ impl SampleArgs {
         value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64,
     ) -> Result<(Vec<u8>, Option<usize>), Failure> {
         if kind == Kind::Csv {
-            let readings = self.readings(value, anisotropic);
+            let readings = self.readings(value, anisotropic)?;
             let text = write_csv(&readings, self.written, description);
             return Ok((text.into_bytes(), Some(readings.len())));
         }
@@ -130,26 +140,42 @@ impl SampleArgs {
         Ok((bytes, None))
     }
 
-    /// Readings one by one; of a surface with a grain from several azimuths of the light.
-    fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64, anisotropic: bool) -> Readings {
-        let mut readings = Readings::new(Channels::Luminance);
-        let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
-        let azimuths: Vec<f64> = match self.geometry {
-            Geometry::InPlane => vec![0.0, 180.0],
-            Geometry::Hemisphere => (0..24).map(|step| 15.0 * f64::from(step)).collect(),
+    /// Readings one by one; a surface with a grain is turned, too.
+    fn readings(
+        &self,
+        value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64,
+        anisotropic: bool,
+    ) -> Result<Readings, Failure> {
+        let pairs = match self.geometry {
+            Way::InPlane => Geometry::InPlane.pairs(anisotropic),
+            Way::Hemisphere => Geometry::Hemisphere.pairs(anisotropic),
+            Way::Astm => Geometry::Scatterometer.pairs(anisotropic),
+            Way::Merl => Geometry::Merl.pairs(anisotropic),
+            Way::Rgl => self.nodes(anisotropic)?,
         };
-        let turns = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0];
-        let turns = &turns[..if anisotropic && self.geometry == Geometry::Hemisphere { 6 } else { 1 }];
-        for (theta_i, turn) in LIGHTS.iter().flat_map(|theta| turns.iter().map(move |turn| (*theta, *turn))) {
-            let wi = at(theta_i, 180.0 + turn);
-            for theta_o in (0..=85).step_by(5) {
-                for phi in azimuths.iter().take(if theta_o == 0 { 1 } else { azimuths.len() }) {
-                    let wo = at(f64::from(theta_o), *phi + turn);
-                    readings.push(wi, wo, &[value(wi, wo) as f32]);
-                }
-            }
-        }
-        readings
+        let mut readings = Readings::new(Channels::Luminance);
+        pairs.iter().for_each(|[wi, wo]| readings.push(*wi, *wo, &[value(*wi, *wo) as f32]));
+        Ok(readings)
+    }
+
+    /// The nodes that RGL's table of the model without noise has.
+    fn nodes(&self, anisotropic: bool) -> Result<Vec<[Vec3<f64>; 2]>, Failure> {
+        let shape = self.model.shape()?;
+        let mut f = |wi: Vec3<f64>, wo: Vec3<f64>| vec![self.exact(&shape, wi, wo); 3];
+        let table = match anisotropic {
+            false => Rgl::of_function(Channels::Rgb, "", &mut f),
+            true => Rgl::of_anisotropic_function(Channels::Rgb, "", &mut f),
+        };
+        let readings = table.map_err(Failure::new)?.readings();
+        // An odd step meets all columns of a table of 64.
+        let step = readings.len().div_ceil(MOST_NODES) | 1;
+        let above = |[wi, wo]: &[Vec3<f64>; 2]| wi.z > LEAST_COSINE && wo.z > LEAST_COSINE;
+        Ok((0..readings.len()).step_by(step).map(|i| readings.pair(i)).filter(above).collect())
+    }
+
+    /// The BRDF without noise.
+    fn exact(&self, shape: &Shape, wi: Vec3<f64>, wo: Vec3<f64>) -> f64 {
+        shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI
     }
 }
 

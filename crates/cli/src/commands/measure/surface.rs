@@ -5,7 +5,7 @@ use std::path::Path;
 use glanz_bsdf::MODELS;
 use glanz_color::Rgb;
 use glanz_math::Vec3;
-use glanz_measure::{Data, FactorOptions, Factored};
+use glanz_measure::{Data, FactorOptions, Factored, Readings};
 use glanz_scene::{Lobe, Material};
 
 use super::appearance::{of_library, of_scene};
@@ -16,8 +16,8 @@ use crate::print::failure::{Failure, Report};
 /// A material, and where it was measured.
 pub(super) struct Surface {
     pub(super) material: Material,
-    /// To light and detector; none of what is no file of readings one by one.
-    pub(super) pairs: Vec<[Vec3<f64>; 2]>,
+    /// None of what is no file of readings one by one.
+    pub(super) readings: Option<Readings>,
     pub(super) notes: Vec<String>,
 }
 
@@ -25,7 +25,7 @@ impl Surface {
     /// The one that a word of the command line means.
     pub(super) fn of(word: &str, args: &ReadArgs) -> Result<Self, Failure> {
         let path = Path::new(word);
-        let bare = |material| Self { material, pairs: Vec::new(), notes: Vec::new() };
+        let bare = |material| Self { material, readings: None, notes: Vec::new() };
         if is_measured(path) {
             return Self::of_data(path, args);
         }
@@ -43,12 +43,18 @@ impl Surface {
         let measured = read(path, args)?;
         let factored = Factored::of(&measured, &FactorOptions::default())
             .map_err(|error| Failure::from(Report::new(error).file(path)))?;
-        let pairs = match &measured.data {
-            Data::Readings(readings) => (0..readings.len()).map(|i| readings.pair(i)).collect(),
-            _ => Vec::new(),
-        };
         let name = path.display().to_string();
         let notes = measured.notes.iter().map(|note| format!("{name}: {note}")).collect();
-        Ok(Self { material: Material::measured(name, &factored), pairs, notes })
+        let readings = match measured.data {
+            Data::Readings(readings) => Some(readings),
+            _ => None,
+        };
+        Ok(Self { material: Material::measured(name, &factored), readings, notes })
+    }
+
+    /// Directions to light and detector that were measured.
+    pub(super) fn pairs(&self) -> Option<Vec<[Vec3<f64>; 2]>> {
+        let readings = self.readings.as_ref()?;
+        Some((0..readings.len()).map(|index| readings.pair(index)).collect())
     }
 }

@@ -148,7 +148,7 @@ impl Rgl {
     }
 
     /// The readings at the nodes of all tables, where the detector is above the horizon.
-    pub(crate) fn readings(&self) -> Readings {
+    pub fn readings(&self) -> Readings {
         let mut readings = Readings::new(self.channels.clone());
         let [width, height] = self.spectra[0].size();
         let azimuths: &[f32] = if self.is_isotropic() { &[PI] } else { &self.phi_i };

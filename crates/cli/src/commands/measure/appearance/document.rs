@@ -6,8 +6,8 @@ use glanz_color::whiteness::{self, Field};
 use glanz_color::yellowness::{E313, d1925};
 use glanz_color::{Observer, observer};
 use glanz_measure::{
-    GlossMeter, HazeMeter, MultiAngle, flop_index, forty_five_zero, haze_of_gloss, log_haze, multi_angle,
-    sphere,
+    GlossMeter, HazeMeter, MultiAngle, SPHERE_DEG, flop_index, forty_five_zero, haze_of_gloss, log_haze,
+    multi_angle, sphere,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -157,6 +157,7 @@ impl Document {
             list.push(AngleFacts { aspecular_deg, factor });
         }
         let [included, excluded] = sphere(&mut *numbers.all(), PORT_DEG);
+        let included = sums(included, &numbers.all_mirror(SPHERE_DEG));
         document.sphere_included = colors.add("sci", included);
         document.sphere_excluded = colors.add("sce", excluded);
         document.colors = colors.found;
@@ -172,7 +173,10 @@ impl Document {
     fn of_gloss(name: &str, channels: Vec<String>, numbers: &Numbers<'_>) -> Self {
         let f = &mut *numbers.shown();
         let [gloss_20, gloss_60, gloss_85] =
-            [GlossMeter::AT_20, GlossMeter::AT_60, GlossMeter::AT_85].map(|meter| meter.gloss(f));
+            [GlossMeter::AT_20, GlossMeter::AT_60, GlossMeter::AT_85].map(|meter| {
+                let mirror = numbers.shown_mirror(meter.angle_deg);
+                sums(meter.gloss(f), &mirror.iter().map(|part| meter.of_mirror(*part)).collect::<Vec<_>>())
+            });
         let [haze, narrow, wide] = [HazeMeter::ISO_13803, HazeMeter::E430_A_NARROW, HazeMeter::E430_A_WIDE]
             .map(|meter| meter.haze(f));
         let most = gloss_60.iter().copied().fold(0.0, f64::max);
@@ -233,6 +237,12 @@ impl Document {
         }
         self.yellowness = yellowness(subject, own.then_some(seen).flatten());
     }
+}
+
+/// The numbers of channels, with more of each.
+fn sums(mut values: Vec<f64>, more: &[f64]) -> Vec<f64> {
+    values.iter_mut().zip(more).for_each(|(value, more)| *value += more);
+    values
 }
 
 impl ListFacts {

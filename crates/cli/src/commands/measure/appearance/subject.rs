@@ -134,6 +134,26 @@ impl<'a> Numbers<'a> {
         }
     }
 
+    /// The part of light at an angle from the normal that perfect mirrors reflect, in the channels of [`Self::shown`].
+    pub(super) fn shown_mirror(&self, degrees: f64) -> Vec<f64> {
+        let theta = degrees.to_radians();
+        match (self.subject, &self.response) {
+            (Subject::Model { shape, factor, .. }, _) if shape.info().delta => {
+                let wo = Vec3::from_angles(theta, 0.0);
+                vec![factor.value(shape, &DirectionPair::new(wo, Vec3::new(-wo.x, -wo.y, wo.z)))]
+            }
+            (Subject::Material(_), Some(response)) => vec![response.mirror(theta)[1]],
+            _ => vec![0.0; self.subject.channels().len()],
+        }
+    }
+
+    /// The same in those of [`Self::all`].
+    pub(super) fn all_mirror(&self, degrees: f64) -> Vec<f64> {
+        let mut values = self.shown_mirror(degrees);
+        values.extend(self.response.iter().flat_map(|response| response.mirror(degrees.to_radians())));
+        values
+    }
+
     /// X, Y and Z of radiance factors that [`Self::all`] gave.
     pub(super) fn xyz(&self, factors: &[f64]) -> Option<[f64; 3]> {
         match self.subject {
@@ -155,7 +175,9 @@ impl<'a> Numbers<'a> {
         let mut notes = Vec::new();
         if self.response.as_ref().is_some_and(MaterialResponse::has_mirror) {
             notes.push(
-                "the material has a perfect mirror, whose light is in none of these numbers".to_owned(),
+                "the material has a perfect mirror: its light is in gloss and in the sphere (SCI), and in no receptor \
+                 beside its direction"
+                    .to_owned(),
             );
         }
         if let Subject::Table(measured) = self.subject {

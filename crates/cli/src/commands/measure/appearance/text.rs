@@ -31,7 +31,10 @@ fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
 /// A row of numbers, one for each channel.
 fn row(text: &mut String, name: &str, values: &[f64], digits: usize) {
     let few = &values[..values.len().min(SHOWN)];
-    let words: Vec<String> = few.iter().map(|value| format!("{value:>9.digits$}")).collect();
+    // No rounded number is -0.
+    let least = 0.5 * libm::exp10(-(digits as f64));
+    let number = |value: &f64| if value.abs() < least { 0.0 } else { *value };
+    let words: Vec<String> = few.iter().map(|value| format!("{:>9.digits$}", number(value))).collect();
     let more = if values.len() > few.len() { "  …" } else { "" };
     line(text, format_args!("{name:<16}{}{more}", words.join(" ")));
 }
