@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 57] = [
+const COULD_NOT: [&[&str]; 58] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -23,6 +23,7 @@ const COULD_NOT: [&[&str]; 57] = [
     &["sweep", "wrong.toml", "--vary", "render.ev=0,1", "-o", "a.png"],
     &["shade-compare", "none.toml", "-o", "a.png"],
     &["modes", "wrong.toml", "-o", "a.png"],
+    &["eye", "none.toml", "--age", "20,80", "-o", "a.png"],
     &["relight", "none.toml", "--light", "A", "-o", "a.png"],
     &["compare", "a.png", "none.png"],
     &["compare", "a.png", "scene.toml"],

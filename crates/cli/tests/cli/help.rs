@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 61] = [
+pub(crate) const COMMANDS: [&[&str]; 62] = [
     &[],
     &["render"],
     &["sweep"],
@@ -11,6 +11,7 @@ pub(crate) const COMMANDS: [&[&str]; 61] = [
     &["compare"],
     &["modes"],
     &["relight"],
+    &["eye"],
     &["info"],
     &["probe"],
     &["devices"],

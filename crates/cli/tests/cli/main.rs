@@ -9,6 +9,7 @@ mod comparisons;
 mod devices;
 mod errors;
 mod exits;
+mod eye;
 mod first_hour;
 mod folder;
 mod help;

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 52] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 53] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -24,6 +24,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 52] = [
     ("shade-compare", &[&["shade-compare", "scene.toml", "-o", "s.png"]]),
     ("modes", &[&["modes", "scene.toml", "--modes", "rgb,sampled:4", "-o", "s.png"]]),
     ("relight", &[&["relight", "scene.toml", "--light", "A", "--light", "D65", "-o", "s.png"]]),
+    ("eye", &[&["eye", "scene.toml", "--age", "20,80", "-o", "s.png"]]),
     (
         "compare",
         &[

@@ -39,7 +39,8 @@ fn the_standard_eye_by_day_sees_what_the_cone_fundamentals_see() {
         for white in [White::D65, White::Scene, White::None] {
             let mut scene = faced(matte(patch("orange")), &unit(source));
             scene.render.white = white;
-            let mut by_name = Shot::new(&spectral(scene.clone()).with_observer(observer("lms2").unwrap())).unwrap();
+            let mut by_name =
+                Shot::new(&spectral(scene.clone()).with_observer(observer("lms2").unwrap())).unwrap();
             let frame = by_name.frame().unwrap();
             let [r, g, b, _] = by_name.on_screen(frame).unwrap().pixel(1, 1).map(f64::from);
             assert_near(shown(&scene, viewer("standard", day())), [r, g, b], DIGITS, source);
@@ -61,7 +62,8 @@ fn an_old_eye_sees_yellow_until_it_is_adapted() {
 #[test]
 fn spectra_that_all_cones_see_alike_look_alike_through_all_stages() {
     let eye: Eye = "age:60+deutan:10".parse().unwrap();
-    let curves: Vec<Spectrum> = eye.observer_with_rods().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
+    let curves: Vec<Spectrum> =
+        eye.observer_with_rods().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
     // A grey, and the same with a wiggle that no kind of receptors notices.
     let grey = Spectrum::constant(0.4);
     let mut wiggle = Spectrum::from_fn(|nm| if nm > 400.0 && nm < 690.0 { libm::sin(nm / 9.0) } else { 0.0 });
@@ -128,7 +130,8 @@ fn at_dusk_red_darkens_and_blue_brightens() {
 fn dichromats_cannot_tell_what_differs_in_the_missing_cone_alone() {
     for (name, channel) in [("protan", 0), ("deutan", 1), ("tritan", 2)] {
         let eye: Eye = name.parse().unwrap();
-        let curves: Vec<Spectrum> = eye.observer().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
+        let curves: Vec<Spectrum> =
+            eye.observer().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
         // What only the missing kind of cones sees: its curve without the two others.
         let mut only = curves[channel];
         for _ in 0..60 {
@@ -140,7 +143,8 @@ fn dichromats_cannot_tell_what_differs_in_the_missing_cone_alone() {
         let most = only.0.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let other = Spectrum::from_fn(|nm| 0.4 + 0.3 * only.at(nm) / most);
         let seen = |eye: &str, spectrum: Spectrum| {
-            shown(&faced(matte(Tint::Spectrum(Arc::new(spectrum))), &unit("D65")), viewer(eye, day())).map(f64::from)
+            shown(&faced(matte(Tint::Spectrum(Arc::new(spectrum))), &unit("D65")), viewer(eye, day()))
+                .map(f64::from)
         };
         let (a, b) = (seen(name, Spectrum::constant(0.4)), seen(name, other));
         let (x, y) = (seen("standard", Spectrum::constant(0.4)), seen("standard", other));
@@ -173,7 +177,11 @@ fn a_session_changes_eyes_as_a_new_picture_has_them() {
         rgba
     };
     let before = pixels(&mut session);
-    for eye in [viewer("age:80", Viewing { adapted: 0.0, ..day() }), viewer("protan", day()), viewer("standard", Viewing { level_cd_m2: Some(0.01), ..day() })] {
+    for eye in [
+        viewer("age:80", Viewing { adapted: 0.0, ..day() }),
+        viewer("protan", day()),
+        viewer("standard", Viewing { level_cd_m2: Some(0.01), ..day() }),
+    ] {
         session.set_eye(Some(eye.clone()));
         let expected = Shot::new(&scene.clone().with_eye(eye)).unwrap().rgba8().unwrap();
         assert_eq!(pixels(&mut session), expected);
