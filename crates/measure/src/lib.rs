@@ -29,6 +29,7 @@ mod goniometer;
 mod published;
 mod readings;
 mod shape;
+mod viewing;
 mod ward;
 
 pub use appearance::{

@@ -7,7 +7,7 @@ use super::lobe::{self, FitLobe, FittedLobe};
 use super::metric::Metric;
 use super::problem::{Problem, has_grain};
 use super::samples::{Samples, schlick_layers};
-use super::{refine, search, tints};
+use super::{refine, rendered, search, tints};
 use crate::Readings;
 
 /// How a fit is made.
@@ -193,11 +193,14 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
         let (readings, most_theta_deg) = (samples.len(), options.most_theta_deg);
         return Err(FitError::TooFew { readings, most_theta_deg, numbers });
     }
-    fit_samples(&samples, lobes, options.metric)
+    match options.metric {
+        Metric::Rendered => rendered::fit_samples(&samples, readings.channels(), lobes),
+        metric => fit_samples(&samples, lobes, metric),
+    }
 }
 
 /// From few readings and up to three channels to all of them.
-fn fit_samples(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Fit, FitError> {
+pub(super) fn fit_samples(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Fit, FitError> {
     let groups = samples.grouped();
     let grouped = groups.as_ref().unwrap_or(samples);
     let found = search::search(&grouped.thinned(FIRST_READINGS), lobes, metric)?;

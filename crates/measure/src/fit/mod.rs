@@ -9,11 +9,14 @@
 //! ([`solve`]), so that they are those of the metric, not of the numbers themselves.
 
 mod blocks;
+mod dense;
 mod fitting;
 mod lobe;
 mod metric;
 mod problem;
 mod refine;
+mod rendered;
+mod rendered_slopes;
 mod samples;
 mod search;
 mod slices;
