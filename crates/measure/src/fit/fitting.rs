@@ -56,6 +56,8 @@ pub struct Fit {
     /// The azimuth of the x axis of anisotropic shapes, in degrees, 0 … 180: the `aniso_deg` of a material. None where all
     /// lobes are isotropic.
     pub aniso_deg: Option<f64>,
+    /// The error with equal widths, where two widths were not asked for and are clearly better.
+    pub isotropic_error: Option<f64>,
     /// The root of the mean of the squares of the metric's differences.
     pub error: f64,
     /// The same as a part of that of the readings themselves.
@@ -101,7 +103,9 @@ impl Fit {
 }
 
 /// Fits a sum of lobes, by the names of their models. `:schlick` and `:aniso` may stand behind a name, as for [`FitLobe::named`];
-/// `diffuse` is whichever diffuse model fits best, where one with a parameter more must lower the error by 1 %.
+/// `diffuse` is whichever diffuse model fits best, where one with a parameter more must lower the error by 1 %. If light came
+/// from three azimuths or more, two widths and the direction of the grain are tried for all lobes that have them, and kept if
+/// they lower the error by a tenth, which [`Fit::isotropic_error`] tells; `:iso` forbids it, and so does one `:aniso`.
 ///
 /// ```
 /// use glanz_bsdf::{DirectionPair, Shape};
@@ -130,20 +134,60 @@ impl Fit {
 /// [`FitError::Model`] for models that are not there, and for none or too many of them; [`FitError::TooFew`] and
 /// [`FitError::Nothing`] for readings that cannot tell.
 pub fn fit(readings: &Readings, models: &[&str], options: &FitOptions) -> Result<Fit, FitError> {
-    let mut best: Option<Fit> = None;
-    for lobes in lobe::choices(models)? {
+    let mut progress = |_: f64| {};
+    fit_observed(readings, models, options, &mut progress)
+}
+
+/// The same as [`fit()`], and tells as it goes which part of it is done, 0 to 1.
+///
+/// # Errors
+///
+/// As of [`fit()`].
+pub fn fit_observed(
+    readings: &Readings,
+    models: &[&str],
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
+    let choices = lobe::choices(models)?;
+    let is_free = choices.first().is_some_and(|lobes| !has_grain(lobes)) && readings.have_turns();
+    let count = choices.len() + usize::from(is_free);
+    let mut best: Option<(Vec<FitLobe>, Fit)> = None;
+    for (done, lobes) in choices.into_iter().enumerate() {
+        progress(done as f64 / count as f64);
         let found = fit_lobes(readings, &lobes, options)?;
         let parameters = |fit: &Fit| fit.lobes.iter().map(|lobe| lobe.parameters.len()).sum::<usize>();
-        let is_better = |before: &Fit| {
+        let is_better = |(_, before): &(_, Fit)| {
             let has_more = parameters(&found) > parameters(before);
             found.error < before.error * if has_more { 1.0 - WORTH_A_PARAMETER } else { 1.0 }
         };
         if best.as_ref().is_none_or(is_better) {
-            best = Some(found);
+            best = Some((lobes, found));
         }
     }
-    best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))
+    let (lobes, found) = best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))?;
+    progress((count - usize::from(is_free)) as f64 / count as f64);
+    Ok(if is_free { with_two_widths(readings, &lobes, found, options) } else { found })
 }
+
+/// The fit with two widths where that is clearly better.
+fn with_two_widths(readings: &Readings, lobes: &[FitLobe], equal: Fit, options: &FitOptions) -> Fit {
+    let stretched: Vec<FitLobe> = lobes.iter().map(FitLobe::stretched).collect();
+    if !has_grain(&stretched) {
+        return equal;
+    }
+    // Too few readings for more parameters are no reason to have none.
+    match fit_lobes(readings, &stretched, options) {
+        Ok(found) if found.error < (1.0 - WORTH_TWO_WIDTHS) * equal.error => {
+            Fit { isotropic_error: Some(equal.error), ..found }
+        }
+        _ => equal,
+    }
+}
+
+/// Two widths, and an azimuth, are taken if they lower the error by this part: more than noise, and than the misfit of a model to
+/// an isotropic surface at azimuths that are read unevenly.
+const WORTH_TWO_WIDTHS: f64 = 0.1;
 
 /// Of two diffuse shapes the one with more parameters is taken if it lowers the error by this part.
 const WORTH_A_PARAMETER: f64 = 0.01;

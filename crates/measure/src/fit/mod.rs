@@ -23,7 +23,7 @@ mod slices;
 mod solve;
 mod tints;
 
-pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes};
+pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes, fit_observed};
 pub use lobe::{FitLobe, FittedLobe, FittedParameter};
 pub use metric::Metric;
 pub use slices::{FitSlice, SlicePoint};

@@ -151,6 +151,7 @@ impl<'a> Problem<'a> {
             lobes,
             aniso_deg: has_grain(self.lobes)
                 .then(|| azimuth(self.lobes, point).to_degrees().rem_euclid(180.0)),
+            isotropic_error: None,
             error: (solved.squares / weights).sqrt(),
             relative: (solved.squares / whole).sqrt(),
             readings: samples.len(),
