@@ -154,8 +154,8 @@ pub fn fit_observed(
     let count = choices.len() + usize::from(is_free);
     let mut best: Option<(Vec<FitLobe>, Fit)> = None;
     for (done, lobes) in choices.into_iter().enumerate() {
-        progress(done as f64 / count as f64);
-        let found = fit_lobes(readings, &lobes, options)?;
+        let from = done as f64 / count as f64;
+        let found = observed(readings, &lobes, options, &mut |part| progress(from + part / count as f64))?;
         let parameters = |fit: &Fit| fit.lobes.iter().map(|lobe| lobe.parameters.len()).sum::<usize>();
         let is_better = |(_, before): &(_, Fit)| {
             let has_more = parameters(&found) > parameters(before);
@@ -166,18 +166,27 @@ pub fn fit_observed(
         }
     }
     let (lobes, found) = best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))?;
-    progress((count - usize::from(is_free)) as f64 / count as f64);
-    Ok(if is_free { with_two_widths(readings, &lobes, found, options) } else { found })
+    let from = (count - usize::from(is_free)) as f64 / count as f64;
+    let mut rest = |part: f64| progress(from + part * (1.0 - from));
+    let found = if is_free { with_two_widths(readings, &lobes, found, options, &mut rest) } else { found };
+    progress(1.0);
+    Ok(found)
 }
 
 /// The fit with two widths where that is clearly better.
-fn with_two_widths(readings: &Readings, lobes: &[FitLobe], equal: Fit, options: &FitOptions) -> Fit {
+fn with_two_widths(
+    readings: &Readings,
+    lobes: &[FitLobe],
+    equal: Fit,
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Fit {
     let stretched: Vec<FitLobe> = lobes.iter().map(FitLobe::stretched).collect();
     if !has_grain(&stretched) {
         return equal;
     }
     // Too few readings for more parameters are no reason to have none.
-    match fit_lobes(readings, &stretched, options) {
+    match observed(readings, &stretched, options, progress) {
         Ok(found) if found.error < (1.0 - WORTH_TWO_WIDTHS) * equal.error => {
             Fit { isotropic_error: Some(equal.error), ..found }
         }
@@ -223,6 +232,17 @@ const SECOND_READINGS: usize = 40_000;
 ///
 /// As of [`fit()`].
 pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -> Result<Fit, FitError> {
+    observed(readings, lobes, options, &mut |_| {})
+}
+
+/// The same, and tells as it goes which part of it is done.
+fn observed(
+    readings: &Readings,
+    lobes: &[FitLobe],
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
+    progress(0.0);
     let columns: usize = lobes.iter().map(FitLobe::columns).sum();
     let searched = lobes.iter().map(|lobe| lobe.parameters().count()).sum::<usize>();
     let parameters = searched + usize::from(has_grain(lobes));
@@ -238,27 +258,39 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
         return Err(FitError::TooFew { readings, most_theta_deg, numbers });
     }
     match options.metric {
-        Metric::Rendered => rendered::fit_samples(&samples, readings.channels(), lobes),
-        metric => fit_samples(&samples, lobes, metric),
+        Metric::Rendered => rendered::fit_samples(&samples, readings.channels(), lobes, progress),
+        metric => fit_samples(&samples, lobes, metric, progress),
     }
 }
 
+/// Parts of the time that the search and the steps with fewer readings take, about.
+const SEARCHED: f64 = 0.3;
+const STEPPED: f64 = 0.4;
+
 /// From few readings and up to three channels to all of them.
-pub(super) fn fit_samples(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Fit, FitError> {
+pub(super) fn fit_samples(
+    samples: &Samples,
+    lobes: &[FitLobe],
+    metric: Metric,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
     let groups = samples.grouped();
     let grouped = groups.as_ref().unwrap_or(samples);
     let found = search::search(&grouped.thinned(FIRST_READINGS), lobes, metric)?;
+    progress(SEARCHED);
     let (mut ends, mut evaluations) = (found.ends, found.evaluations);
     let mut tints = None;
     if grouped.len() > 2 * SECOND_READINGS {
         let fewer = grouped.thinned(SECOND_READINGS);
         let mut problem = Problem::new(&fewer, lobes, metric);
-        let refined = problem.refine_best(&ends, None)?;
+        let refined = problem.refine_best(&ends, None, &mut |_| {})?;
+        progress(STEPPED);
         (ends, tints) = (vec![refined.point], Some(refined.tints));
         evaluations += problem.evaluations();
     }
     let mut problem = Problem::new(grouped, lobes, metric);
-    let refined = problem.refine_best(&ends, tints.as_deref())?;
+    let mut rest = |part: f64| progress(STEPPED + part * (1.0 - STEPPED));
+    let refined = problem.refine_best(&ends, tints.as_deref(), &mut rest)?;
     tints = Some(refined.tints);
     if groups.is_some() {
         evaluations += problem.evaluations();

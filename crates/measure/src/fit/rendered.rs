@@ -162,10 +162,16 @@ impl Search<'_> {
     }
 
     /// The least sum of squares near a state.
-    fn refine(&mut self, mut state: State) -> Result<(State, Dense), FitError> {
+    fn refine(
+        &mut self,
+        mut state: State,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(State, Dense), FitError> {
         let mut damping = 1e-3;
         let mut slopes = self.slopes(&state)?;
-        for _ in 0..MOST_STEPS {
+        for step in 0..MOST_STEPS {
+            // Most end after few steps: each takes an eighth of what is left.
+            progress(1.0 - libm::pow(0.875, step as f64));
             let (next, expected) = self.step(&state, &slopes, damping)?;
             if expected <= LAST_GAIN * state.solved.squares {
                 break;
@@ -214,15 +220,16 @@ pub(super) fn fit_samples(
     samples: &Samples,
     channels: &Channels,
     lobes: &[FitLobe],
+    progress: &mut dyn FnMut(f64),
 ) -> Result<Fit, FitError> {
-    let start = fitting::fit_samples(samples, lobes, Metric::Lightness)?;
+    let start = fitting::fit_samples(samples, lobes, Metric::Lightness, &mut |part| progress(0.5 * part))?;
     let mut search = Search {
         seen: Seen::new(samples, channels),
         problem: Problem::new(samples, lobes, Metric::Rendered),
     };
     let whole = search.seen.squares(&[], &[]);
     let state = search.state(start.point(), start.tints())?;
-    let (state, slopes) = search.refine(state)?;
+    let (state, slopes) = search.refine(state, &mut |part| progress(0.5 + 0.5 * part))?;
     let errors = search.errors(&state, &slopes);
     let found = search.problem.fit_of(&state.point, &errors, &state.solved)?;
     let squares = state.solved.squares;

@@ -22,11 +22,13 @@ Examples:
   glanz measure sample ggx --set alpha=0.2 -o ggx.binary
   glanz measure sample cook-torrance --set m=0.15 -o ct.bsdf --diffuse 0.3
   glanz measure sample ward --set alpha=0.1 --set alpha_y=0.3 -o brushed.xml
+  glanz measure sample ggx --set alpha=0.1 --set alpha_y=0.3 --aniso-deg 30 --every 7 --noise 0.05 -o brushed.csv
   glanz measure sample \"n = 20; (n + 2) / (2 * pi) * pow(dot(N, H), n)\" -o own.csv --geometry in-plane
 
 The model is that of `glanz bsdf list`, or a BRDF of one's own; --diffuse adds a matte part, as measured
 surfaces have. Tables have readings: in the plane of the light every 5 degrees, or all over the hemisphere
-every 5 degrees and 15 around, each for lights at 0, 15, 30, 45, 60 and 75 degrees. --noise multiplies each
+every 5 degrees and 15 around, each for lights at 0, 15, 30, 45, 60 and 75 degrees; of an anisotropic model the
+sample is turned by 30 degrees five times, unless the goniometer stays in the plane. --noise multiplies each
 by a number of a normal distribution about 1, the same ones for the same --seed. MERL (.binary) and RGL
 (.bsdf) have nodes of their own and three channels that are the same, Radiance's matrices over Klems' patches
 (.xml) and Zemax's tables (--to zemax) have one. MERL takes what depends on the difference of azimuths alone.";
@@ -59,6 +61,18 @@ pub(crate) struct SampleArgs {
     #[arg(long, value_enum, value_name = "GEOMETRY", default_value_t)]
     geometry: Geometry,
 
+    /// What the model is multiplied with, as by the tint of a lobe
+    #[arg(long, value_name = "TINT", default_value_t = 1.0)]
+    tint: f64,
+
+    /// The azimuth of the model's x axis, as of a sample whose grain lies askew
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true)]
+    aniso_deg: f64,
+
+    /// Of the readings of a .csv every n-th is made
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    every: u32,
+
     /// The albedo of a matte part that is added
     #[arg(long, value_name = "ALBEDO", default_value_t = 0.0)]
     diffuse: f64,
@@ -85,7 +99,10 @@ const LIGHTS: [f64; 6] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0];
 impl SampleArgs {
     /// Measures.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        for (name, value) in [("--noise", self.noise), ("--diffuse", self.diffuse)] {
+        if !self.aniso_deg.is_finite() {
+            return Err(Failure::Usage(format!("--aniso-deg is {}, but must be a number", self.aniso_deg)));
+        }
+        for (name, value) in [("--noise", self.noise), ("--diffuse", self.diffuse), ("--tint", self.tint)] {
             if !(0.0..=1.0).contains(&value) {
                 return Err(Failure::Usage(format!("{name} is {value}, but must be from 0 to 1")));
             }
@@ -101,9 +118,14 @@ impl SampleArgs {
             );
         }
         let mut noise = Noise::new(self.seed);
+        let (sin, cos) = libm::sincos(self.aniso_deg.to_radians());
+        let turn = |w: Vec3<f64>| match self.aniso_deg == 0.0 {
+            true => w,
+            false => Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z),
+        };
         let mut value = |wi: Vec3<f64>, wo: Vec3<f64>| {
-            let f =
-                shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI;
+            let model = self.tint * shape.f_cos(&DirectionPair::new(turn(wo), turn(wi)));
+            let f = model / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI;
             if self.noise > 0.0 { f * (1.0 + self.noise * noise.normal()).max(0.0) } else { f }
         };
         let description = format!("{}, by the virtual goniometer of Glanz", shape.info().name);
@@ -132,7 +154,7 @@ impl SampleArgs {
 
     /// Readings one by one; of a surface with a grain from several azimuths of the light.
     fn readings(&self, value: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> f64, anisotropic: bool) -> Readings {
-        let mut readings = Readings::new(Channels::Luminance);
+        let (mut readings, mut count) = (Readings::new(Channels::Luminance), 0_u32);
         let at = |theta: f64, phi: f64| Vec3::from_angles(theta.to_radians(), phi.to_radians());
         let azimuths: Vec<f64> = match self.geometry {
             Geometry::InPlane => vec![0.0, 180.0],
@@ -145,7 +167,10 @@ impl SampleArgs {
             for theta_o in (0..=85).step_by(5) {
                 for phi in azimuths.iter().take(if theta_o == 0 { 1 } else { azimuths.len() }) {
                     let wo = at(f64::from(theta_o), *phi + turn);
-                    readings.push(wi, wo, &[value(wi, wo) as f32]);
+                    if count.is_multiple_of(self.every) {
+                        readings.push(wi, wo, &[value(wi, wo) as f32]);
+                    }
+                    count += 1;
                 }
             }
         }

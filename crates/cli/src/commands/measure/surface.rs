@@ -5,7 +5,7 @@ use std::path::Path;
 use glanz_bsdf::MODELS;
 use glanz_color::Rgb;
 use glanz_math::Vec3;
-use glanz_measure::{Data, FactorOptions, Factored};
+use glanz_measure::{Data, FactorOptions, Factored, Measured};
 use glanz_scene::{Lobe, Material};
 
 use super::appearance::{of_library, of_scene};
@@ -40,8 +40,12 @@ impl Surface {
     }
 
     fn of_data(path: &Path, args: &ReadArgs) -> Result<Self, Failure> {
-        let measured = read(path, args)?;
-        let factored = Factored::of(&measured, &FactorOptions::default())
+        Self::of_measured(&read(path, args)?, path)
+    }
+
+    /// Data of a file.
+    pub(super) fn of_measured(measured: &Measured, path: &Path) -> Result<Self, Failure> {
+        let factored = Factored::of(measured, &FactorOptions::default())
             .map_err(|error| Failure::from(Report::new(error).file(path)))?;
         let pairs = match &measured.data {
             Data::Readings(readings) => (0..readings.len()).map(|i| readings.pair(i)).collect(),

@@ -1,0 +1,78 @@
+"""Balls of measured files, above, and of their fits, below, in one picture.
+
+    python fits_picture.py GLANZ PICTURE.png FILE...
+
+For each file `glanz measure fit` writes its best fit as a material; one scene has all of them, the data as they are drawn.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+MODELS = "ward+lambert,cook-torrance+lambert,ggx+diffuse,ggx:schlick+diffuse,ggx*2+diffuse"
+
+# Two lamps and a rectangle from above; the camera is far away, so that all balls are seen alike.
+STAGE = """
+[image]
+width = {width}
+height = {height}
+samples = 9
+background = [0.05, 0.05, 0.055]
+
+[render]
+mode = "spectral"
+tone_map = "khronos-neutral"
+
+[camera]
+eye = [0.0, 0.0, 60.0]
+target = [0.0, 0.0, 0.0]
+fov_deg = {fov}
+
+[[lights]]
+kind = "directional"
+direction = [0.7, -0.8, -1.0]
+color = 1.1
+
+[[lights]]
+kind = "directional"
+direction = [-1.3, -0.2, 0.4]
+color = 0.7
+"""
+
+BALL = """
+[[objects]]
+mesh = {{ sphere = {{ slices = 96, stacks = 48 }} }}
+material = "{material}"
+scale = 0.94
+translate = [{x}, {y}, 0.0]
+"""
+
+
+def fitted(glanz, file, folder, number):
+    """The material of the best fit, under a name of its own."""
+    path = folder / f"fit-{number}.toml"
+    subprocess.run([glanz, "measure", "fit", file, "--models", MODELS, "-o", path], check=True)
+    return path.read_text().replace("[materials.fitted]", f"[materials.fit-{number}]")
+
+
+def main():
+    glanz, picture, *files = sys.argv[1:]
+    cell, count = 128, len(files)
+    # Two rows of height 2 fill the picture from top to bottom at a distance of 60.
+    text = STAGE.format(width=cell * count, height=2 * cell, fov=2 * 1.90915)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for number, file in enumerate(files):
+            text += f'\n[materials.data-{number}]\nmeasured = {{ file = "{Path(file).resolve()}" }}\n'
+            text += fitted(glanz, file, folder, number)
+            x = 2 * number - count + 1
+            text += BALL.format(material=f"data-{number}", x=x, y=1.0)
+            text += BALL.format(material=f"fit-{number}", x=x, y=-1.0)
+        scene = folder / "scene.toml"
+        scene.write_text(text)
+        subprocess.run([glanz, "render", scene, "--force", "-o", picture], check=True)
+
+
+if __name__ == "__main__":
+    main()
