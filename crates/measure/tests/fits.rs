@@ -441,13 +441,15 @@ fn fits_are_the_same_bits_for_any_number_of_threads() {
     while many.len() < 80_000 {
         (0..some.len()).for_each(|i| many.push(some.pair(i)[0], some.pair(i)[1], some.values(i)));
     }
-    let options = FitOptions { most_readings: usize::MAX, ..FitOptions::default() };
-    let with_threads = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| fit(&many, &["ward:schlick", "lambert"], &options).unwrap())
-    };
-    let (one, three) = (with_threads(1), with_threads(3));
-    assert!(one.readings > 65_536);
-    assert_eq!(one, three);
-    assert_eq!(one.error.to_bits(), three.error.to_bits());
+    for metric in [Metric::CubeRoot, Metric::Rendered] {
+        let options = FitOptions { metric, most_readings: usize::MAX, ..FitOptions::default() };
+        let with_threads = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| fit(&many, &["ward:schlick", "lambert"], &options).unwrap())
+        };
+        let (one, three) = (with_threads(1), with_threads(3));
+        assert!(one.readings > 65_536);
+        assert_eq!(one, three);
+        assert_eq!(one.error.to_bits(), three.error.to_bits());
+    }
 }

@@ -29,9 +29,10 @@ macro_rules! stored {
 }
 
 /// The example scenes, by the names of their files.
-const SCENES: [Stored; 29] = stored![
+const SCENES: [Stored; 30] = stored![
     "ball.toml",
     "brewster.toml",
+    "brushed-metal.toml",
     "brushed.toml",
     "car-paint.toml",
     "colorchecker.toml",
@@ -62,10 +63,11 @@ const SCENES: [Stored; 29] = stored![
 ];
 
 /// The files that they name.
-const FILES: [Stored; 17] = stored![
+const FILES: [Stored; 18] = stored![
     "data/metamer-a.csv",
     "data/metamer-b.csv",
     "data/studio.hdr",
+    "measured/brushed-steel.csv",
     "measured/cc_ibiza_sunset_rgb.bsdf",
     "measured/noisy.csv",
     "measured/paper_white_rgb.bsdf",
