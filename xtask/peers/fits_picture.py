@@ -17,7 +17,7 @@ STAGE = """
 [image]
 width = {width}
 height = {height}
-samples = 9
+samples = 8
 background = [0.05, 0.05, 0.055]
 
 [render]

@@ -183,37 +183,27 @@ fn spectra_need_as_many_ranks_as_they_have_parts() {
 }
 
 #[test]
-fn an_oblique_grain_is_followed_as_one_along_an_axis_is() {
-    // Narrow and noisy: much is left to the model that the table is a factor of.
+fn an_oblique_grain_is_followed() {
+    const ANISO_DEG: f64 = 117.0;
     let brushed = shape("ggx", &[("alpha", 0.08), ("alpha_y", 0.35)]);
-    let turned = |w: Vec3<f64>, angle: f64| {
-        let (sin, cos) = angle.sin_cos();
-        Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z)
-    };
-    let told = [0.0, 117.0].map(|aniso_deg: f64| {
-        let angle = aniso_deg.to_radians();
-        let f = |wi: Vec3<f64>, wo: Vec3<f64>| {
-            vec![0.05 * FRAC_1_PI + 0.5 * brushed(turned(wi, angle), turned(wo, angle))]
-        };
-        let file = readings(Channels::Luminance, 4000, 0.05, &f);
-        let factored = Factored::of(&file, &FactorOptions::default()).unwrap();
-        assert!(factored.table().is_anisotropic());
-        // x lies along either width.
-        let off = (factored.aniso_deg() - aniso_deg).rem_euclid(90.0);
-        assert!(off.min(90.0 - off) < 0.5, "{aniso_deg}: {}", factored.aniso_deg());
-        let told = errors(&|wi, wo| factored.value(wi, wo), &f);
-        println!("{aniso_deg}: {told:?} {}", factored.facts.noise);
-        told
-    });
-    // Readings of a turned sample are others, so errors differ by chance.
-    assert!(told[0][0] < 0.01 && told[1][0] < 1.5 * told[0][0] && told[1][1] < 1.5 * told[0][1], "{told:?}");
+    let (sin, cos) = ANISO_DEG.to_radians().sin_cos();
+    let turned = |w: Vec3<f64>| Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z);
+    let f = |wi, wo| vec![0.05 * FRAC_1_PI + 0.5 * brushed(turned(wi), turned(wo))];
+    let file = readings(Channels::Luminance, 3000, 0.05, &f);
+    let factored = Factored::of(&file, &FactorOptions::default()).unwrap();
+    assert!(factored.table().is_anisotropic());
+    // x lies along either width.
+    let off = (factored.aniso_deg() - ANISO_DEG).rem_euclid(90.0);
+    assert!(off.min(90.0 - off) < 0.5, "{}", factored.aniso_deg());
+    // A fifth of the readings' noise in the median: the carrier is their model, so its fit and the regression average them all.
+    let [median, most] = errors(&|wi, wo| factored.value(wi, wo), &f);
+    println!("{median} {most} {:?}", factored.facts);
+    assert!(median < 0.01 && most < 0.05, "{median}, {most}");
     // Smoothed values are in the frame of the data, too.
-    let angle = 117_f64.to_radians();
-    let f = |wi, wo| vec![0.05 * FRAC_1_PI + 0.5 * brushed(turned(wi, angle), turned(wo, angle))];
-    let smoothed = Smoothed::of(&readings(Channels::Luminance, 2000, 0.05, &f), None).unwrap();
+    let smoothed = Smoothed::of(&file, None).unwrap();
     assert!(smoothed.is_anisotropic());
-    let [median, _] = errors(&|wi, wo| smoothed.value(wi, wo).0, &f);
-    assert!(median < 0.02, "{median}");
+    let [median, most] = errors(&|wi, wo| smoothed.value(wi, wo).0, &f);
+    assert!(median < 0.01 && most < 0.05, "{median}, {most}");
 }
 
 #[test]
