@@ -252,7 +252,7 @@ fn fits_are_ranked_by_how_different_balls_look() {
         "theta_i_deg,theta_o_deg,X,Y,Z\n0,0,.2,.2,.2\n0,9,.2,.2,.2\n9,0,.2,.2,.2\n9,9,.2,.2,.2\n",
     );
     let run = folder.glanz(&["measure", "fit", "xyz.csv", "--models", "lambert", "--rank-by", "balls"]);
-    assert!(run.code == 1 && run.stderr.contains("rank by rendered"), "{}: {}", run.code, run.stderr);
+    assert!(run.code == 3 && run.stderr.contains("rank by rendered"), "{}: {}", run.code, run.stderr);
 }
 
 #[test]
