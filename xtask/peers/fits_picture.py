@@ -5,6 +5,7 @@
 For each file `glanz measure fit` writes its best fit as a material; one scene has all of them, the data as they are drawn.
 """
 
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -64,7 +65,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for number, file in enumerate(files):
-            text += f'\n[materials.data-{number}]\nmeasured = {{ file = "{Path(file).resolve()}" }}\n'
+            # A scene names files of its own folder only.
+            shutil.copyfile(file, folder / Path(file).name)
+            text += f'\n[materials.data-{number}]\nmeasured = {{ file = "{Path(file).name}" }}\n'
             text += fitted(glanz, file, folder, number)
             x = 2 * number - count + 1
             text += BALL.format(material=f"data-{number}", x=x, y=1.0)

@@ -10,7 +10,7 @@ const MOST_THETA_DEG: f64 = 80.0;
 
 /// A red satin that no single lobe of the list is: two highlights, of which the wider is red, and 2 % of noise.
 fn satin(channels: &Channels) -> Readings {
-    let shape = |name: &str, params: &[(&str, f64)]| Shape::named(name, params).unwrap();
+    let shape = |name: &str, params: &[(&str, f64)]| Shape::named(name, params).expect("it is in range");
     let lobes = [
         (shape("ggx", &[("alpha", 0.12)]), [0.05, 0.05, 0.05]),
         (shape("ggx", &[("alpha", 0.4)]), [0.2, 0.04, 0.03]),
@@ -63,7 +63,7 @@ fn root_mean_square(values: &[f64]) -> f64 {
 
 fn fitted(readings: &Readings, metric: Metric) -> Fit {
     let options = FitOptions { metric, most_theta_deg: MOST_THETA_DEG, ..FitOptions::default() };
-    fit(readings, &["ggx:schlick", "lambert"], &options).unwrap()
+    fit(readings, &["ggx:schlick", "lambert"], &options).expect("there are enough readings")
 }
 
 #[test]
