@@ -241,7 +241,8 @@ fn fits_are_ranked_by_how_different_balls_look() {
             assert!(mean(best) < 0.5 && mean(worst) > 2.0 * mean(best), "{facts}");
         }
     }
-    let text = folder.glanz(&[&fit[..], &["--rank-by", "balls"]].concat()).text();
+    let run = folder.glanz(&[&fit[..], &["--rank-by", "balls"]].concat());
+    let text = run.text();
     assert!(
         text.contains("readings as rendered: ΔE00 median") && text.contains("ball, studio: ΔE00 mean"),
         "{text}"
@@ -260,7 +261,7 @@ fn a_brushed_sample_is_fitted_with_two_widths_unless_that_is_forbidden() {
     let folder = Folder::new();
     let sample = "measure sample ggx --set alpha=0.1 --set alpha_y=0.3 --tint 0.6 --aniso-deg 30 --every 7 --noise 0.05 -o a.csv";
     folder.glanz(&sample.split(' ').collect::<Vec<_>>()).text();
-    let fit = |models: &str| folder.glanz(&["measure", "fit", "a.csv", "--models", models]).text();
+    let fit = |models: &str| folder.glanz(&["measure", "fit", "a.csv", "--models", models]).text().to_owned();
     let free = fit("ggx+lambert");
     assert!(free.contains("two widths, grain at 30.") || free.contains("two widths, grain at 29."), "{free}");
     assert!(free.contains("rather than") && free.contains("alpha_y = 0.3"), "{free}");
