@@ -25,8 +25,9 @@ pub enum Metric {
     Lightness,
     /// CIEDE2000 of the colours of reading and fit, as points of a sphere under one lamp: π x is what is seen, exposed so that
     /// a perfect diffuser that faces the lamp is white, Y = 100 under D65, for the CIE 1931 observer. It is of all channels
-    /// together, so least squares come near to it by secant weights, and tints that two spectra of one colour differ by are
-    /// told by all readings together. Of one number alone it is the lightness, which [`Self::of`] gives.
+    /// together, so tints have no closed form: widths and tints are searched at once, from the best fit by lightness. What two
+    /// spectra of one colour differ by stays as the lightness has it. Of one number alone it is the lightness, which
+    /// [`Self::of`] gives.
     Rendered,
 }
 
