@@ -32,6 +32,7 @@ mod plane;
 mod published;
 mod readings;
 mod shape;
+mod viewing;
 mod ward;
 
 pub use appearance::{
@@ -43,7 +44,7 @@ pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{
     Fit, FitError, FitLobe, FitOptions, FitSlice, FittedLobe, FittedParameter, Metric, SlicePoint, fit,
-    fit_lobes,
+    fit_lobes, fit_observed,
 };
 pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,

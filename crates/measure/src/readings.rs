@@ -1,5 +1,6 @@
 //! Directions with values.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use glanz_math::Vec3;
@@ -115,6 +116,9 @@ impl fmt::Display for Channels {
     }
 }
 
+/// Azimuths of the light, in whole degrees, that tell anisotropy.
+const LEAST_AZIMUTHS: usize = 3;
+
 /// Readings: pairs of directions with a value for each channel, in any order.
 ///
 /// ```
@@ -199,6 +203,25 @@ impl Readings {
     /// Whether weights differ from 1.
     pub fn has_weights(&self) -> bool {
         !self.weights.is_empty()
+    }
+
+    /// Whether light came from so many azimuths that anisotropy would show.
+    pub(crate) fn have_turns(&self) -> bool {
+        let azimuth = |[wi, _]: &[Vec3<f64>; 2]| {
+            (wi.z < 0.999).then(|| libm::round(libm::atan2(wi.y, wi.x).to_degrees()) as i32)
+        };
+        let mut azimuths = BTreeSet::new();
+        self.pairs.iter().filter_map(azimuth).any(|azimuth| {
+            azimuths.insert(azimuth);
+            azimuths.len() >= LEAST_AZIMUTHS
+        })
+    }
+
+    /// The same, of the sample turned about its normal by this angle, in radians.
+    pub(crate) fn turned(&self, angle: f64) -> Self {
+        let (sin, cos) = libm::sincos(angle);
+        let turn = |w: Vec3<f64>| Vec3::new(cos * w.x - sin * w.y, sin * w.x + cos * w.y, w.z);
+        Self { pairs: self.pairs.iter().map(|pair| pair.map(turn)).collect(), ..self.clone() }
     }
 
     /// Its values, one per channel.

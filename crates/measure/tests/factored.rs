@@ -187,6 +187,30 @@ fn spectra_need_as_many_ranks_as_they_have_parts() {
 }
 
 #[test]
+fn an_oblique_grain_is_followed() {
+    const ANISO_DEG: f64 = 117.0;
+    let brushed = shape("ggx", &[("alpha", 0.08), ("alpha_y", 0.35)]);
+    let (sin, cos) = ANISO_DEG.to_radians().sin_cos();
+    let turned = |w: Vec3<f64>| Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z);
+    let f = |wi, wo| vec![0.05 * FRAC_1_PI + 0.5 * brushed(turned(wi), turned(wo))];
+    let file = readings(Channels::Luminance, 3000, 0.05, &f);
+    let factored = Factored::of(&file, &FactorOptions::default()).unwrap();
+    assert!(factored.table().is_anisotropic());
+    // x lies along either width.
+    let off = (factored.aniso_deg() - ANISO_DEG).rem_euclid(90.0);
+    assert!(off.min(90.0 - off) < 0.5, "{}", factored.aniso_deg());
+    // A fifth of the readings' noise in the median: the carrier is their model, so its fit and the regression average them all.
+    let [median, most] = errors(&|wi, wo| factored.value(wi, wo), &f);
+    println!("{median} {most} {:?}", factored.facts);
+    assert!(median < 0.01 && most < 0.05, "{median}, {most}");
+    // Smoothed values are in the frame of the data, too.
+    let smoothed = Smoothed::of(&file, None).unwrap();
+    assert!(smoothed.is_anisotropic());
+    let [median, most] = errors(&|wi, wo| smoothed.value(wi, wo).0, &f);
+    assert!(median < 0.01 && most < 0.05, "{median}, {most}");
+}
+
+#[test]
 fn a_grain_is_seen_where_there_is_one() {
     // No model that the table is a factor of.
     let brushed = shape("ashikhmin-shirley", &[("nu", 150.0), ("nv", 10.0)]);

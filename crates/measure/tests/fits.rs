@@ -3,7 +3,9 @@
 use glanz_bsdf::models::lambert::Lambert;
 use glanz_bsdf::{Angle, DirectionPair, LayerWeight, Model, ModelInfo, ParamInfo, Shape};
 use glanz_math::Vec3;
-use glanz_measure::{Channels, Fit, FitError, FitLobe, FitOptions, Metric, Noise, Readings, fit, fit_lobes};
+use glanz_measure::{
+    Channels, Fit, FitError, FitLobe, FitOptions, Metric, Noise, Readings, fit, fit_lobes, fit_observed,
+};
 
 /// A lobe: model, parameter and its value, albedo.
 type Lobe = (&'static str, &'static str, f64, f64);
@@ -254,6 +256,55 @@ fn two_widths_and_the_direction_of_the_grain_are_found() {
 }
 
 #[test]
+fn two_widths_are_tried_where_readings_may_show_them_and_kept_where_they_do() {
+    // Brushed at 30°, matte paint beside it.
+    let brushed = Shape::named("ggx", &[("alpha", 0.1), ("alpha_y", 0.3)]).unwrap();
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let turn = |(x, y): (f64, f64)| (cos * x + sin * y, cos * y - sin * x);
+    let f_cos = |pair: &DirectionPair<f64>| {
+        let (tangent_o, tangent_i) = (turn(pair.tangent_o), turn(pair.tangent_i));
+        let turned = DirectionPair { tangent_o, tangent_i, ..*pair };
+        vec![0.4 * brushed.f_cos(&turned) + 0.1 * pair.cos_i / std::f64::consts::PI]
+    };
+    let data = of_function(true, Channels::Luminance, &f_cos);
+    let fitted = |data: &Readings, models: &[&str]| fit(data, models, &FitOptions::default()).unwrap();
+    let found = fitted(&data, &["ggx", "lambert"]);
+    let forced = fitted(&data, &["ggx:aniso", "lambert"]);
+    let equal = fitted(&data, &["ggx:iso", "lambert"]);
+    assert_eq!((&found.lobes, found.aniso_deg, found.error), (&forced.lobes, forced.aniso_deg, forced.error));
+    assert_eq!((found.isotropic_error, forced.isotropic_error), (Some(equal.error), None));
+    assert!(found.error < 0.5 * equal.error, "{} rather than {}", found.error, equal.error);
+    // A model with one width stays as it is.
+    let single = fitted(&data, &["cook-torrance", "lambert"]);
+    assert_eq!((single.aniso_deg, single.isotropic_error), (None, None));
+
+    // Of one azimuth of the light nothing is tried, and of many nothing found where there is none.
+    let round = shape(("ggx", "alpha", 0.2, 0.0));
+    let isotropic = |turns: bool, models: &[&str]| {
+        let data = of_function(turns, Channels::Luminance, &|pair| vec![0.4 * round.f_cos(pair)]);
+        fitted(&data, models)
+    };
+    for turns in [false, true] {
+        assert_eq!(isotropic(turns, &["ggx"]), isotropic(turns, &["ggx:iso"]), "{turns}");
+    }
+    let error = FitLobe::named("ggx:iso:aniso").unwrap_err();
+    assert_eq!(error.to_string(), "'ggx:iso:aniso': a lobe is either aniso or iso");
+}
+
+#[test]
+fn progress_of_a_fit_rises_to_its_end() {
+    let data = readings(&[("ggx", "alpha", 0.2, 0.3), ("lambert", "", 0.0, 0.3)], Channels::Luminance);
+    let mut parts = Vec::new();
+    let options = FitOptions::default();
+    let found = fit_observed(&data, &["ggx", "diffuse"], &options, &mut |part| parts.push(part)).unwrap();
+    assert_eq!(found, fit(&data, &["ggx", "diffuse"], &options).unwrap());
+    assert!(
+        parts.len() > 3 && parts.is_sorted() && parts[0] == 0.0 && parts.last() == Some(&1.0),
+        "{parts:?}"
+    );
+}
+
+#[test]
 fn readings_count_as_their_weights_say() {
     let (good, bad) = (("ggx", "alpha", 0.2, 0.3), ("ggx", "alpha", 0.4, 0.3));
     let [right, wrong] = [good, bad].map(|lobe| readings(&[lobe], Channels::Luminance));
@@ -284,6 +335,7 @@ fn error(readings: &Readings, fit: &Fit, metric: Metric) -> f64 {
             t if t > 216.0 / 24_389.0 => 1.16 * t.cbrt() - 0.16,
             t => 24_389.0 / 2700.0 * t,
         },
+        Metric::Rendered => unreachable!("it is of all channels together"),
     };
     let (mut sum, mut weights) = (0.0, 0.0);
     for i in (0..readings.len()).filter(|i| readings.pair(*i)[1].z > 80_f64.to_radians().cos()) {
@@ -303,7 +355,7 @@ fn no_fit_nearby_is_better() {
     for i in 0..even.len() {
         data.push_weighted(even.pair(i)[0], even.pair(i)[1], even.values(i), [0.2, 1.0, 3.0][i % 3]);
     }
-    for metric in Metric::ALL {
+    for metric in Metric::ALL.into_iter().filter(|metric| *metric != Metric::Rendered) {
         let options = FitOptions { metric, ..FitOptions::default() };
         let found = fit(&data, &["ward:schlick", "lambert"], &options).unwrap();
         let least = error(&data, &found, metric);
@@ -374,13 +426,15 @@ fn fits_are_the_same_bits_for_any_number_of_threads() {
     while many.len() < 80_000 {
         (0..some.len()).for_each(|i| many.push(some.pair(i)[0], some.pair(i)[1], some.values(i)));
     }
-    let options = FitOptions { most_readings: usize::MAX, ..FitOptions::default() };
-    let with_threads = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| fit(&many, &["ward:schlick", "lambert"], &options).unwrap())
-    };
-    let (one, three) = (with_threads(1), with_threads(3));
-    assert!(one.readings > 65_536);
-    assert_eq!(one, three);
-    assert_eq!(one.error.to_bits(), three.error.to_bits());
+    for metric in [Metric::CubeRoot, Metric::Rendered] {
+        let options = FitOptions { metric, most_readings: usize::MAX, ..FitOptions::default() };
+        let with_threads = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| fit(&many, &["ward:schlick", "lambert"], &options).unwrap())
+        };
+        let (one, three) = (with_threads(1), with_threads(3));
+        assert!(one.readings > 65_536);
+        assert_eq!(one, three);
+        assert_eq!(one.error.to_bits(), three.error.to_bits());
+    }
 }

@@ -29,10 +29,11 @@ macro_rules! stored {
 }
 
 /// The example scenes, by the names of their files.
-const SCENES: [Stored; 34] = stored![
+const SCENES: [Stored; 35] = stored![
     "ball.toml",
     "black-light.toml",
     "brewster.toml",
+    "brushed-metal.toml",
     "brushed.toml",
     "car-paint.toml",
     "colorchecker.toml",
@@ -67,10 +68,11 @@ const SCENES: [Stored; 34] = stored![
 ];
 
 /// The files that they name.
-const FILES: [Stored; 18] = stored![
+const FILES: [Stored; 19] = stored![
     "data/metamer-a.csv",
     "data/metamer-b.csv",
     "data/studio.hdr",
+    "measured/brushed-steel.csv",
     "measured/cc_ibiza_sunset_rgb.bsdf",
     "measured/noisy.csv",
     "measured/paper_white_rgb.bsdf",

@@ -219,6 +219,57 @@ fn a_fit_is_ranked_and_is_a_material() {
     }
 }
 
+#[test]
+fn fits_are_ranked_by_how_different_balls_look() {
+    let folder = Folder::new();
+    let sample =
+        ["measure", "sample", "ggx", "--set", "alpha=0.3", "--tint", "0.2", "--diffuse", "0.4", "-o"];
+    folder.glanz(&[&sample[..], &["a.csv"]].concat()).text();
+    let fit = ["measure", "fit", "a.csv", "--models", "lambert,ggx+lambert", "--metric", "rendered"];
+    for by in ["metric", "rendered", "balls"] {
+        let facts = folder.glanz(&[&fit[..], &["--rank-by", by, "--format", "json"]].concat()).json();
+        assert_eq!((&facts["metric"], &facts["ranked_by"]), (&"rendered".into(), &by.into()));
+        let [best, worst] = [0, 1].map(|i| &facts["fits"][i]);
+        assert_eq!((&best["models"], &worst["models"]), (&"ggx+lambert".into(), &"lambert".into()), "{by}");
+        // Exact readings, rounded to f32: nothing is left of the colour's difference.
+        let p95 = |fit: &serde_json::Value| fit["delta_e"]["p95"].as_f64().unwrap();
+        assert!(p95(best) < 0.01 && p95(worst) > 1.0, "{facts}");
+        assert_eq!(best["balls"].as_array().unwrap().len(), if by == "balls" { 2 } else { 0 }, "{by}");
+        if by == "balls" {
+            // Balls of data are those of the table over the carrier, in codes of eight bits.
+            let mean = |fit: &serde_json::Value| fit["balls"][1]["delta_e"]["mean"].as_f64().unwrap();
+            assert!(mean(best) < 0.5 && mean(worst) > 2.0 * mean(best), "{facts}");
+        }
+    }
+    let run = folder.glanz(&[&fit[..], &["--rank-by", "balls"]].concat());
+    let text = run.text();
+    assert!(
+        text.contains("readings as rendered: ΔE00 median") && text.contains("ball, studio: ΔE00 mean"),
+        "{text}"
+    );
+    // X, Y and Z are no material of which a ball could be drawn.
+    folder.write(
+        "xyz.csv",
+        "theta_i_deg,theta_o_deg,X,Y,Z\n0,0,.2,.2,.2\n0,9,.2,.2,.2\n9,0,.2,.2,.2\n9,9,.2,.2,.2\n",
+    );
+    let run = folder.glanz(&["measure", "fit", "xyz.csv", "--models", "lambert", "--rank-by", "balls"]);
+    assert!(run.code == 3 && run.stderr.contains("rank by rendered"), "{}: {}", run.code, run.stderr);
+}
+
+#[test]
+fn a_brushed_sample_is_fitted_with_two_widths_unless_that_is_forbidden() {
+    let folder = Folder::new();
+    let sample = "measure sample ggx --set alpha=0.1 --set alpha_y=0.3 --tint 0.6 --aniso-deg 30 --every 7 --noise 0.05 -o a.csv";
+    folder.glanz(&sample.split(' ').collect::<Vec<_>>()).text();
+    let fit = |models: &str| folder.glanz(&["measure", "fit", "a.csv", "--models", models]).text().to_owned();
+    let free = fit("ggx+lambert");
+    assert!(free.contains("two widths, grain at 30.") || free.contains("two widths, grain at 29."), "{free}");
+    assert!(free.contains("rather than") && free.contains("alpha_y = 0.3"), "{free}");
+    assert!(!fit("ggx:iso+lambert").contains("grain at"));
+    let forced = fit("ggx:aniso+lambert");
+    assert!(forced.contains("grain at") && !forced.contains("rather than"), "{forced}");
+}
+
 /// What `measure appearance` tells programs.
 fn appearance(folder: &Folder, words: &[&str]) -> serde_json::Value {
     folder.glanz(&[&["measure", "appearance"], words, &["--format", "json"]].concat()).json()

@@ -64,6 +64,31 @@ pub fn cie94(reference: Lab, sample: Lab, weights: Cie94) -> f64 {
 /// Symmetric. Hues are kept as directions, so that per colour pair only one arc tangent, one exponential
 /// and one sine remain; the result is that of the formula with angles.
 pub fn ciede2000(first: Lab, second: Lab) -> f64 {
+    let ([l, c, h, r_t], _) = weighted_differences(first, second);
+    (l * l + c * c + h * h + r_t * c * h).max(0.0).sqrt()
+}
+
+/// Three numbers whose squares add up to that of [`ciede2000`]: the difference of lightness, and those along
+/// a′ and b, each over the formula's weights. Least squares of differences of colour are those of these numbers, which, other
+/// than ΔE00 and the differences of chroma and hue, have slopes where colours are the same and where they are grey.
+///
+/// ```
+/// use glanz_color::difference::{ciede2000, ciede2000_components};
+/// use glanz_color::models::Lab;
+///
+/// let (first, second) = (Lab([50.0, 2.6772, -79.7751]), Lab([48.0, 0.0, -82.7485]));
+/// let squares: f64 = ciede2000_components(first, second).iter().map(|x| x * x).sum();
+/// assert!((squares.sqrt() - ciede2000(first, second)).abs() < 1e-12);
+/// ```
+pub fn ciede2000_components(first: Lab, second: Lab) -> [f64; 3] {
+    let ([l, c, h, r_t], (cos, sin)) = weighted_differences(first, second);
+    // Square to each other; |R_T| is below 2 sin 60°, so the root is real.
+    let (c, h) = (c + 0.5 * r_t * h, h * (1.0 - 0.25 * r_t * r_t).sqrt());
+    [l, cos * c - sin * h, sin * c + cos * h]
+}
+
+/// The differences of lightness, chroma and hue over their weights, the rotation term R_T, and the direction of the mean hue.
+fn weighted_differences(first: Lab, second: Lab) -> ([f64; 4], (f64, f64)) {
     let ([l1, a1, b1], [l2, a2, b2]) = (first.0, second.0);
     let mean_chroma = 0.5 * (length(a1, b1) + length(a2, b2));
     let stretch = 1.0 + 0.5 * (1.0 - saturation(mean_chroma));
@@ -80,7 +105,7 @@ pub fn ciede2000(first: Lab, second: Lab) -> f64 {
     let c = (second.chroma - first.chroma) / s_c;
     let h = hue_difference(&first, &second) / s_h;
     let r_t = -2.0 * saturation(mean_c) * blue_rotation(cos, sin);
-    (l * l + c * c + h * h + r_t * c * h).max(0.0).sqrt()
+    ([l, c, h, r_t], (cos, sin))
 }
 
 /// A point of the plane a′, b by its direction and its distance from the grey axis.

@@ -6,7 +6,7 @@ use glanz_math::Vec3;
 use crate::{Fit, FitError, FitOptions, Readings, fit};
 
 /// Candidates, the simplest first.
-const CANDIDATES: [&[&str]; 2] = [&["ggx", "lambert"], &["ggx", "ggx", "lambert"]];
+const CANDIDATES: [&[&str]; 2] = [&["ggx:iso", "lambert"], &["ggx:iso", "ggx:iso", "lambert"]];
 
 /// Highlights with a grain, of which the one that fits best is taken.
 const GRAINED: [&str; 3] = ["ggx:aniso", "beckmann:aniso", "ward:aniso"];
@@ -23,7 +23,7 @@ const LEAST_TINT: f64 = 1e-4;
 /// Nearer to the horizon products with the cosine are divided by this one.
 const LEAST_COSINE: f64 = 0.01;
 
-/// So near to a multiple of a quarter turn, in quarters, a grain runs along an axis.
+/// So near to a multiple of a quarter turn, in quarters, a grain runs along an axis, and nothing is turned.
 const ALIGNED: f64 = 0.02;
 
 /// A sum of lobes, each with a tint for each channel.
@@ -48,15 +48,17 @@ impl Carrier {
         Ok(Self::of(best, readings))
     }
 
-    /// One with a grain along x or y; none where the grain runs otherwise, or nothing can be fitted.
-    pub(super) fn grained(readings: &Readings) -> Option<Self> {
+    /// One with a grain along x or y, and the azimuth in radians that its x axis has in the readings' frame; none where nothing
+    /// can be fitted.
+    pub(super) fn grained(readings: &Readings) -> Option<(Self, f64)> {
         let options = FitOptions { most_readings: 6000, ..FitOptions::default() };
         // Few readings tell a grain of much: the better the model, the less is left to them.
         let fits = GRAINED.iter().filter_map(|model| fit(readings, &[model, "lambert"], &options).ok());
         let mut found = fits.min_by(|a, b| a.error.total_cmp(&b.error))?;
-        let quarters = found.aniso_deg? / 90.0;
+        let azimuth_deg = found.aniso_deg?;
+        let quarters = azimuth_deg / 90.0;
         if (quarters - libm::round(quarters)).abs() > ALIGNED {
-            return None;
+            return Some((Self::of(found, readings), azimuth_deg.to_radians()));
         }
         if libm::round(quarters) as i64 % 2 != 0 {
             for lobe in found.lobes.iter_mut().filter(|lobe| lobe.shape.info().anisotropic) {
@@ -64,7 +66,7 @@ impl Carrier {
                 lobe.shape = lobe.shape.with("alpha", y?).ok()?.with("alpha_y", x?).ok()?;
             }
         }
-        Some(Self::of(found, readings))
+        Some((Self::of(found, readings), 0.0))
     }
 
     fn of(fit: Fit, readings: &Readings) -> Self {

@@ -22,6 +22,7 @@ use judge::Judge;
 use positive::Positive;
 use ranks::{Columns, Ranked};
 pub use smoothed::Smoothed;
+use smoothed::turned;
 
 /// Nodes along the axes of the tables of isotropic surfaces, and of those with a grain.
 const SIZES: [[usize; 4]; 2] = [[48, 48, 17, 1], [24, 16, 16, 20]];
@@ -121,6 +122,7 @@ pub struct Factored {
     table: Arc<FactorTable>,
     /// For each rank what it counts for in each positive channel.
     mix: Vec<Vec<f64>>,
+    azimuth: f64,
     /// What is to be known of it.
     pub facts: FactorFacts,
 }
@@ -174,7 +176,8 @@ impl Factored {
             noise: smoothed.noise(),
         };
         let (table, channels) = (Arc::new(table), smoothed.positive().clone());
-        Self { channels, lobes: carrier.lobes.clone(), table, mix, facts }
+        let azimuth = smoothed.azimuth();
+        Self { channels, lobes: carrier.lobes.clone(), table, mix, azimuth, facts }
     }
 
     /// What the tints' numbers belong to.
@@ -185,6 +188,12 @@ impl Factored {
     /// The table.
     pub fn table(&self) -> &Arc<FactorTable> {
         &self.table
+    }
+
+    /// The azimuth of the x axis of lobes and table in the frame of the data, in degrees, which is the `aniso_deg` of a
+    /// material: that of an oblique grain. It is 0 where there is no grain, or it runs along an axis.
+    pub fn aniso_deg(&self) -> f64 {
+        self.azimuth.to_degrees()
     }
 
     /// All lobes: shape, the rank of the table that is a factor of it, and a tint for each channel, which may be negative.
@@ -203,7 +212,7 @@ impl Factored {
 
     /// The BRDF at a pair of directions above the horizon, in 1/sr, as it is drawn.
     pub fn value(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> Vec<f64> {
-        let pair = DirectionPair::new(wo, wi);
+        let pair = DirectionPair::new(turned(wo, -self.azimuth), turned(wi, -self.azimuth));
         let factors = self.table.factors(&pair);
         let mut values = vec![0.0; self.channels.own().count()];
         for (shape, tint) in &self.lobes {
@@ -222,7 +231,8 @@ fn exact(measured: &Measured, smoothed: &Smoothed, wi: Vec3<f64>, wo: Vec3<f64>)
     if wi.z < LEAST_COSINE || wo.z < LEAST_COSINE {
         return None;
     }
-    let values = smoothed.positive().to(measured.value(wi, wo)?);
+    let own = |w: Vec3<f64>| turned(w, smoothed.azimuth());
+    let values = smoothed.positive().to(measured.value(own(wi), own(wo))?);
     let over = |(value, carrier): (f64, f64)| (value.max(0.0) / carrier.max(1e-30)).min(1e3);
     Some(values.into_iter().zip(smoothed.carrier().values(wi, wo)).map(over).collect())
 }

@@ -1,13 +1,11 @@
 //! Readings smoothed by Gaussians, for any pair of directions.
 
-use std::collections::BTreeSet;
-
 use glanz_math::Vec3;
 
 use super::carrier::Carrier;
 use super::positive::Positive;
 use super::smooth::{Grained, Isotropic, Smooth};
-use crate::{Channels, FitError, Measured, Readings};
+use crate::{Channels, FitError, Measured};
 
 /// Differences that are this part of the isotropic ones are those of a grain.
 const GRAIN: f64 = 0.7;
@@ -40,6 +38,8 @@ pub struct Smoothed {
     channels: Positive,
     carrier: Carrier,
     kernel: Kernel,
+    /// The azimuth of the x axis of carrier and kernel, in radians.
+    azimuth: f64,
 }
 
 /// By whether there is a grain.
@@ -63,13 +63,15 @@ impl Smoothed {
         let readings = channels.readings(&readings);
         let carrier = Carrier::fitted(&readings)?;
         let kernel = Kernel::Isotropic(Smooth::new(&readings, &carrier, neighbours));
-        let isotropic = Self { channels, carrier, kernel };
-        if !may_have_grain(measured, &readings) {
+        let isotropic = Self { channels, carrier, kernel, azimuth: 0.0 };
+        if measured.is_isotropic() || !readings.have_turns() {
             return Ok(isotropic);
         }
-        let carrier = Carrier::grained(&readings).unwrap_or_else(|| isotropic.carrier.clone());
-        let kernel = Kernel::Grained(Smooth::new(&readings, &carrier, neighbours));
-        let grained = Self { channels: isotropic.channels.clone(), carrier, kernel };
+        let grained = Carrier::grained(&readings);
+        let (carrier, azimuth) = grained.unwrap_or_else(|| (isotropic.carrier.clone(), 0.0));
+        let turned = if azimuth == 0.0 { readings } else { readings.turned(-azimuth) };
+        let kernel = Kernel::Grained(Smooth::new(&turned, &carrier, neighbours));
+        let grained = Self { channels: isotropic.channels.clone(), carrier, kernel, azimuth };
         Ok(if grained.noise() < GRAIN * isotropic.noise() { grained } else { isotropic })
     }
 
@@ -108,9 +110,15 @@ impl Smoothed {
     /// The BRDF in 1/sr at a pair of directions above the horizon, by channels, and how far the nearest reading is in
     /// (⁴√(1 − n·h), √(1 − wo·h), (cosθi − cosθo) / 2).
     pub fn value(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> (Vec<f64>, f64) {
+        let [wi, wo] = [wi, wo].map(|w| turned(w, -self.azimuth));
         let (mut factors, nearest) = self.factors(wi, wo);
         factors.iter_mut().zip(self.carrier.values(wi, wo)).for_each(|(factor, carrier)| *factor *= carrier);
         (self.channels.from(factors), nearest)
+    }
+
+    /// The azimuth of the x axis of what is known of the surface, in radians: that of an oblique grain, else 0.
+    pub(super) fn azimuth(&self) -> f64 {
+        self.azimuth
     }
 
     pub(super) fn positive(&self) -> &Positive {
@@ -121,7 +129,8 @@ impl Smoothed {
         &self.carrier
     }
 
-    /// What the BRDF is over the carrier, by positive channels, and how far the nearest reading is.
+    /// What the BRDF is over the carrier, by positive channels, and how far the nearest reading is; directions are those of the
+    /// carrier's axes.
     pub(super) fn factors(&self, wi: Vec3<f64>, wo: Vec3<f64>) -> (Vec<f64>, f64) {
         match &self.kernel {
             Kernel::Isotropic(smooth) => smooth.factors(wi, wo),
@@ -139,15 +148,11 @@ impl Kernel {
     }
 }
 
-/// Whether light came from so many azimuths that a grain would show.
-fn may_have_grain(measured: &Measured, readings: &Readings) -> bool {
-    if measured.is_isotropic() {
-        return false;
+/// A direction turned about the normal by an angle in radians.
+pub(super) fn turned(w: Vec3<f64>, angle: f64) -> Vec3<f64> {
+    if angle == 0.0 {
+        return w;
     }
-    let azimuth = |i: usize| {
-        let [wi, _] = readings.pair(i);
-        (wi.z < 0.999).then(|| libm::round(libm::atan2(wi.y, wi.x).to_degrees()) as i32)
-    };
-    let azimuths: BTreeSet<i32> = (0..readings.len()).filter_map(azimuth).collect();
-    azimuths.len() >= 3
+    let (sin, cos) = libm::sincos(angle);
+    Vec3::new(cos * w.x - sin * w.y, sin * w.x + cos * w.y, w.z)
 }

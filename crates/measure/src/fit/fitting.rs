@@ -7,7 +7,7 @@ use super::lobe::{self, FitLobe, FittedLobe};
 use super::metric::Metric;
 use super::problem::{Problem, has_grain};
 use super::samples::{Samples, schlick_layers};
-use super::{refine, search, tints};
+use super::{refine, rendered, search, tints};
 use crate::Readings;
 
 /// How a fit is made.
@@ -56,6 +56,8 @@ pub struct Fit {
     /// The azimuth of the x axis of anisotropic shapes, in degrees, 0 … 180: the `aniso_deg` of a material. None where all
     /// lobes are isotropic.
     pub aniso_deg: Option<f64>,
+    /// The error with equal widths, where two widths were not asked for and are clearly better.
+    pub isotropic_error: Option<f64>,
     /// The root of the mean of the squares of the metric's differences.
     pub error: f64,
     /// The same as a part of that of the readings themselves.
@@ -101,7 +103,9 @@ impl Fit {
 }
 
 /// Fits a sum of lobes, by the names of their models. `:schlick` and `:aniso` may stand behind a name, as for [`FitLobe::named`];
-/// `diffuse` is whichever diffuse model fits best, where one with a parameter more must lower the error by 1 %.
+/// `diffuse` is whichever diffuse model fits best, where one with a parameter more must lower the error by 1 %. If light came
+/// from three azimuths or more, two widths and the direction of the grain are tried for all lobes that have them, and kept if
+/// they lower the error by a tenth, which [`Fit::isotropic_error`] tells; `:iso` forbids it, and so does one `:aniso`.
 ///
 /// ```
 /// use glanz_bsdf::{DirectionPair, Shape};
@@ -130,20 +134,69 @@ impl Fit {
 /// [`FitError::Model`] for models that are not there, and for none or too many of them; [`FitError::TooFew`] and
 /// [`FitError::Nothing`] for readings that cannot tell.
 pub fn fit(readings: &Readings, models: &[&str], options: &FitOptions) -> Result<Fit, FitError> {
-    let mut best: Option<Fit> = None;
-    for lobes in lobe::choices(models)? {
-        let found = fit_lobes(readings, &lobes, options)?;
+    let mut progress = |_: f64| {};
+    fit_observed(readings, models, options, &mut progress)
+}
+
+/// The same as [`fit()`], and tells as it goes which part of it is done, 0 to 1.
+///
+/// # Errors
+///
+/// As of [`fit()`].
+pub fn fit_observed(
+    readings: &Readings,
+    models: &[&str],
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
+    let choices = lobe::choices(models)?;
+    let is_free = choices.first().is_some_and(|lobes| !has_grain(lobes)) && readings.have_turns();
+    let count = choices.len() + usize::from(is_free);
+    let mut best: Option<(Vec<FitLobe>, Fit)> = None;
+    for (done, lobes) in choices.into_iter().enumerate() {
+        let from = done as f64 / count as f64;
+        let found = observed(readings, &lobes, options, &mut |part| progress(from + part / count as f64))?;
         let parameters = |fit: &Fit| fit.lobes.iter().map(|lobe| lobe.parameters.len()).sum::<usize>();
-        let is_better = |before: &Fit| {
+        let is_better = |(_, before): &(_, Fit)| {
             let has_more = parameters(&found) > parameters(before);
             found.error < before.error * if has_more { 1.0 - WORTH_A_PARAMETER } else { 1.0 }
         };
         if best.as_ref().is_none_or(is_better) {
-            best = Some(found);
+            best = Some((lobes, found));
         }
     }
-    best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))
+    let (lobes, found) = best.ok_or_else(|| FitError::Model("a fit has lobes".to_owned()))?;
+    let from = (count - usize::from(is_free)) as f64 / count as f64;
+    let mut rest = |part: f64| progress(from + part * (1.0 - from));
+    let found = if is_free { with_two_widths(readings, &lobes, found, options, &mut rest) } else { found };
+    progress(1.0);
+    Ok(found)
 }
+
+/// The fit with two widths where that is clearly better.
+fn with_two_widths(
+    readings: &Readings,
+    lobes: &[FitLobe],
+    equal: Fit,
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Fit {
+    let stretched: Vec<FitLobe> = lobes.iter().map(FitLobe::stretched).collect();
+    if !has_grain(&stretched) {
+        return equal;
+    }
+    // Too few readings for more parameters are no reason to have none.
+    match observed(readings, &stretched, options, progress) {
+        Ok(found) if found.error < (1.0 - WORTH_TWO_WIDTHS) * equal.error => {
+            Fit { isotropic_error: Some(equal.error), ..found }
+        }
+        _ => equal,
+    }
+}
+
+/// Two widths, and an azimuth, are taken if they lower the error by this part: more than noise, and than the misfit of a model to
+/// an isotropic surface at azimuths that are read unevenly.
+const WORTH_TWO_WIDTHS: f64 = 0.1;
 
 /// Of two diffuse shapes the one with more parameters is taken if it lowers the error by this part.
 const WORTH_A_PARAMETER: f64 = 0.01;
@@ -179,6 +232,17 @@ const SECOND_READINGS: usize = 40_000;
 ///
 /// As of [`fit()`].
 pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -> Result<Fit, FitError> {
+    observed(readings, lobes, options, &mut |_| {})
+}
+
+/// The same, and tells as it goes which part of it is done.
+fn observed(
+    readings: &Readings,
+    lobes: &[FitLobe],
+    options: &FitOptions,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
+    progress(0.0);
     let columns: usize = lobes.iter().map(FitLobe::columns).sum();
     let searched = lobes.iter().map(|lobe| lobe.parameters().count()).sum::<usize>();
     let parameters = searched + usize::from(has_grain(lobes));
@@ -193,25 +257,40 @@ pub fn fit_lobes(readings: &Readings, lobes: &[FitLobe], options: &FitOptions) -
         let (readings, most_theta_deg) = (samples.len(), options.most_theta_deg);
         return Err(FitError::TooFew { readings, most_theta_deg, numbers });
     }
-    fit_samples(&samples, lobes, options.metric)
+    match options.metric {
+        Metric::Rendered => rendered::fit_samples(&samples, readings.channels(), lobes, progress),
+        metric => fit_samples(&samples, lobes, metric, progress),
+    }
 }
 
+/// Parts of the time that the search and the steps with fewer readings take, about.
+const SEARCHED: f64 = 0.3;
+const STEPPED: f64 = 0.4;
+
 /// From few readings and up to three channels to all of them.
-fn fit_samples(samples: &Samples, lobes: &[FitLobe], metric: Metric) -> Result<Fit, FitError> {
+pub(super) fn fit_samples(
+    samples: &Samples,
+    lobes: &[FitLobe],
+    metric: Metric,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Fit, FitError> {
     let groups = samples.grouped();
     let grouped = groups.as_ref().unwrap_or(samples);
     let found = search::search(&grouped.thinned(FIRST_READINGS), lobes, metric)?;
+    progress(SEARCHED);
     let (mut ends, mut evaluations) = (found.ends, found.evaluations);
     let mut tints = None;
     if grouped.len() > 2 * SECOND_READINGS {
         let fewer = grouped.thinned(SECOND_READINGS);
         let mut problem = Problem::new(&fewer, lobes, metric);
-        let refined = problem.refine_best(&ends, None)?;
+        let refined = problem.refine_best(&ends, None, &mut |_| {})?;
+        progress(STEPPED);
         (ends, tints) = (vec![refined.point], Some(refined.tints));
         evaluations += problem.evaluations();
     }
     let mut problem = Problem::new(grouped, lobes, metric);
-    let refined = problem.refine_best(&ends, tints.as_deref())?;
+    let mut rest = |part: f64| progress(STEPPED + part * (1.0 - STEPPED));
+    let refined = problem.refine_best(&ends, tints.as_deref(), &mut rest)?;
     tints = Some(refined.tints);
     if groups.is_some() {
         evaluations += problem.evaluations();

@@ -49,6 +49,8 @@ pub struct FitLobe {
     pub(super) searched: Vec<Searched>,
     pub(super) across: Option<Searched>,
     pub(super) is_schlick: bool,
+    /// Whether two widths are tried where readings may show them.
+    pub(super) may_stretch: bool,
 }
 
 impl FitLobe {
@@ -71,11 +73,17 @@ impl FitLobe {
                 range: [low.max(param.min), high.min(param.max)].map(libm::log),
             })
         });
-        Ok(Self { shape, searched: width.into_iter().collect(), across: None, is_schlick: false })
+        Ok(Self {
+            shape,
+            searched: width.into_iter().collect(),
+            across: None,
+            is_schlick: false,
+            may_stretch: false,
+        })
     }
 
     /// The lobe of a model of the list, with what stands behind colons: `schlick` for Fresnel tints, `aniso` for two widths and
-    /// the direction of the grain.
+    /// the direction of the grain, `iso` for one width whatever the readings show ([`fit`](super::fit()) tries two otherwise).
     ///
     /// # Errors
     ///
@@ -84,15 +92,22 @@ impl FitLobe {
         let mut words = name.split(':').map(str::trim);
         let shape = Shape::named(words.next().unwrap_or(""), &[]);
         let mut lobe = Self::of(shape.map_err(|error| FitError::Model(error.to_string()))?)?;
+        lobe.may_stretch = true;
+        let (mut is_aniso, mut is_iso) = (false, false);
         for word in words {
+            (is_aniso, is_iso) = (is_aniso || word == "aniso", is_iso || word == "iso");
             lobe = match word {
                 "schlick" => lobe.with_schlick(),
                 "aniso" => lobe.anisotropic()?,
+                "iso" => Self { may_stretch: false, ..lobe },
                 _ => {
-                    let message = format!("'{word}' is nothing of a lobe: expected schlick or aniso");
+                    let message = format!("'{word}' is nothing of a lobe: expected schlick, aniso or iso");
                     return Err(FitError::Model(message));
                 }
             };
+        }
+        if is_aniso && is_iso {
+            return Err(FitError::Model(format!("'{name}': a lobe is either aniso or iso")));
         }
         Ok(lobe)
     }
@@ -119,6 +134,7 @@ impl FitLobe {
             return Err(FitError::Model(format!("{} has no second width", info.name)));
         }
         self.across = across;
+        self.may_stretch = false;
         Ok(self)
     }
 
@@ -143,6 +159,12 @@ impl FitLobe {
     /// The names of the parameters that are searched.
     pub fn parameters(&self) -> impl Iterator<Item = &'static str> {
         self.searched.iter().chain(&self.across).map(|searched| searched.name)
+    }
+
+    /// The same with two widths, if it may have them and the model has.
+    pub(super) fn stretched(&self) -> Self {
+        let lobe = self.clone();
+        if self.may_stretch { lobe.anisotropic().unwrap_or_else(|_| self.clone()) } else { lobe }
     }
 
     /// The same with equal widths.

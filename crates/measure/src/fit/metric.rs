@@ -21,13 +21,19 @@ pub enum Metric {
     CubeRoot,
     /// g(x) = L*(π x) / 100, the lightness of CIELAB of each channel, where a perfect diffuser lit along its normal is white: the
     /// cube root, but a line below a reflectance of 0.9 %, so that dark parts with their noise count for less. It is no
-    /// difference of colours: those need an illuminant, an observer and what is seen beside.
+    /// difference of colours.
     Lightness,
+    /// CIEDE2000 of the colours of reading and fit, as points of a sphere under one lamp: π x is what is seen, exposed so that
+    /// a perfect diffuser that faces the lamp is white, Y = 100 under D65, for the CIE 1931 observer. It is of all channels
+    /// together, so tints have no closed form: widths and tints are searched at once, from the best fit by lightness. What two
+    /// spectra of one colour differ by stays as the lightness has it. Of one number alone it is the lightness, which
+    /// [`Self::of`] gives.
+    Rendered,
 }
 
 impl Metric {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::L2, Self::Log, Self::CubeRoot, Self::Lightness];
+    pub const ALL: [Self; 5] = [Self::L2, Self::Log, Self::CubeRoot, Self::Lightness, Self::Rendered];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -36,6 +42,7 @@ impl Metric {
             Self::Log => "log",
             Self::CubeRoot => "cube-root",
             Self::Lightness => "lightness",
+            Self::Rendered => "rendered",
         }
     }
 
@@ -57,7 +64,7 @@ impl Metric {
             Self::L2 => apply::<Linear>(values),
             Self::Log => apply::<Logarithm>(values),
             Self::CubeRoot => apply::<CubeRoot>(values),
-            Self::Lightness => apply::<Lightness>(values),
+            Self::Lightness | Self::Rendered => apply::<Lightness>(values),
         });
     }
 }

@@ -6,21 +6,25 @@
 //!
 //! A grid with a few thousand of the readings and the simplex find where to begin ([`search`]), Levenberg and Marquardt's
 //! steps with all readings the last digits ([`refine`]). At each point the tints are found by Gauss and Newton's way
-//! ([`solve`]), so that they are those of the metric, not of the numbers themselves.
+//! ([`solve`]), so that they are those of the metric, not of the numbers themselves. Differences of colour are of all channels
+//! together: their steps take widths and tints at once ([`rendered`]).
 
 mod blocks;
+mod dense;
 mod fitting;
 mod lobe;
 mod metric;
 mod problem;
 mod refine;
+mod rendered;
+mod rendered_slopes;
 mod samples;
 mod search;
 mod slices;
 mod solve;
 mod tints;
 
-pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes};
+pub use fitting::{Fit, FitError, FitOptions, fit, fit_lobes, fit_observed};
 pub use lobe::{FitLobe, FittedLobe, FittedParameter};
 pub use metric::Metric;
 pub use slices::{FitSlice, SlicePoint};

@@ -80,7 +80,8 @@ impl<'a> Problem<'a> {
         self.known.clear();
     }
 
-    fn columns(&mut self, point: &[f64]) -> Result<Vec<Columns>, FitError> {
+    /// The columns at a point, lobe by lobe.
+    pub(super) fn columns(&mut self, point: &[f64]) -> Result<Vec<Columns>, FitError> {
         let samples = self.solver.samples();
         if self.known.len() * samples.len() > MOST_KNOWN {
             self.forget();
@@ -117,6 +118,16 @@ impl<'a> Problem<'a> {
     ) -> Result<Fit, FitError> {
         let point = self.clamped(point);
         let solved = self.solved(&point, near)?.0;
+        self.fit_of(&point, errors, &solved)
+    }
+
+    /// The fit that a point with its tints is.
+    pub(super) fn fit_of(
+        &self,
+        point: &[f64],
+        errors: &[Option<f64>],
+        solved: &Solved,
+    ) -> Result<Fit, FitError> {
         let (samples, whole) = (self.solver.samples(), self.solver.whole());
         if whole <= 0.0 || solved.tints.iter().flatten().all(|tint| *tint <= 0.0) {
             return Err(FitError::Nothing("all values are 0 or below".to_owned()));
@@ -139,7 +150,8 @@ impl<'a> Problem<'a> {
         Ok(Fit {
             lobes,
             aniso_deg: has_grain(self.lobes)
-                .then(|| azimuth(self.lobes, &point).to_degrees().rem_euclid(180.0)),
+                .then(|| azimuth(self.lobes, point).to_degrees().rem_euclid(180.0)),
+            isotropic_error: None,
             error: (solved.squares / weights).sqrt(),
             relative: (solved.squares / whole).sqrt(),
             readings: samples.len(),

@@ -114,7 +114,9 @@ impl<'a> Solver<'a> {
                     Metric::L2 => self.block::<Linear>(&range, columns, c, tints, sums),
                     Metric::Log => self.block::<Logarithm>(&range, columns, c, tints, sums),
                     Metric::CubeRoot => self.block::<CubeRoot>(&range, columns, c, tints, sums),
-                    Metric::Lightness => self.block::<Lightness>(&range, columns, c, tints, sums),
+                    Metric::Lightness | Metric::Rendered => {
+                        self.block::<Lightness>(&range, columns, c, tints, sums)
+                    }
                 });
             }
             sums

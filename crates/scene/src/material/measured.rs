@@ -10,7 +10,7 @@ use crate::{Lobe, Material, Tint};
 
 impl Lobe {
     /// Lobes that are measured reflectance together: each is a rank of a table over a fitted shape. Their tints are spectra,
-    /// in parts negative.
+    /// in parts negative. Of surfaces with an oblique grain their x axis lies at [`Factored::aniso_deg`].
     ///
     /// ```
     /// use glanz_measure::{FactorOptions, Factored, Measured};
@@ -36,7 +36,8 @@ impl Lobe {
 impl Material {
     /// Measured reflectance; see [`Lobe::of_measured`].
     pub fn measured(name: impl Into<String>, factored: &Factored) -> Self {
-        Self::of_lobes(name, Lobe::of_measured(factored))
+        let aniso = factored.aniso_deg().to_radians();
+        Self { aniso, ..Self::of_lobes(name, Lobe::of_measured(factored)) }
     }
 }
 

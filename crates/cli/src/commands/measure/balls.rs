@@ -5,9 +5,8 @@ use glanz_picture::compare::{Metric, MetricOptions, Pair, Picture, Scale, Spread
 use glanz_plot::figure::PictureRow;
 use glanz_plot::{Canvas, ContactSheet, number};
 use glanz_scene::stage::MaterialStage;
-use glanz_scene::{LightColor, LightKind};
+use glanz_scene::{LightColor, LightKind, Material};
 
-use super::surface::Surface;
 use crate::args::{CameraArgs, DevelopArgs, LookArgs};
 use crate::load::input_of_stage;
 use crate::pipeline::{self, Plan};
@@ -41,33 +40,45 @@ struct Stage {
     brightest: f64,
 }
 
-impl Balls {
+/// The balls of one material, stage by stage.
+#[derive(Clone)]
+pub(super) struct Drawn(Vec<Canvas>);
+
+impl Drawn {
+    /// How many pictures it has.
+    pub(super) const PICTURES: usize = STAGES.len();
+
     /// Draws them.
-    pub(super) fn drawn(
-        surfaces: &[Surface; 2],
-        light: LightColor,
+    pub(super) fn of(
+        material: &Material,
+        light: &LightColor,
         size: (u32, u32),
+        progress: &mut Progress,
     ) -> Result<Self, Failure> {
-        let stage = MaterialStage::new(light);
-        let mut progress = Progress::new(2 * STAGES.len(), "pictures");
+        let stage = MaterialStage::new(light.clone());
+        let mut draw = |name: &&str| -> Result<Canvas, Failure> {
+            let mut scene = stage.scene(material.clone(), size);
+            if *name == "lamps" {
+                scene.lights.retain(|light| matches!(light.kind, LightKind::Directional { .. }));
+                scene.render.ev += LAMPS_EV;
+            }
+            let input = input_of_stage(scene);
+            let look = LookArgs { samples: Some(SAMPLES), ..LookArgs::default() };
+            let plan = Plan::new(&input, Some(size), &look, &CameraArgs::default(), DevelopArgs::default())?;
+            let mut shot = plan.shot(&input.scene)?;
+            let canvas = pipeline::codes(&mut shot, &mut Timings::default(), progress)?;
+            progress.step();
+            Ok(canvas)
+        };
+        STAGES.iter().map(&mut draw).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Balls {
+    /// Of two materials, with the differences.
+    pub(super) fn of([a, b]: [Drawn; 2], size: (u32, u32)) -> Result<Self, Failure> {
         let mut stages = Vec::new();
-        for name in STAGES {
-            let mut draw = |surface: &Surface| -> Result<Canvas, Failure> {
-                let mut scene = stage.scene(surface.material.clone(), size);
-                if name == "lamps" {
-                    scene.lights.retain(|light| matches!(light.kind, LightKind::Directional { .. }));
-                    scene.render.ev += LAMPS_EV;
-                }
-                let input = input_of_stage(scene);
-                let look = LookArgs { samples: Some(SAMPLES), ..LookArgs::default() };
-                let plan =
-                    Plan::new(&input, Some(size), &look, &CameraArgs::default(), DevelopArgs::default())?;
-                let mut shot = plan.shot(&input.scene)?;
-                let canvas = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
-                progress.step();
-                Ok(canvas)
-            };
-            let pictures = [draw(&surfaces[0])?, draw(&surfaces[1])?];
+        for pictures in a.0.into_iter().zip(b.0).map(|(a, b)| [a, b]) {
             let pair = Pair::new(picture(&pictures[0]), picture(&pictures[1]), true).map_err(Failure::new)?;
             let measured = pair.measure(Metric::De2000, &MetricOptions::default()).map_err(Failure::new)?;
             let brightest = brightest(measured.spread.p95);

@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::ReadArgs;
-use super::balls::Balls;
+use super::balls::{Balls, Drawn};
 use super::sheet::Pair;
 use super::surface::Surface;
 use crate::args::{MachineArgs, PlotTarget, TargetArgs, size};
@@ -23,6 +23,7 @@ use crate::encode;
 use crate::input::spectra::{light_source, observer_source};
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs, number};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
@@ -110,12 +111,12 @@ pub(crate) struct Document {
 
 /// How values are spread.
 #[derive(Debug, Serialize, JsonSchema)]
-struct SpreadFacts {
-    mean: f64,
-    median: f64,
+pub(super) struct SpreadFacts {
+    pub(super) mean: f64,
+    pub(super) median: f64,
     /// What 95 of 100 stay below
-    p95: f64,
-    max: f64,
+    pub(super) p95: f64,
+    pub(super) max: f64,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -126,14 +127,14 @@ struct MetricFacts {
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
-struct BallFacts {
+pub(super) struct BallFacts {
     /// lamps or studio
-    stage: &'static str,
-    delta_e: SpreadFacts,
+    pub(super) stage: &'static str,
+    pub(super) delta_e: SpreadFacts,
 }
 
 impl SpreadFacts {
-    fn of(Spread { mean, median, p95, max }: Spread) -> Self {
+    pub(super) fn of(Spread { mean, median, p95, max }: Spread) -> Self {
         Self { mean, median, p95, max }
     }
 }
@@ -152,7 +153,13 @@ impl CompareArgs {
         let light = light_source(&self.light)?;
         let observer = observer_source(&self.observer)?;
         let words = [&self.reference, &self.other];
-        let [a, b] = words.map(|word| Surface::of(word, &self.read));
+        // Data are fitted and smoothed before they are drawn, which takes as long as a picture or longer.
+        let mut progress = Progress::new(2 + 2 * Drawn::PICTURES, "steps");
+        let [a, b] = words.map(|word| {
+            let surface = Surface::of(word, &self.read);
+            progress.step();
+            surface
+        });
         let surfaces = [a?, b?];
         let response =
             |surface: &Surface| MaterialResponse::new(&surface.material, &light.spectrum, &observer);
@@ -162,7 +169,8 @@ impl CompareArgs {
         let (delta_e, metrics) = of_pairs(&pairs, &responses);
         let lamp = LightColor::unit(&light.spectrum)
             .ok_or_else(|| Failure::new(format_args!("--light '{}' sends no light", self.light)))?;
-        let balls = Balls::drawn(&surfaces, lamp, self.size)?;
+        let mut draw = |surface: &Surface| Drawn::of(&surface.material, &lamp, self.size, &mut progress);
+        let balls = Balls::of([draw(&surfaces[0])?, draw(&surfaces[1])?], self.size)?;
         let spreads = balls.spreads();
         let names = words.map(|word| file_name(word));
         let (light, observer) = (&light, &observer);

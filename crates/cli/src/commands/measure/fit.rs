@@ -1,20 +1,21 @@
 //! `glanz measure fit`: models to readings.
 
-use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use glanz_measure::{Fit, FitError, FitOptions, FittedLobe, FittedParameter, Metric, Readings, fit};
+use glanz_measure::{Fit, FitError, FitOptions, FittedLobe, Metric, Readings, fit_observed};
 use glanz_picture::output::{OutputError, write_atomically};
-use schemars::JsonSchema;
-use serde::Serialize;
 
+pub(crate) use super::fit_facts::Document;
+use super::fit_facts::{Candidate, text};
+use super::fit_rank::RankBy;
 use super::fitted_material::material;
-use super::{ReadArgs, fit_report, read};
+use super::{ReadArgs, fit_rank, fit_report, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
-use crate::print::{self, FormatArgs, number};
+use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
@@ -22,17 +23,22 @@ Examples:
   glanz measure fit readings.csv --report fit.svg
   glanz measure fit paint.bsdf --models ggx+lambert,ggx*2+lambert,cook-torrance+oren-nayar -o fit.toml
   glanz measure fit gold.binary --models ggx*2 --metric log --format json
+  glanz measure fit paint.bsdf --metric rendered --rank-by balls
   glanz measure fit brushed.csv --models ggx:aniso:schlick+diffuse -o brushed.toml
 
 Candidates stand between commas, their lobes between +, and *2 is two of one model. Of each lobe one parameter is
 searched (alpha, m, shininess, nu, n, sigma_deg, roughness or k, whichever its model has), others stay at their
 defaults; tints follow in closed form and are not negative. Behind colons stands more: ggx:schlick has a tint at
 normal and one at grazing incidence, in Schlick's form, and ggx:aniso two widths and the direction of the grain,
-which all such lobes share. diffuse stands for whichever diffuse model fits best. A column called weight in a
-table of readings says how much each counts. Candidates are ranked by the metric's root mean square, over readings
-whose light and detector are within --most-theta of the normal. Behind a parameter stands its standard error, in
-percent; a parameter at the end of its range is told, since such a fit is seldom what it seems. The file that is
-written holds the best one as a material for scenes: readings in RGB as linear sRGB, in wavelengths as tables.";
+which all such lobes share. Where light came from three azimuths or more, both are tried for every model that has
+two widths, and kept if they lower the error by a tenth; ggx:iso forbids it. diffuse stands for whichever diffuse
+model fits best. A column called weight in a table of readings says how much each counts. Candidates are ranked by
+the metric's root mean square, over readings whose light and detector are within --most-theta of the normal, or by
+--rank-by. Behind a parameter stands its standard error, in percent; a parameter at the end of its range is told,
+since such a fit is seldom what it seems. dE00 is CIEDE2000 between readings and fit as points of a sphere under
+one lamp, exposed so that a perfect diffuser that faces it is white (D65), which --metric rendered makes small. The
+file that is written holds the best one as a material for scenes: readings in RGB as linear sRGB, in wavelengths
+as tables.";
 
 /// What is tried where nothing is said.
 const CANDIDATES: &str = "ward+lambert,cook-torrance+lambert,ggx+lambert,phong-normalized+lambert";
@@ -49,9 +55,15 @@ pub(crate) struct FitArgs {
     models: String,
 
     /// What is made small: the differences of the numbers themselves (l2), of their logarithms (log), of their cube
-    /// roots (cube-root) or of the lightness L* of each channel (lightness)
+    /// roots (cube-root), of the lightness L* of each channel (lightness) or of the colours on a sphere under one lamp,
+    /// CIEDE2000 (rendered)
     #[arg(long, value_name = "METRIC", value_parser = metric, default_value = "cube-root")]
     metric: Metric,
+
+    /// What candidates are ranked by: the metric's error (metric), the mean CIEDE2000 of readings (rendered) or of balls
+    /// in a studio (balls), which are drawn of the data and of each fit
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t)]
+    rank_by: RankBy,
 
     /// Readings count up to this angle of light and detector from the normal
     #[arg(long, value_name = "DEGREES", default_value_t = 80.0)]
@@ -77,59 +89,7 @@ pub(crate) struct FitArgs {
 }
 
 fn metric(text: &str) -> Result<Metric, String> {
-    Metric::named(text).ok_or_else(|| "expected l2, log, cube-root or lightness".to_owned())
-}
-
-/// Fits, the best first.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct Document {
-    /// l2, log, cube-root or lightness
-    metric: &'static str,
-    /// Names of the channels
-    channels: Vec<String>,
-    fits: Vec<FitFacts>,
-    /// The file that was written
-    file: Option<String>,
-    notes: Vec<String>,
-}
-
-/// One candidate.
-#[derive(Debug, Serialize, JsonSchema)]
-struct FitFacts {
-    /// As it was asked for
-    models: String,
-    /// Root mean square of the metric's differences
-    error: f64,
-    /// The same as a part of the readings' own
-    relative: f64,
-    /// Readings that counted
-    readings: usize,
-    /// The azimuth of the x axis of anisotropic lobes, in degrees; null where there are none
-    aniso_deg: Option<f64>,
-    lobes: Vec<LobeFacts>,
-}
-
-/// A lobe.
-#[derive(Debug, Serialize, JsonSchema)]
-struct LobeFacts {
-    model: &'static str,
-    /// The parameters that were searched
-    parameters: Vec<ParameterFacts>,
-    /// Per channel; in Schlick's form at normal incidence
-    tint: Vec<f64>,
-    /// In Schlick's form the tint at grazing incidence, per channel; null for others
-    tint_at_grazing: Option<Vec<f64>>,
-}
-
-/// A parameter that was searched.
-#[derive(Debug, Serialize, JsonSchema)]
-struct ParameterFacts {
-    name: &'static str,
-    value: f64,
-    /// Its standard error, as a part of it; null where it cannot be told
-    standard_error: Option<f64>,
-    /// Whether it is at the end of its range
-    at_bound: bool,
+    Metric::named(text).ok_or_else(|| "expected l2, log, cube-root, lightness or rendered".to_owned())
 }
 
 impl FitArgs {
@@ -151,30 +111,44 @@ impl FitArgs {
             most_theta_deg: self.most_theta,
             most_readings: self.most_readings,
         };
+        let mut fits = self.fits(&candidates, &readings, &options)?;
+        fit_rank::rank(&mut fits, self.rank_by, &measured, &self.file)?;
+        let mut notes = measured.notes.clone();
+        notes.extend(remarks(&fits));
+        let file = self.write(&readings, &fits[0].fit)?;
+        if let Some(report) = report {
+            let Candidate { models, fit, .. } = &fits[0];
+            report.save(&mut fit_report::chart(models, &readings, fit)?)?;
+        }
+        let document =
+            Document::new([self.metric.name(), self.rank_by.name()], &readings, &fits, file, notes);
+        if self.format.is_json() {
+            return print::json(&document);
+        }
+        print::text(&text(&document))
+    }
+
+    /// A fit of each candidate.
+    fn fits(
+        &self,
+        candidates: &[(String, Vec<String>)],
+        readings: &Readings,
+        options: &FitOptions,
+    ) -> Result<Vec<Candidate>, Failure> {
+        let mut progress = Progress::new(candidates.len(), "fits");
         let mut fits = Vec::new();
-        for (name, lobes) in &candidates {
+        for (name, lobes) in candidates {
             let lobes: Vec<&str> = lobes.iter().map(String::as_str).collect();
-            match fit(&readings, &lobes, &options) {
-                Ok(found) => fits.push((name.clone(), found)),
+            match fit_observed(readings, &lobes, options, &mut |part| progress.within(part)) {
+                Ok(found) => fits.push(Candidate::new(name, found, readings, options)),
                 Err(FitError::Model(message)) => {
                     return Err(Failure::Usage(format!("--models {name}: {message}")));
                 }
                 Err(error) => return Err(Report::new(error).file(&self.file).into()),
             }
+            progress.step();
         }
-        fits.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
-        let mut notes = measured.notes.clone();
-        notes.extend(remarks(&fits));
-        let file = self.write(&readings, &fits[0].1)?;
-        if let Some(report) = report {
-            let (name, best) = &fits[0];
-            report.save(&mut fit_report::chart(name, &readings, best)?)?;
-        }
-        let document = self.document(&readings, &fits, file, notes);
-        if self.format.is_json() {
-            return print::json(&document);
-        }
-        print::text(&text(&document))
+        Ok(fits)
     }
 
     /// Writes the best one.
@@ -190,42 +164,6 @@ impl FitArgs {
         write_atomically(output, |out| out.write_all(text.as_bytes()).map_err(OutputError::Stream))?;
         print::note(format_args!("wrote {}", output.display()));
         Ok(Some(output.display().to_string()))
-    }
-
-    fn document(
-        &self,
-        readings: &Readings,
-        fits: &[(String, Fit)],
-        file: Option<String>,
-        notes: Vec<String>,
-    ) -> Document {
-        let parameter = |parameter: &FittedParameter| ParameterFacts {
-            name: parameter.name,
-            value: parameter.value,
-            standard_error: parameter.log_error,
-            at_bound: parameter.at_bound,
-        };
-        let lobe = |lobe: &FittedLobe| LobeFacts {
-            model: lobe.shape.info().name,
-            parameters: lobe.parameters.iter().map(parameter).collect(),
-            tint: lobe.tint.clone(),
-            tint_at_grazing: lobe.tint_at_grazing.clone(),
-        };
-        let of = |(models, fit): &(String, Fit)| FitFacts {
-            models: models.clone(),
-            error: fit.error,
-            relative: fit.relative,
-            readings: fit.readings,
-            aniso_deg: fit.aniso_deg,
-            lobes: fit.lobes.iter().map(lobe).collect(),
-        };
-        Document {
-            metric: self.metric.name(),
-            channels: readings.channels().names(),
-            fits: fits.iter().map(of).collect(),
-            file,
-            notes,
-        }
     }
 }
 
@@ -256,9 +194,9 @@ fn candidates(text: &str) -> Result<Vec<(String, Vec<String>)>, Failure> {
 const BRIGHTEST_GRAZING: f64 = 1.1;
 
 /// What a reader of the fits should know.
-fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
+fn remarks(fits: &[Candidate]) -> Vec<String> {
     let mut notes = Vec::new();
-    let (name, best) = &fits[0];
+    let Candidate { models: name, fit: best, .. } = &fits[0];
     for lobe in &best.lobes {
         for parameter in lobe.parameters.iter().filter(|parameter| parameter.at_bound) {
             let model = lobe.shape.info().name;
@@ -276,55 +214,12 @@ fn remarks(fits: &[(String, Fit)]) -> Vec<String> {
             "{name}: the tint of {model} at grazing incidence is above 1: its masking does not fit"
         ));
     }
-    if let Some((simpler, fit)) = fits.iter().find(|(_, fit)| fit.lobes.len() < best.lobes.len())
-        && fit.error < 1.05 * best.error
+    if let Some(simpler) = fits.iter().find(|other| other.fit.lobes.len() < best.lobes.len())
+        && simpler.fit.error < 1.05 * best.error
     {
-        let percent = 100.0 * (fit.error / best.error - 1.0);
-        notes.push(format!("{simpler} has fewer lobes and is {percent:.1} % worse: no better than that"));
+        let percent = 100.0 * (simpler.fit.error / best.error - 1.0);
+        let models = &simpler.models;
+        notes.push(format!("{models} has fewer lobes and is {percent:.1} % worse: no better than that"));
     }
     notes
-}
-
-/// For people.
-fn text(facts: &Document) -> String {
-    let mut text = String::new();
-    for (rank, fit) in facts.fits.iter().enumerate() {
-        let (error, relative) = (number(fit.error), 100.0 * fit.relative);
-        writeln!(
-            text,
-            "{}. {}: error {error} ({relative:.1} %), {} readings",
-            rank + 1,
-            fit.models,
-            fit.readings
-        )
-        .expect("a string takes everything");
-        if let Some(degrees) = fit.aniso_deg {
-            writeln!(text, "   grain at {degrees:.1}°").expect("a string takes everything");
-        }
-        for lobe in &fit.lobes {
-            let parameters: String = lobe.parameters.iter().map(parameter_text).collect();
-            let grazing = lobe.tint_at_grazing.as_ref();
-            let grazing = grazing.map(|tint| format!(", {} at grazing", tint_text(tint))).unwrap_or_default();
-            writeln!(text, "   {}{parameters} tint {}{grazing}", lobe.model, tint_text(&lobe.tint))
-                .expect("a string takes everything");
-        }
-    }
-    for note in &facts.notes {
-        writeln!(text, "note: {note}").expect("a string takes everything");
-    }
-    text
-}
-
-/// ` alpha = 0.2 ± 0.1 %,`
-fn parameter_text(parameter: &ParameterFacts) -> String {
-    let error = parameter.standard_error.map(|x| format!(" ± {:.1} %", 100.0 * x)).unwrap_or_default();
-    let bound = if parameter.at_bound { ", at the end of its range" } else { "" };
-    format!(" {} = {}{error}{bound},", parameter.name, number(parameter.value))
-}
-
-/// The first six channels.
-fn tint_text(tint: &[f64]) -> String {
-    let few: Vec<String> = tint.iter().take(6).map(|x| format!("{x:.3}")).collect();
-    let more = if tint.len() > few.len() { " …" } else { "" };
-    format!("{}{more}", few.join(" "))
 }

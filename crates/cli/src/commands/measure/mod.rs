@@ -5,6 +5,8 @@ mod balls;
 pub(super) mod compare;
 pub(super) mod convert;
 pub(super) mod fit;
+mod fit_facts;
+mod fit_rank;
 mod fit_report;
 mod fitted_material;
 pub(super) mod info;

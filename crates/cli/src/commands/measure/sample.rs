@@ -23,6 +23,7 @@ Examples:
   glanz measure sample ggx --set alpha=0.2 -o ggx.binary
   glanz measure sample cook-torrance --set m=0.15 -o ct.bsdf --diffuse 0.3
   glanz measure sample ward --set alpha=0.1 --set alpha_y=0.3 -o brushed.xml
+  glanz measure sample ggx --set alpha=0.1 --set alpha_y=0.3 --aniso-deg 30 --every 7 --noise 0.05 -o brushed.csv
   glanz measure sample \"n = 20; (n + 2) / (2 * pi) * pow(dot(N, H), n)\" -o own.csv --geometry in-plane
 
 The model is that of `glanz bsdf list`, or a BRDF of one's own; --diffuse adds a matte part, as measured
@@ -70,6 +71,18 @@ pub(crate) struct SampleArgs {
     #[arg(long, value_enum, value_name = "GEOMETRY", default_value_t)]
     geometry: Way,
 
+    /// What the model is multiplied with, as by the tint of a lobe
+    #[arg(long, value_name = "TINT", default_value_t = 1.0)]
+    tint: f64,
+
+    /// The azimuth of the model's x axis, as of a sample whose grain lies askew
+    #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_negative_numbers = true)]
+    aniso_deg: f64,
+
+    /// Of the readings of a .csv every n-th is made
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    every: u32,
+
     /// The albedo of a matte part that is added
     #[arg(long, value_name = "ALBEDO", default_value_t = 0.0)]
     diffuse: f64,
@@ -96,7 +109,10 @@ const LEAST_COSINE: f64 = 0.01;
 impl SampleArgs {
     /// Measures.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        for (name, value) in [("--noise", self.noise), ("--diffuse", self.diffuse)] {
+        if !self.aniso_deg.is_finite() {
+            return Err(Failure::Usage(format!("--aniso-deg is {}, but must be a number", self.aniso_deg)));
+        }
+        for (name, value) in [("--noise", self.noise), ("--diffuse", self.diffuse), ("--tint", self.tint)] {
             if !(0.0..=1.0).contains(&value) {
                 return Err(Failure::Usage(format!("{name} is {value}, but must be from 0 to 1")));
             }
@@ -154,7 +170,8 @@ impl SampleArgs {
             Way::Rgl => self.nodes(anisotropic)?,
         };
         let mut readings = Readings::new(Channels::Luminance);
-        pairs.iter().for_each(|[wi, wo]| readings.push(*wi, *wo, &[value(*wi, *wo) as f32]));
+        let pairs = pairs.iter().step_by(self.every as usize);
+        pairs.for_each(|[wi, wo]| readings.push(*wi, *wo, &[value(*wi, *wo) as f32]));
         Ok(readings)
     }
 
@@ -175,7 +192,13 @@ impl SampleArgs {
 
     /// The BRDF without noise.
     fn exact(&self, shape: &Shape, wi: Vec3<f64>, wo: Vec3<f64>) -> f64 {
-        shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI
+        let (sin, cos) = libm::sincos(self.aniso_deg.to_radians());
+        let turn = |w: Vec3<f64>| match self.aniso_deg == 0.0 {
+            true => w,
+            false => Vec3::new(cos * w.x + sin * w.y, cos * w.y - sin * w.x, w.z),
+        };
+        let model = self.tint * shape.f_cos(&DirectionPair::new(turn(wo), turn(wi)));
+        model / wi.z + self.diffuse * core::f64::consts::FRAC_1_PI
     }
 }
 

@@ -14,6 +14,7 @@ use super::{ReadArgs, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
@@ -31,6 +32,9 @@ difference of the cosines); beyond about 0.1 it is a hole.";
 
 /// A direction this far from all readings is a hole.
 const HOLE: f64 = 0.1;
+
+/// Directions between two looks at the progress.
+const BETWEEN_SHOWS: usize = 512;
 
 /// Options of `glanz measure smooth`.
 #[derive(Args, Debug)]
@@ -86,26 +90,8 @@ impl SmoothArgs {
         let mut notes = measured.notes.clone();
         let smoothed = Smoothed::of(&measured, self.neighbours.map(|count| count as usize))
             .map_err(|error| Failure::from(Report::new(error).file(&self.file)))?;
-        let mut looks = [0_usize; 2];
-        let mut f = |wi: Vec3<f64>, wo: Vec3<f64>| {
-            let (values, nearest) = smoothed.value(wi, wo);
-            looks[0] += 1;
-            looks[1] += usize::from(nearest > HOLE);
-            (values, nearest)
-        };
         let description = format!("{}, smoothed by Glanz", measured.description);
-        let bytes = match kind {
-            Kind::Csv => table(smoothed.channels(), smoothed.is_anisotropic(), &mut f).into_bytes(),
-            _ => {
-                let written = Written {
-                    channels: smoothed.channels(),
-                    anisotropic: smoothed.is_anisotropic(),
-                    description: description.trim_start_matches(", "),
-                    output: &self.output,
-                };
-                written.bytes(kind, &mut notes, &mut |wi, wo| f(wi, wo).0)?
-            }
-        };
+        let (bytes, looks) = self.written(kind, &smoothed, &description, &mut notes)?;
         save(&bytes, &self.output)?;
         let document = Document {
             file: self.output.display().to_string(),
@@ -118,6 +104,46 @@ impl SmoothArgs {
             notes,
         };
         self.tell(&document)
+    }
+
+    /// The bytes of the file, how many directions it asked for, and how many of them are far from all readings.
+    fn written(
+        &self,
+        kind: Kind,
+        smoothed: &Smoothed,
+        description: &str,
+        notes: &mut Vec<String>,
+    ) -> Result<(Vec<u8>, [usize; 2]), Failure> {
+        let channels = smoothed.channels();
+        let written = Written {
+            channels,
+            anisotropic: smoothed.is_anisotropic(),
+            description: description.trim_start_matches(", "),
+            output: &self.output,
+        };
+        let bytes = |notes: &mut Vec<String>, f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> (Vec<f64>, f64)| {
+            match kind {
+                Kind::Csv => Ok(table(channels, smoothed.is_anisotropic(), f).into_bytes()),
+                _ => written.bytes(kind, notes, &mut |wi, wo| f(wi, wo).0),
+            }
+        };
+        // How many directions a format asks for is told by a white, which takes no time.
+        let (mut total, white) = (0_usize, vec![1.0; channels.count()]);
+        bytes(&mut Vec::new(), &mut |_, _| {
+            total += 1;
+            (white.clone(), 0.0)
+        })?;
+        let (mut looks, mut progress) = ([0_usize; 2], Progress::new(1, "files"));
+        let bytes = bytes(notes, &mut |wi, wo| {
+            let (values, nearest) = smoothed.value(wi, wo);
+            looks[0] += 1;
+            looks[1] += usize::from(nearest > HOLE);
+            if looks[0] % BETWEEN_SHOWS == 0 {
+                progress.within(looks[0] as f64 / total as f64);
+            }
+            (values, nearest)
+        })?;
+        Ok((bytes, looks))
     }
 
     fn tell(&self, document: &Document) -> Result<(), Failure> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use glanz_bsdf::MODELS;
 use glanz_color::Rgb;
 use glanz_math::Vec3;
-use glanz_measure::{Data, FactorOptions, Factored, Readings};
+use glanz_measure::{Data, FactorOptions, Factored, Measured, Readings};
 use glanz_scene::{Lobe, Material};
 
 use super::appearance::{of_library, of_scene};
@@ -40,13 +40,17 @@ impl Surface {
     }
 
     fn of_data(path: &Path, args: &ReadArgs) -> Result<Self, Failure> {
-        let measured = read(path, args)?;
-        let factored = Factored::of(&measured, &FactorOptions::default())
+        Self::of_measured(&read(path, args)?, path)
+    }
+
+    /// Data of a file.
+    pub(super) fn of_measured(measured: &Measured, path: &Path) -> Result<Self, Failure> {
+        let factored = Factored::of(measured, &FactorOptions::default())
             .map_err(|error| Failure::from(Report::new(error).file(path)))?;
         let name = path.display().to_string();
         let notes = measured.notes.iter().map(|note| format!("{name}: {note}")).collect();
-        let readings = match measured.data {
-            Data::Readings(readings) => Some(readings),
+        let readings = match &measured.data {
+            Data::Readings(readings) => Some(readings.clone()),
             _ => None,
         };
         Ok(Self { material: Material::measured(name, &factored), readings, notes })

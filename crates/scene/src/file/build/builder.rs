@@ -10,7 +10,7 @@ use glanz_bsdf::FactorTable;
 
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
-use crate::{Camera, EnvironmentMap, Lobe, Profile, Scene};
+use crate::{Camera, EnvironmentMap, Material, Profile, Scene};
 
 /// The way from tables to a scene.
 pub(in crate::file) struct Builder {
@@ -67,7 +67,7 @@ pub(in crate::file) struct Made {
     /// Luminaire profiles, by the names of their files.
     pub profiles: HashMap<String, Arc<Profile>>,
     /// Measured reflectance, by what is said of it.
-    pub measured: HashMap<String, Vec<Lobe>>,
+    pub measured: HashMap<String, Material>,
     /// Tables of factors, by the names of their files.
     pub factors: HashMap<String, Arc<FactorTable>>,
     /// Textures, by file and use.

@@ -87,3 +87,18 @@ fn the_block_is_written_with_its_parameters() {
     assert!(!written.contains("lobes"), "{written}");
     assert_eq!(scene(&written), before);
 }
+
+#[test]
+fn measured_reflectance_lies_as_its_grain_does_and_is_turned_with_the_sample() {
+    const FILE: &str = "measured = { file = 'measured/brushed-steel.csv' }";
+    let text = format!("[materials.a]\n{FILE}\n[materials.b]\naniso_deg = 40\n{FILE}\n");
+    let loaded = super::parse_str(&text, &super::examples(), &super::LoadOptions::default()).unwrap();
+    let [a, b] = ["a", "b"].map(|name| {
+        loaded.scene.materials.iter().find(|material| material.name == name).expect("it is there")
+    });
+    // The sample lay at 30°; either width may be the first. Readings have 5 % of noise.
+    let off = (a.aniso.to_degrees() - 30.0).rem_euclid(90.0);
+    assert!(off.min(90.0 - off) < 1.0, "{}", a.aniso.to_degrees());
+    assert!((b.aniso - a.aniso - 40_f64.to_radians()).abs() < 1e-12, "{}", b.aniso);
+    assert_eq!(a.lobes, b.lobes);
+}

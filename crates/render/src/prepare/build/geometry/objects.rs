@@ -123,7 +123,10 @@ fn with_needed_attributes<'a>(mesh: &'a Mesh, material: &glanz_scene::Material) 
     mesh
 }
 
-/// Whether a material maps normals or has a lobe that asks for tangents.
+/// Whether a material maps normals or has a lobe that asks for tangents, by its shape or by a table of factors over it.
 pub(crate) fn needs_tangents(material: &glanz_scene::Material) -> bool {
-    material.normal_map.is_some() || material.lobes.iter().any(|lobe| lobe.shape.is_anisotropic())
+    let asks = |lobe: &glanz_scene::Lobe| {
+        lobe.shape.is_anisotropic() || lobe.layers.iter().any(glanz_bsdf::LayerWeight::is_anisotropic)
+    };
+    material.normal_map.is_some() || material.lobes.iter().any(asks)
 }

@@ -55,7 +55,8 @@ impl MaterialTable {
             }
             material = coat.build(material, builder, &coat.span)?;
         }
-        material.aniso = self.aniso()?;
+        // An oblique grain of measured reflectance is turned with the sample.
+        material.aniso = if self.measured.is_some() { material.aniso } else { 0.0 } + self.aniso()?;
         material.name = self.name.clone().unwrap_or_else(|| name.to_owned());
         material.two_sided = self.two_sided;
         material.cull_back = self.cull_back;
@@ -98,11 +99,11 @@ impl MaterialTable {
                 .help("terms beside measured reflectance are 'lobes'"));
         }
         self.refuse_others(name)?;
-        let mut lobes = measured.build(name, builder)?;
+        let Material { mut lobes, aniso, .. } = measured.build(name, builder)?;
         for lobe in self.lobes.iter().flat_map(|lobes| &lobes.value) {
             lobes.push(lobe.build(builder)?);
         }
-        Ok(Material::of_lobes(name, lobes))
+        Ok(Material { aniso, ..Material::of_lobes(name, lobes) })
     }
 
     /// What passes through: a pane, or a transmittance by itself.

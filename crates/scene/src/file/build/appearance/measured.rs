@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glanz_bsdf::FactorTable;
 use glanz_measure::{Channels, FactorOptions, Factored, Measured, Quantity, ReadOptions};
 
-use crate::Lobe;
+use crate::Material;
 use crate::file::build::builder::Builder;
 use crate::file::error::Problem;
 use crate::file::factors;
@@ -19,8 +19,8 @@ const MANY_HOLES: f64 = 0.1;
 const VISIBLE_NM: [f64; 2] = [400.0, 700.0];
 
 impl MeasuredTable {
-    /// The lobes of the file, each made once for all materials that name it.
-    pub(super) fn build(&self, material: &str, builder: &mut Builder) -> Result<Vec<Lobe>, Problem> {
+    /// The lobes of the file and the azimuth of its grain as a material, made once for all materials that name it.
+    pub(super) fn build(&self, material: &str, builder: &mut Builder) -> Result<Material, Problem> {
         let quantity = self.quantity.as_ref().map(|quantity| match quantity.value {
             QuantityName::Brdf => Quantity::Brdf,
             QuantityName::BrdfCos => Quantity::BrdfCos,
@@ -47,9 +47,9 @@ impl MeasuredTable {
         })?;
         let notes = measured.notes.iter().cloned().chain(remarks(&factored));
         builder.input.notes.extend(notes.map(|note| format!("material '{material}': {note}")));
-        let lobes = Lobe::of_measured(&factored);
-        builder.made.measured.insert(key, lobes.clone());
-        Ok(lobes)
+        let built = Material::measured(material, &factored);
+        builder.made.measured.insert(key, built.clone());
+        Ok(built)
     }
 }
 
