@@ -66,7 +66,7 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz material list\n  glanz material show gold\n  glanz material sheet -o all.png"
     )]
     Material(material::MaterialCommand),
-    /// Plot lobes of models, albedos and Fresnel reflectance
+    /// Plot lobes of models, albedos, Fresnel reflectance and curves of eyes
     #[command(after_help = plot::EXAMPLES)]
     Plot(Box<plot::PlotArgs>),
     /// Check which laws of physics models keep, and where they break them
@@ -124,7 +124,7 @@ impl Command {
             Self::Bsdf(command) => vec!["bsdf", command.name()],
             Self::Sheet(_) => vec!["sheet"],
             Self::Material(command) => vec!["material", command.name()],
-            Self::Plot(_) => vec!["plot"],
+            Self::Plot(args) => args.path(),
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Measure(command) => vec!["measure", command.name()],

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 57] = [
+const COULD_NOT: [&[&str]; 58] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -60,6 +60,7 @@ const COULD_NOT: [&[&str]; 57] = [
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
     &["sheet", "phong", "--vary", "shininess=1,2", "-o", "none/a.png"],
     &["plot", "phong", "-o", "none/a.svg"],
+    &["plot", "eye", "--kind", "lens", "-o", "none/a.svg"],
     &["material", "sheet", "gold", "-o", "none/a.png"],
     &["color", "spectrum", "none.csv"],
     &["color", "metamers", "gold", "none.csv"],

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 61] = [
+pub(crate) const COMMANDS: [&[&str]; 62] = [
     &[],
     &["render"],
     &["sweep"],
@@ -21,6 +21,7 @@ pub(crate) const COMMANDS: [&[&str]; 61] = [
     &["bsdf", "albedo"],
     &["sheet"],
     &["plot"],
+    &["plot", "eye"],
     &["check"],
     &["material"],
     &["material", "list"],

@@ -1,12 +1,14 @@
-//! `glanz plot`: lobes, albedos, Fresnel reflectance, lights and directions as plots.
+//! `glanz plot`: lobes, albedos, Fresnel reflectance, lights, directions and curves of eyes as plots.
 
+mod eye;
 mod kind;
 mod lights;
 
-use clap::{Args, ValueEnum};
+use clap::{Args, Subcommand, ValueEnum};
 use glanz_plot::figure::VectorDrawing;
 use glanz_plot::{Factor, Figure, FresnelPlot, Lang, LobePlot};
 
+use self::eye::EyePlotArgs;
 use self::kind::Kind;
 use crate::args::{self, PlotOutputArgs};
 use crate::input::lobes::{FactorArgs, SetArgs, UnitName, wavelength};
@@ -30,6 +32,7 @@ Examples:
   glanz plot --kind attenuation --set 'attenuation=none,{linear=1},physical' -o fade.png
   glanz plot --kind spot --set cutoff_deg=30,60 --set exponent=0,8 -o cone.png
   glanz plot --kind vectors --wo 20,180 --wi 50,0 -o vectors.svg
+  glanz plot eye --kind lens --age 20,50,80 -o lens.svg
 
 All combinations of models, parameters and angles are curves of one plot. The light is in the
 plane of the viewer and the normal, at positive angles on the other side of the normal: the
@@ -54,9 +57,21 @@ enum Quantity {
     FCos,
 }
 
+/// Plots that have options of their own.
+#[derive(Subcommand, Debug)]
+enum PlotCommand {
+    /// Plot curves of eyes by age: lens, pupil, dusk, glare, contrast sensitivity and more
+    #[command(after_help = eye::EXAMPLES)]
+    Eye(EyePlotArgs),
+}
+
 /// Options of `glanz plot`.
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct PlotArgs {
+    #[command(subcommand)]
+    command: Option<PlotCommand>,
+
     /// Names of models, from `glanz bsdf list`, or BRDFs of one's own; none for fresnel, attenuation, spot and vectors
     #[arg(value_name = "MODEL", value_parser = models(), hide_possible_values = true)]
     models: Vec<String>,
@@ -120,7 +135,7 @@ pub(crate) struct PlotArgs {
     polarised: bool,
 
     #[command(flatten)]
-    output: PlotOutputArgs,
+    output: Option<PlotOutputArgs>,
 }
 
 impl From<Quantity> for glanz_plot::Quantity {
@@ -133,9 +148,21 @@ impl From<Quantity> for glanz_plot::Quantity {
 }
 
 impl PlotArgs {
+    /// The names that lead to the command.
+    pub(crate) fn path(&self) -> Vec<&'static str> {
+        match &self.command {
+            Some(PlotCommand::Eye(_)) => vec!["plot", "eye"],
+            None => vec!["plot"],
+        }
+    }
+
     /// Makes the plot.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let target = self.output.target()?;
+        if let Some(PlotCommand::Eye(args)) = &self.command {
+            return args.run();
+        }
+        let output = self.output.as_ref().expect("the parser asks for --output where there is no command");
+        let target = output.target()?;
         self.kind.check_options(self)?;
         if self.lambda_nm.is_some() && self.ior.is_none() && self.tint.is_none() {
             return Err(Failure::Usage("--lambda-nm changes nothing without --ior or --tint".to_owned()));
