@@ -68,7 +68,7 @@ pub(crate) enum Command {
     Material(material::MaterialCommand),
     /// Plot lobes of models, albedos, Fresnel reflectance and curves of eyes
     #[command(after_help = plot::EXAMPLES)]
-    Plot(Box<plot::PlotArgs>),
+    Plot(plot::PlotCommand),
     /// Check which laws of physics models keep, and where they break them
     #[command(after_help = check::EXAMPLES)]
     Check(check::CheckArgs),

@@ -250,7 +250,7 @@ fn an_option_of_eyes_that_has_no_effect_is_refused() {
         (["--kind", "glare", "--pigment", "nan"], "from 0 (very dark) to 1.2"),
     ] {
         let run = folder.glanz(&[&["plot", "eye"], &words[..], &["-o", "a.svg"]].concat());
-        assert_ne!(run.code, 0, "{words:?}");
+        assert_eq!(run.code, 2, "{words:?}");
         assert!(run.stderr.contains(told), "{}", run.stderr);
     }
     assert!(folder.names().is_empty(), "{:?}", folder.names());

@@ -1,14 +1,14 @@
 //! `glanz plot`: lobes, albedos, Fresnel reflectance, lights, directions and curves of eyes as plots.
 
+mod command;
 mod eye;
 mod kind;
 mod lights;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, ValueEnum};
 use glanz_plot::figure::VectorDrawing;
 use glanz_plot::{Factor, Figure, FresnelPlot, Lang, LobePlot};
 
-use self::eye::EyePlotArgs;
 use self::kind::Kind;
 use crate::args::{self, PlotOutputArgs};
 use crate::input::lobes::{FactorArgs, SetArgs, UnitName, wavelength};
@@ -16,6 +16,8 @@ use crate::input::media;
 use crate::input::models::models;
 use crate::input::spectra::words;
 use crate::print::failure::Failure;
+
+pub(crate) use self::command::PlotCommand;
 
 /// Shown after the help.
 pub(super) const EXAMPLES: &str = "\
@@ -57,21 +59,9 @@ enum Quantity {
     FCos,
 }
 
-/// Plots that have options of their own.
-#[derive(Subcommand, Debug)]
-enum PlotCommand {
-    /// Plot curves of eyes by age: lens, pupil, dusk, glare, contrast sensitivity and more
-    #[command(after_help = eye::EXAMPLES)]
-    Eye(EyePlotArgs),
-}
-
 /// Options of `glanz plot`.
 #[derive(Args, Debug)]
-#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(crate) struct PlotArgs {
-    #[command(subcommand)]
-    command: Option<PlotCommand>,
-
     /// Names of models, from `glanz bsdf list`, or BRDFs of one's own; none for fresnel, attenuation, spot and vectors
     #[arg(value_name = "MODEL", value_parser = models(), hide_possible_values = true)]
     models: Vec<String>,
@@ -135,7 +125,7 @@ pub(crate) struct PlotArgs {
     polarised: bool,
 
     #[command(flatten)]
-    output: Option<PlotOutputArgs>,
+    output: PlotOutputArgs,
 }
 
 impl From<Quantity> for glanz_plot::Quantity {
@@ -148,21 +138,9 @@ impl From<Quantity> for glanz_plot::Quantity {
 }
 
 impl PlotArgs {
-    /// The names that lead to the command.
-    pub(crate) fn path(&self) -> Vec<&'static str> {
-        match &self.command {
-            Some(PlotCommand::Eye(_)) => vec!["plot", "eye"],
-            None => vec!["plot"],
-        }
-    }
-
     /// Makes the plot.
-    pub(crate) fn run(&self) -> Result<(), Failure> {
-        if let Some(PlotCommand::Eye(args)) = &self.command {
-            return args.run();
-        }
-        let output = self.output.as_ref().expect("the parser asks for --output where there is no command");
-        let target = output.target()?;
+    fn run(&self) -> Result<(), Failure> {
+        let target = self.output.target()?;
         self.kind.check_options(self)?;
         if self.lambda_nm.is_some() && self.ior.is_none() && self.tint.is_none() {
             return Err(Failure::Usage("--lambda-nm changes nothing without --ior or --tint".to_owned()));
