@@ -108,7 +108,7 @@ impl EyePlot {
         let ratio = scotopic / photopic;
         let mut curves = Vec::new();
         for (name, word, color) in PATCHES {
-            let (by_day, by_night) = sums.of(&(reflectance(name)? * daylight.clone()));
+            let (by_day, by_night) = sums.of(&(reflectance(name)? * daylight));
             let (by_day, by_night) = (by_day / photopic, by_night / scotopic);
             let beside_white = |luminance: f64| {
                 let white = mesopic(luminance, luminance * ratio);
