@@ -182,10 +182,29 @@ mod tests {
     }
 
     #[test]
-    fn an_area_of_the_retina_is_the_square_of_a_length_near_the_fovea() {
-        // Two fits of one schematic eye: 5 % apart in the fovea.
-        const FITS: f64 = 0.05;
-        let step = eccentricity_mm(0.1) / 0.1;
-        assert!((retinal_area_mm2(0.05) / (step * step) - 1.0).abs() < FITS);
+    fn an_area_of_the_retina_is_the_product_of_its_sides_on_a_sphere() {
+        // Two fits of one schematic eye, and a sphere of 22 mm across in place of its retina.
+        const FITS: f64 = 0.06;
+        let radius_mm = 11.0;
+        for e in [0.5, 15.0, 30.0, 60.0] {
+            let outwards = (eccentricity_mm(e + 0.1) - eccentricity_mm(e - 0.1)) / 0.2;
+            let around = radius_mm * libm::sin(eccentricity_mm(e) / radius_mm);
+            let around = around / libm::sin(e.to_radians()) * core::f64::consts::PI / 180.0;
+            let ratio = retinal_area_mm2(e) / (outwards * around);
+            assert!((ratio - 1.0).abs() < FITS, "{e}°: {ratio}");
+        }
+    }
+
+    #[test]
+    fn far_from_the_fovea_the_temporal_field_has_the_most_midget_fields() {
+        use Meridian::{Inferior, Nasal, Superior, Temporal};
+        for e in [15.0, 30.0, 45.0] {
+            let temporal = midget_field_density_deg2(e, Temporal);
+            for other in [Superior, Inferior, Nasal] {
+                assert!(temporal > 1.3 * midget_field_density_deg2(e, other), "{e}°, {other:?}");
+            }
+        }
+        // The temporal retina, which sees the nasal field, has few.
+        assert!(midget_field_density_deg2(30.0, Nasal) < 0.5 * midget_field_density_deg2(30.0, Temporal));
     }
 }
