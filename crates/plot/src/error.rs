@@ -88,6 +88,36 @@ pub enum Error {
         /// The greatest that is possible.
         most_m: f64,
     },
+    /// The formulas of the eye are for adults.
+    #[error("an age is {age} years, but must be from {least} to {most}")]
+    Age {
+        /// The age in years.
+        age: f64,
+        /// The least that is possible.
+        least: f64,
+        /// The greatest that is possible.
+        most: f64,
+    },
+    /// A formula of the eye is not for such luminances.
+    #[error("a luminance is {luminance} cd/m², but must be from {least} to {most}")]
+    Luminance {
+        /// The luminance in cd/m².
+        luminance: f64,
+        /// The least that is possible.
+        least: f64,
+        /// The greatest that is possible.
+        most: f64,
+    },
+    /// No eye has such a pigment.
+    #[error(
+        "the pigment of the eye is {pigment}, but must be from 0 (very dark) to {most} (very light blue)"
+    )]
+    Pigment {
+        /// The number as it was given.
+        pigment: f64,
+        /// The greatest that is possible.
+        most: f64,
+    },
     /// There is no medium of that name.
     #[error(transparent)]
     UnknownMedium(#[from] UnknownName),

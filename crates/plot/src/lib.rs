@@ -37,8 +37,8 @@ pub use contact_sheet::{Canvas, ContactSheet, Grid, Variation, heat_map_sheet};
 pub use data::PlotData;
 pub use error::Error;
 pub use figure::{
-    ChromaticityDiagram, EfficiencyChart, NamedSpectrum, PolarChart, RegressionChart, ReradiationMap, cones,
-    meyer, spectra,
+    ChromaticityDiagram, EfficiencyChart, EyePlot, NamedSpectrum, PolarChart, RegressionChart,
+    ReradiationMap, cones, meyer, spectra,
 };
 pub use light::{AttenuationPlot, SpotPlot};
 pub use number::number;

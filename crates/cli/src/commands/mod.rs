@@ -70,9 +70,9 @@ pub(crate) enum Command {
         after_help = "Examples:\n  glanz material list\n  glanz material show gold\n  glanz material sheet -o all.png"
     )]
     Material(material::MaterialCommand),
-    /// Plot lobes of models, albedos and Fresnel reflectance
+    /// Plot lobes of models, albedos, Fresnel reflectance and curves of eyes
     #[command(after_help = plot::EXAMPLES)]
-    Plot(Box<plot::PlotArgs>),
+    Plot(plot::PlotCommand),
     /// Check which laws of physics models keep, and where they break them
     #[command(after_help = check::EXAMPLES)]
     Check(check::CheckArgs),
@@ -129,7 +129,7 @@ impl Command {
             Self::Bsdf(command) => vec!["bsdf", command.name()],
             Self::Sheet(_) => vec!["sheet"],
             Self::Material(command) => vec!["material", command.name()],
-            Self::Plot(_) => vec!["plot"],
+            Self::Plot(args) => args.path(),
             Self::Check(_) => vec!["check"],
             Self::Color(command) => [vec!["color"], command.path()].concat(),
             Self::Measure(command) => vec!["measure", command.name()],

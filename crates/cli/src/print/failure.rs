@@ -195,6 +195,9 @@ impl From<glanz_plot::Error> for Failure {
             Error::Output(error) => error.into(),
             Error::ViewAngle { .. } | Error::Azimuth { .. } => Self::Usage(format!("--{error}")),
             Error::Distance { .. } => Self::Usage(format!("--distance: {error}")),
+            Error::Age { .. } => Self::Usage(format!("--age: {error}")),
+            Error::Luminance { .. } => Self::Usage(format!("--luminance: {error}")),
+            Error::Pigment { .. } => Self::Usage(format!("--pigment: {error}")),
             Error::SingleDirection { .. } => {
                 let help = "--kind fresnel shows its reflectance, --kind vectors its direction, 'glanz bsdf eval' both as numbers";
                 Report::new(error).help(help).wrong_value()

@@ -61,6 +61,7 @@ const COULD_NOT: [&[&str]; 58] = [
     &["bsdf", "albedo", "phong", "--tint", "none.csv"],
     &["sheet", "phong", "--vary", "shininess=1,2", "-o", "none/a.png"],
     &["plot", "phong", "-o", "none/a.svg"],
+    &["plot", "eye", "--kind", "lens", "-o", "none/a.svg"],
     &["material", "sheet", "gold", "-o", "none/a.png"],
     &["color", "spectrum", "none.csv"],
     &["color", "metamers", "gold", "none.csv"],

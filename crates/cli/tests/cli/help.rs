@@ -22,6 +22,7 @@ pub(crate) const COMMANDS: [&[&str]; 62] = [
     &["bsdf", "albedo"],
     &["sheet"],
     &["plot"],
+    &["plot", "eye"],
     &["check"],
     &["material"],
     &["material", "list"],

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use crate::folder::Folder;
 
 /// A plot of each kind, without the file.
-const PLOTS: [&[&str]; 16] = [
+const PLOTS: [&[&str]; 24] = [
     &["plot", "phong"],
     &["plot", "phong", "--kind", "cartesian"],
     &["plot", "phong", "--kind", "lobe3d"],
@@ -22,6 +22,14 @@ const PLOTS: [&[&str]; 16] = [
     &["color", "plot", "meyer"],
     &["color", "plot", "matrix", "paper-note-yellow"],
     &["color", "plot", "efficiency", "--light", "D65"],
+    &["plot", "eye", "--kind", "lens"],
+    &["plot", "eye", "--kind", "rods"],
+    &["plot", "eye", "--kind", "pupil"],
+    &["plot", "eye", "--kind", "mesopic"],
+    &["plot", "eye", "--kind", "glare"],
+    &["plot", "eye", "--kind", "csf"],
+    &["plot", "eye", "--kind", "response"],
+    &["plot", "eye", "--kind", "mosaic"],
 ];
 
 /// English words that no French plot has.
@@ -195,4 +203,55 @@ fn letters_that_the_font_does_not_have_are_told() {
     let run = folder.glanz(&["plot", "phong", "--title", "光 light", "-o", "a.png"]);
     assert!(run.stderr.starts_with("note: the font of plots does not have '光'"), "{}", run.stderr);
     assert_eq!(folder.glanz(&["plot", "phong", "--title", "光", "-o", "a.svg"]).stderr, "wrote a.svg\n");
+}
+
+#[test]
+fn the_numbers_of_the_curves_of_eyes_are_those_of_their_formulas() {
+    let folder = Folder::new();
+    let table = |words: &[&str]| {
+        let words = [&["plot", "eye"], words, &["-o", "-", "--format", "csv"]].concat();
+        folder.glanz(&words).text().to_owned()
+    };
+    let lens = table(&["--kind", "lens", "--age", "20,80"]);
+    assert!(lens.starts_with("curve,wavelength in nm,transmittance\n"), "{lens:.80}");
+    // CIE 170-1:2006 and CIE 203:2012 at 450 nm.
+    for (name, known) in [
+        ("\"20 years, CIE 170-1\"", 0.6297),
+        ("\"80 years, CIE 170-1\"", 0.1768),
+        ("\"20 years, CIE 203\"", 0.6177),
+        ("\"80 years, CIE 203\"", 0.1771),
+    ] {
+        assert!((value_at(&curve(&lens, name), 450.0) - known).abs() < 5e-5, "{name}");
+    }
+    // Watson and Yellott at the end of the curve, where 10⁴ cd/m² leave 2.1503 mm.
+    let pupil = table(&["--kind", "pupil", "--age", "20"]);
+    assert!((value_at(&curve(&pupil, "20 years"), 1e4) - 2.1503).abs() < 5e-5);
+    // More light shows finer gratings.
+    let csf = table(&["--kind", "csf", "--luminance", "0.1,100"]);
+    let at_10 = |luminance: &str| value_at(&curve(&csf, &format!("\"light–dark, {luminance} cd/m²\"")), 10.0);
+    assert!(at_10("100") > 20.0 * at_10("0.1"), "{} {}", at_10("100"), at_10("0.1"));
+}
+
+#[test]
+fn an_option_of_eyes_that_has_no_effect_is_refused() {
+    let folder = Folder::new();
+    for (kind, option, value, acts) in [
+        ("csf", "--age", "20", "it acts on lens, rods, pupil and glare"),
+        ("lens", "--luminance", "20", "it acts on csf and response"),
+        ("pupil", "--pigment", "1", "it acts on glare"),
+    ] {
+        let run = folder.glanz(&["plot", "eye", "--kind", kind, option, value, "-o", "a.svg"]);
+        assert_eq!(run.code, 2, "{kind}");
+        assert!(run.stderr.contains(acts), "{}", run.stderr);
+    }
+    for (words, told) in [
+        (["--kind", "lens", "--age", "19"], "from 20 to 80"),
+        (["--kind", "response", "--luminance", "0"], "from 1 to 3993"),
+        (["--kind", "glare", "--pigment", "nan"], "from 0 (very dark) to 1.2"),
+    ] {
+        let run = folder.glanz(&[&["plot", "eye"], &words[..], &["-o", "a.svg"]].concat());
+        assert_eq!(run.code, 2, "{words:?}");
+        assert!(run.stderr.contains(told), "{}", run.stderr);
+    }
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
 }

@@ -80,7 +80,7 @@ fn pigment_of(pigment: f64) -> f64 {
 /// **Parameters** `theta_deg` θ, 0 to 90°; `age` A in years, 0 to 100; `pigment` p of the iris and the wall of the eye: 0 very dark, 0.5
 /// brown, 1 blue-green, 1.2 very light blue.
 /// **Laws** its integral is not quite 1: [`vos_glare_integral`].
-/// **Limits** the pupil's width and the wavelength are not in it, and neither is the pattern of fine needles about a lamp.
+/// **Limits** the pupil's width and the wavelength are not in it, and neither is the ciliary corona.
 /// **Source** J. J. Vos and T. J. T. P. van den Berg, CIE 135/1, 1999; coefficients as in HDR-VDP's `hdrvdp_otf_cie99.m`.
 ///
 /// ```

@@ -14,7 +14,7 @@
 //! assert!(young > 5.3 && old < 3.8);
 //! // The retina of the older one gets half of the light.
 //! assert!(trolands(1.0, old) < 0.5 * trolands(1.0, young));
-//! // By then the rods take part: the cones have 77 % of the say.
+//! // There the rods take part: the share of the cones is 77 %.
 //! assert!((mesopic(1.0, 1.0).m - 0.767).abs() < 1e-3);
 //! ```
 
@@ -49,7 +49,7 @@ pub use response::{
 };
 pub use retina::{
     Meridian, cone_density_deg2, eccentricity_mm, geisler_perry_cutoff, macula_density_at,
-    midget_field_density_deg2, rod_density_mm2,
+    midget_field_density_deg2, retinal_area_mm2, rod_density_mm2,
 };
 
 /// The value, held within `low` … `high`; NaN is `low`.
@@ -107,6 +107,7 @@ mod tests {
                     + cone_density_deg2(a)
                     + midget_field_density_deg2(b, Meridian::Nasal)
                     + eccentricity_mm(b)
+                    + retinal_area_mm2(b)
                     + geisler_perry_cutoff(a)
                     + macula_density_at(b)
                     + defocus_disc_deg(a, b, 555.0)

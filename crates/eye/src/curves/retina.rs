@@ -22,6 +22,22 @@ pub fn eccentricity_mm(eccentricity_deg: f64) -> f64 {
     (0.268 + (0.000_342_7 - 8.3309e-6 * e) * e) * e
 }
 
+/// The area of the retina in mm² that sees 1 deg² of the field at an eccentricity in degrees, 0 to 90°.
+///
+/// **Formula** 0.0752 + 5.846e-5 e − 1.064e-5 e² + 4.116e-8 e³. **Source** Watson 2014, equation A7.
+///
+/// ```
+/// use glanz_eye::curves::{retinal_area_mm2, rod_density_mm2};
+///
+/// // Rods per deg² where there are most of them, 18° from the fovea.
+/// let rods = rod_density_mm2(4.92) * retinal_area_mm2(18.0);
+/// assert!((11_000.0..12_000.0).contains(&rods));
+/// ```
+pub fn retinal_area_mm2(eccentricity_deg: f64) -> f64 {
+    let e = within(eccentricity_deg, 0.0, EDGE_DEG);
+    0.0752 + (5.846e-5 + (-1.064e-5 + 4.116e-8 * e) * e) * e
+}
+
 /// Rods per mm² of the retina at a distance from the fovea in mm, 0 to 21 mm.
 ///
 /// **Formula** 5.855e5 e^(−0.1388r) − 5.989e5 e^(−0.2998r), 0 where that is negative: within 0.14 mm of the fovea.
@@ -68,7 +84,7 @@ pub enum Meridian {
 /// Receptive fields of midget ganglion cells, on and off, per deg² of the visual field at an eccentricity in degrees, 0 to 90°.
 ///
 /// **Formula** 2·14804.6 (a(1 + e/r2)^−2 + (1 − a)e^(−e/re))/1.12/(1 + e/41.03), with a, r2 and re for each meridian.
-/// **Source** Watson 2014, equations 4, 7, 8 and table 1.
+/// **Source** Watson 2014, equations 4, 7, 8 and table 1, as in three programs; isetbio has the rows of up and down exchanged.
 ///
 /// ```
 /// use glanz_eye::curves::{Meridian, midget_field_density_deg2};
@@ -163,5 +179,32 @@ mod tests {
         assert_digits(eccentricity_mm(10.0), "2.706");
         assert_eq!(eccentricity_mm(200.0), eccentricity_mm(90.0));
         assert_digits(macula_density_at(2.0), "0.166");
+    }
+
+    #[test]
+    fn an_area_of_the_retina_is_the_product_of_its_sides_on_a_sphere() {
+        // Two fits of one schematic eye, and a sphere of 22 mm across in place of its retina.
+        const FITS: f64 = 0.06;
+        let radius_mm = 11.0;
+        for e in [0.5, 15.0, 30.0, 60.0] {
+            let outwards = (eccentricity_mm(e + 0.1) - eccentricity_mm(e - 0.1)) / 0.2;
+            let around = radius_mm * libm::sin(eccentricity_mm(e) / radius_mm);
+            let around = around / libm::sin(e.to_radians()) * core::f64::consts::PI / 180.0;
+            let ratio = retinal_area_mm2(e) / (outwards * around);
+            assert!((ratio - 1.0).abs() < FITS, "{e}°: {ratio}");
+        }
+    }
+
+    #[test]
+    fn far_from_the_fovea_the_temporal_field_has_the_most_midget_fields() {
+        use Meridian::{Inferior, Nasal, Superior, Temporal};
+        for e in [15.0, 30.0, 45.0] {
+            let temporal = midget_field_density_deg2(e, Temporal);
+            for other in [Superior, Inferior, Nasal] {
+                assert!(temporal > 1.3 * midget_field_density_deg2(e, other), "{e}°, {other:?}");
+            }
+        }
+        // The temporal retina, which sees the nasal field, has few.
+        assert!(midget_field_density_deg2(30.0, Nasal) < 0.5 * midget_field_density_deg2(30.0, Temporal));
     }
 }

@@ -246,6 +246,67 @@ words! {
     Temperature: "temperature in K", "température en K";
     Gamuts: "primaries", "primaires";
     Marks: "marked colours", "couleurs marquées";
+    // Curves of the eye.
+    Years: "{0} years", "{0} ans";
+    LensByAge: "Lens by age", "Cristallin selon l’âge";
+    LensSource: "solid: CIE 170-1:2006, the lens, from 390 nm; dashed: CIE 203:2012, all media of the eye",
+        "traits pleins : CIE 170-1:2006, le cristallin, dès 390 nm ; tirets : CIE 203:2012, tous les milieux oculaires";
+    Transmittance: "transmittance", "transmittance";
+    RodsByAge: "Rods by age", "Bâtonnets selon l’âge";
+    RodsSource: "V′(λ) of CIE 1951, taken for that of 32 years, through the lens of CIE 170-1:2006",
+        "V′(λ) de la CIE 1951, prise pour celle de 32 ans, à travers le cristallin de la CIE 170-1:2006";
+    PupilByAge: "Pupil by age", "Pupille selon l’âge";
+    PupilSource: "Watson and Yellott 2012; a field of 60° across, seen by both eyes",
+        "Watson et Yellott 2012 ; un champ de 60° de diamètre, vu des deux yeux";
+    Diameter: "diameter in mm", "diamètre en mm";
+    Luminance: "luminance in cd/m²", "luminance en cd/m²";
+    WhiteLuminance: "luminance of white in cd/m²", "luminance du blanc en cd/m²";
+    Mesopic: "From day to night", "Du jour à la nuit";
+    MesopicSource: "CIE 191:2010, MES2, standard observer; S/P: scotopic over photopic luminance",
+        "CIE 191:2010, MES2, observateur de référence ; S/P : luminance scotopique sur photopique";
+    ConeShareTitle: "Share of the cones", "Part des cônes";
+    ConeShare: "m", "m";
+    Purkinje: "Patches of the ColorChecker under D65", "Plages du ColorChecker sous D65";
+    OverWhite: "luminance relative to white", "luminance rapportée au blanc";
+    Red: "red", "rouge";
+    Green: "green", "vert";
+    Blue: "blue", "bleu";
+    Glare: "Light scattered in the eye by age", "Diffusion intraoculaire de la lumière selon l’âge";
+    GlareSource: "solid: CIE 135/1:1999; dashed: CIE 146:2002; pigment p = {0} (0 black, 0.5 brown, 1.2 light blue eyes)",
+        "traits pleins : CIE 135/1:1999 ; tirets : CIE 146:2002 ; pigment p = {0} (yeux noirs 0, bruns 0,5, bleu clair 1,2)";
+    GlareFunction: "Glare function", "Fonction d’éblouissement";
+    PerSteradian: "f in 1/sr", "f en 1/sr";
+    StrayLight: "Stray light: the function times θ²", "Lumière parasite : la fonction fois θ²";
+    StrayLightLabel: "θ² f in deg²/sr", "θ² f en deg²/sr";
+    AngleFromSource: "θ, angle from the source in °", "θ, angle avec la source en °";
+    Contrast: "Contrast sensitivity", "Sensibilité au contraste";
+    ContrastSource: "castleCSF and Barten: a still grating of 7 deg² in the fovea, young eyes; each channel in its own unit of contrast",
+        "castleCSF et Barten : un réseau fixe de 7 deg² dans la fovéa, yeux jeunes ; chaque canal dans sa propre unité de contraste";
+    ContrastLabel: "sensitivity, 1 / contrast at threshold", "sensibilité, 1 / contraste au seuil";
+    Frequency: "cycles per degree", "cycles par degré";
+    Achromatic: "light–dark", "clair–sombre";
+    RedGreen: "red–green", "rouge–vert";
+    YellowViolet: "yellow–violet", "jaune–violet";
+    AtLuminance: "{0}, {1} cd/m²", "{0}, {1} cd/m²";
+    MannosSakrison: "Mannos and Sakrison 1974, scaled", "Mannos et Sakrison 1974, à l’échelle";
+    Response: "Response to luminance", "Réponse à la luminance";
+    ResponseSource: "from 0 at 0.05 cd/m² to 1 at white; cones adapted to a fifth of white",
+        "de 0 à 0,05 cd/m² à 1 au blanc ; cônes adaptés au cinquième du blanc";
+    ResponseLabel: "response relative to that to white", "réponse rapportée à celle au blanc";
+    Logarithm: "logarithm (Weber–Fechner)", "logarithme (Weber–Fechner)";
+    CubeRoot: "cube root (L*)", "racine cubique (L*)";
+    Saturating: "cones (Naka–Rushton)", "cônes (Naka–Rushton)";
+    Steps: "just noticeable steps (DICOM GSDF)", "échelons juste perceptibles (GSDF DICOM)";
+    Proportional: "proportional", "proportionnelle";
+    Mosaic: "Rods, cones and midget ganglion cells", "Bâtonnets, cônes et cellules ganglionnaires naines";
+    MosaicSource: "rods and cones: fits to Curcio 1990, means over all directions; midget fields: Watson 2014",
+        "bâtonnets et cônes : ajustés à Curcio 1990, moyennes sur toutes les directions ; champs nains : Watson 2014";
+    Eccentricity: "eccentricity in °", "excentricité en °";
+    PerSquareDegree: "cells per deg²", "cellules par deg²";
+    RodCells: "rods", "bâtonnets";
+    ConeCells: "cones", "cônes";
+    MidgetTemporal: "midget fields, towards the temple", "champs nains, côté temporal";
+    MidgetNasal: "midget fields, towards the nose", "champs nains, côté nasal";
     // Samples of spectra.
     ColorVectorGraphic: "Colour vector graphic, ANSI/IES TM-30-20", "Diagramme des vecteurs de couleur, ANSI/IES TM-30-20";
     LocalFidelity: "local fidelity Rf,h", "fidélité locale Rf,h";

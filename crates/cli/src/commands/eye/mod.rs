@@ -223,7 +223,7 @@ impl EyeArgs {
             samples: self.picture.samples,
             shading: self.picture.shading,
             background: self.picture.background,
-            show: Some(DebugView::Lit),
+            show: Some(DebugView::Shaded),
             color: ColorArgs { mode: Some(glanz_scene::ColorMode::Spectral), ..ColorArgs::default() },
             ..LookArgs::default()
         }

@@ -76,11 +76,16 @@ impl Kind {
         let useless = EFFECTS.iter().find(|(_, kinds, given)| given(args) && !kinds.contains(&self));
         let Some((option, kinds, _)) = useless else { return Ok(()) };
         let names: Vec<_> = kinds.iter().map(|kind| kind.name()).collect();
-        let names = match names.as_slice() {
-            [only] => only.clone(),
-            [first @ .., last] => format!("{} and {last}", first.join(", ")),
-            [] => String::new(),
-        };
+        let names = enumerated(&names);
         Err(Failure::Usage(format!("{option} has no effect on --kind {}; it acts on {names}", self.name())))
+    }
+}
+
+/// Names in a sentence: `a, b and c`.
+pub(super) fn enumerated(names: &[String]) -> String {
+    match names {
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [] => String::new(),
     }
 }

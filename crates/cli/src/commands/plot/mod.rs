@@ -1,5 +1,7 @@
-//! `glanz plot`: lobes, albedos, Fresnel reflectance, lights and directions as plots.
+//! `glanz plot`: lobes, albedos, Fresnel reflectance, lights, directions and curves of eyes as plots.
 
+mod command;
+mod eye;
 mod kind;
 mod lights;
 
@@ -14,6 +16,8 @@ use crate::input::media;
 use crate::input::models::models;
 use crate::input::spectra::words;
 use crate::print::failure::Failure;
+
+pub(crate) use self::command::PlotCommand;
 
 /// Shown after the help.
 pub(super) const EXAMPLES: &str = "\
@@ -30,6 +34,7 @@ Examples:
   glanz plot --kind attenuation --set 'attenuation=none,{linear=1},physical' -o fade.png
   glanz plot --kind spot --set cutoff_deg=30,60 --set exponent=0,8 -o cone.png
   glanz plot --kind vectors --wo 20,180 --wi 50,0 -o vectors.svg
+  glanz plot eye --kind lens --age 20,50,80 -o lens.svg
 
 All combinations of models, parameters and angles are curves of one plot. The light is in the
 plane of the viewer and the normal, at positive angles on the other side of the normal: the
@@ -134,7 +139,7 @@ impl From<Quantity> for glanz_plot::Quantity {
 
 impl PlotArgs {
     /// Makes the plot.
-    pub(crate) fn run(&self) -> Result<(), Failure> {
+    fn run(&self) -> Result<(), Failure> {
         let target = self.output.target()?;
         self.kind.check_options(self)?;
         if self.lambda_nm.is_some() && self.ior.is_none() && self.tint.is_none() {
