@@ -22,6 +22,7 @@ mod mach;
 mod media;
 mod opponent;
 mod parse;
+mod population;
 mod stages;
 mod viewing;
 
@@ -29,5 +30,6 @@ pub use eye::{AGES, Cones, Eye, EyeError, FIELDS_DEG, KNOWN_AGES, Lens, MAX_SHIF
 pub use mach::{MachBand, MachProfile};
 pub use media::{macular_density, pigment_density};
 pub use opponent::opponent;
+pub use population::ASANO;
 pub use stages::{Angles, Defect, Seeing, Seen};
 pub use viewing::{LEVELS, ROD_LIMIT_CD_M2, RodColor, SCREEN_PX_PER_DEG, Viewer, Viewing, level_cd_m2};

@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 55] = [
+const SCHEMAS: [Named; 57] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -38,6 +38,8 @@ const SCHEMAS: [Named; 55] = [
     ("modes", schema::<modes::Document>),
     ("relight", schema::<relight::Document>),
     ("eye", schema::<eye::Document>),
+    ("eye-mach", schema::<eye::mach::Document>),
+    ("eye-population", schema::<eye::population::Document>),
     ("compare", schema::<compare::Document>),
     ("info", schema::<scene_document::Document>),
     ("probe", schema::<probe::Document>),

@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 53] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 55] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -24,6 +24,8 @@ const DOCUMENTS: [(&str, &[&[&str]]); 53] = [
     ("shade-compare", &[&["shade-compare", "scene.toml", "-o", "s.png"]]),
     ("modes", &[&["modes", "scene.toml", "--modes", "rgb,sampled:4", "-o", "s.png"]]),
     ("relight", &[&["relight", "scene.toml", "--light", "A", "--light", "D65", "-o", "s.png"]]),
+    ("eye-mach", &[&["eye", "scene.toml", "--mach", "y=3", "-o", "m.svg"]]),
+    ("eye-population", &[&["eye", "scene.toml", "--population", "2", "-o", "s.png"]]),
     ("eye", &[&["eye", "scene.toml", "--age", "20,80", "-o", "s.png"]]),
     (
         "compare",

@@ -229,6 +229,8 @@ words! {
     Cones: "Cones and rods", "Cônes et bâtonnets";
     ConesSource: "Cone fundamentals of Stockman and Sharpe (CIE 170-1:2006), rods of CIE 1951",
         "Cônes de Stockman et Sharpe (CIE 170-1:2006), bâtonnets de la CIE 1951";
+    ConesOfEyes: "CIE 170-1:2006, rods of CIE 1951 through the lens; 1 is the peak of the standard eye",
+        "CIE 170-1:2006, bâtonnets de la CIE 1951 à travers le cristallin ; 1 est le maximum de l’observateur standard";
     Rods: "rods, V′(λ)", "bâtonnets, V′(λ)";
     Sensitivity: "relative sensitivity, by energy", "sensibilité relative, en énergie";
     Meyer: "Meyer’s basis functions", "Fonctions de base de Meyer";

@@ -1,11 +1,11 @@
 //! One picture: a scene, prepared, with its camera, its observer and its development.
 
-use glanz_eye::Seen;
+use glanz_eye::{Seen, Viewer};
 use glanz_math::SimdLevel;
 use glanz_picture::{Develop, Frame, develop, develop16};
 use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
 
-use super::{ShotError, ShotOptions, Sight, mistaken};
+use super::{ShotError, ShotOptions, Sight, angles, mistaken};
 use crate::cpu::Renderer;
 use crate::prepare::{Change, Prepared, prepare};
 use crate::view::{Aovs, DrawOptions, Moment, View};
@@ -92,6 +92,11 @@ impl Shot {
     /// Camera and size, as back ends want them.
     pub fn view(&self) -> &View {
         &self.sight.view
+    }
+
+    /// How many pixels a degree of sight has in the middle of the picture: by the camera if it is perspective, else those of a screen.
+    pub fn px_per_deg(&self) -> f64 {
+        angles(&self.sight.camera, &self.sight.view, &Viewer::default()).px_per_deg
     }
 
     /// How it is drawn.

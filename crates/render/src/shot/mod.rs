@@ -17,5 +17,5 @@ pub use error::{SaveError, ShotError};
 pub(crate) use mistaken::mistaken;
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};
-pub(crate) use sight::Sight;
+pub(crate) use sight::{Sight, angles};
 pub use xray::{NOT_REACHED, UniformFill, ValueFrame, Xray};

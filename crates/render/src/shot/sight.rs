@@ -83,7 +83,7 @@ impl Sight {
 }
 
 /// How angles belong to the pixels of a picture: as the viewer has it, else as a perspective camera has it.
-fn angles(camera: &Camera, view: &View, viewer: &Viewer) -> Angles {
+pub(crate) fn angles(camera: &Camera, view: &View, viewer: &Viewer) -> Angles {
     let middle = [view.width, view.height].map(|size| 0.5 * f64::from(size));
     match (viewer.viewing.px_per_deg, camera.projection) {
         (Some(px_per_deg), _) => Angles { px_per_deg, distance_px: None, middle },

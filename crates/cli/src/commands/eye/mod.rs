@@ -1,7 +1,9 @@
 //! `glanz eye`: one scene as other people see it.
 
 mod draw;
+pub(crate) mod mach;
 mod patches;
+pub(crate) mod population;
 mod shown;
 mod variants;
 
@@ -37,6 +39,8 @@ Examples:
   glanz eye scene.toml --show opponent -o opponent.png
   glanz eye scene.toml --gaze 400,300 -o looked-at.png
   glanz eye scene.toml --age 20:80:60 -o ageing.gif
+  glanz eye scene.toml --population 20 --seed 1 -o people.png
+  glanz eye scene.toml --mach y=250 --gain 10 -o mach.svg
 
 Each column is an eye, each row a light level, or what it is adapted to: an eye that just got its lens sees its yellow
 (unadapted), one that has lived with it sees white as white (adapted). Pictures have ordinary exposure at every light level; --ev
@@ -113,6 +117,22 @@ struct EyesArgs {
     #[arg(long, value_name = "N")]
     px_per_deg: Option<f64>,
 
+    /// Draw so many people who differ as people do (Asano 2016), and how far they are apart
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    population: Option<u32>,
+
+    /// Which people
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+
+    /// Plot the Mach bands of a row, such as y=250, for flat, Gouraud and Phong shading; -o names the plot
+    #[arg(long, value_name = "y=ROW")]
+    mach: Option<mach::Row>,
+
+    /// How many times as high as predicted bands are drawn
+    #[arg(long, value_name = "N", default_value_t = 10.0)]
+    gain: f64,
+
     /// What the pictures show
     #[arg(long, value_name = "WHAT", value_enum, default_value = "picture")]
     show: Show,
@@ -172,11 +192,18 @@ impl EyeArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
+        if let Some(row) = self.eyes.mach {
+            return self.mach(row);
+        }
         let target = self.target.resolve(&self.input.input, "_eye.png")?;
         let moving = self.moving(&target)?;
         self.format.check_beside(&target)?;
         let mut input = self.input.load(Some(&self.camera), More::default())?;
         print::notes(&self.input.input, &input.notes);
+        if let Some(count) = self.eyes.population {
+            let base = variants::base(&self.eyes, &input)?;
+            return self.population(count as usize, &mut input, &base, &target);
+        }
         let variants = Variants::of(&self.eyes, &input)?;
         variants.remarks().iter().for_each(|remark| print::note(format_args!("note: {remark}")));
         let drawn = self.draw(&mut input, &variants)?;

@@ -112,7 +112,7 @@ impl Patches {
 }
 
 /// The mean colour of each object that the picture shows, by its number, for the white of the screen.
-fn means(frame: &Frame) -> BTreeMap<usize, Lab> {
+pub(super) fn means(frame: &Frame) -> BTreeMap<usize, Lab> {
     let mut sums: BTreeMap<usize, ([f64; 3], usize)> = BTreeMap::new();
     for (i, object) in frame.object.iter().enumerate().filter(|(_, object)| **object != 0) {
         let (sum, count) = sums.entry(*object as usize - 1).or_default();

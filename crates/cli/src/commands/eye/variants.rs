@@ -88,7 +88,7 @@ impl Variants {
 }
 
 /// The eye that the options change.
-fn base(args: &EyesArgs, input: &Input) -> Result<Viewer, Failure> {
+pub(super) fn base(args: &EyesArgs, input: &Input) -> Result<Viewer, Failure> {
     let mut viewer = input.scene.eye.clone().unwrap_or_default();
     if let Some(name) = &args.observer {
         if !Eye::is_named(name) {

@@ -1,6 +1,7 @@
 //! `glanz plot eye`: the curves of eyes.
 
 use clap::{Args, ValueEnum};
+use glanz_eye::{Eye, EyeError};
 use glanz_plot::{EyePlot, Figure, Lang};
 
 use crate::args::PlotOutputArgs;
@@ -10,6 +11,7 @@ use crate::print::failure::Failure;
 pub(super) const EXAMPLES: &str = "\
 Examples:
   glanz plot eye --kind lens --age 20,50,80 -o lens.svg
+  glanz plot eye --kind cones --observer standard,age:70,deutan:10 -o cones.svg
   glanz plot eye --kind glare --age 25,75 --pigment 1.2 -o glare.png
   glanz plot eye --kind csf --luminance 0.1,100 -o csf.svg
   glanz plot eye --kind mesopic --lang fr -o purkinje.pdf
@@ -23,6 +25,8 @@ observer. An option that has no effect on a kind is refused.";
 enum EyeKind {
     /// The transmittance of the lens by age, by CIE 170-1 and by CIE 203
     Lens,
+    /// The sensitivity of the cones of eyes, and of their rods
+    Cones,
     /// The sensitivity of the rods by age
     Rods,
     /// The diameter of the pupil over luminance by age
@@ -39,7 +43,7 @@ enum EyeKind {
     Mosaic,
 }
 
-use EyeKind::{Csf, Glare, Lens, Mesopic, Mosaic, Pupil, Response, Rods};
+use EyeKind::{Cones, Csf, Glare, Lens, Mesopic, Mosaic, Pupil, Response, Rods};
 
 /// Options of `glanz plot eye`.
 #[derive(Args, Debug)]
@@ -48,9 +52,13 @@ pub(crate) struct EyePlotArgs {
     #[arg(long, value_enum, value_name = "KIND")]
     kind: EyeKind,
 
-    /// Ages in years, 20 to 80, a curve for each; of lens, rods, pupil and glare [default: 20,50,80]
+    /// Ages in years, 20 to 80, a curve for each; of lens, cones, rods, pupil and glare [default: 20,50,80]
     #[arg(long, value_name = "YEARS,…", value_delimiter = ',', allow_hyphen_values = true)]
     age: Vec<f64>,
+
+    /// Eyes, such as age:70+deutan:10; of cones, in place of --age
+    #[arg(long, value_name = "EYE,…", value_delimiter = ',')]
+    observer: Vec<String>,
 
     /// Luminances in cd/m²: of the background for csf, of white for response [default: 100]
     #[arg(long, value_name = "CD/M2,…", value_delimiter = ',', allow_hyphen_values = true)]
@@ -69,8 +77,9 @@ pub(crate) struct EyePlotArgs {
 type Effect = (&'static str, &'static [EyeKind], fn(&EyePlotArgs) -> bool);
 
 /// Options that do not act on all kinds.
-const EFFECTS: [Effect; 3] = [
-    ("--age", &[Lens, Rods, Pupil, Glare], |args| !args.age.is_empty()),
+const EFFECTS: [Effect; 4] = [
+    ("--age", &[Lens, Cones, Rods, Pupil, Glare], |args| !args.age.is_empty()),
+    ("--observer", &[Cones], |args| !args.observer.is_empty()),
     ("--luminance", &[Csf, Response], |args| !args.luminance.is_empty()),
     ("--pigment", &[Glare], |args| args.pigment.is_some()),
 ];
@@ -99,6 +108,21 @@ impl EyePlotArgs {
         Err(Failure::Usage(format!("{option} has no effect on --kind {kind}; it acts on {names}")))
     }
 
+    /// The eyes whose cones are plotted: those that are named, or one of each age.
+    fn eyes(&self, ages: &[f64]) -> Result<Vec<Eye>, Failure> {
+        if !self.observer.is_empty() && !self.age.is_empty() {
+            return Err(Failure::Usage("--observer says the ages: leave out --age".to_owned()));
+        }
+        let read = |name: &String| name.parse().map_err(|error: EyeError| Failure::Usage(error.to_string()));
+        let eyes = match self.observer.is_empty() {
+            true => ages.iter().map(|age| Eye { age: *age, ..Eye::default() }).collect(),
+            false => self.observer.iter().map(read).collect::<Result<Vec<Eye>, _>>()?,
+        };
+        let checked = eyes.iter().try_for_each(Eye::check);
+        checked.map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(eyes)
+    }
+
     fn figure(&self, lang: Lang) -> Result<Box<dyn Figure>, Failure> {
         let standard = EyePlot { lang, ..EyePlot::default() };
         let or = |given: &[f64], usual: &[f64]| if given.is_empty() { usual } else { given }.to_vec();
@@ -110,6 +134,7 @@ impl EyePlotArgs {
         };
         Ok(match self.kind {
             Lens => Box::new(plot.lens()?),
+            Cones => Box::new(plot.cones(&self.eyes(&plot.ages)?)?),
             Rods => Box::new(plot.rods()?),
             Pupil => Box::new(plot.pupil()?),
             Mesopic => Box::new(plot.mesopic()?),

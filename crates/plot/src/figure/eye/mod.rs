@@ -1,5 +1,6 @@
 //! Plots of the eye: lens, rods, pupil, dusk, glare, contrast sensitivity, response, mosaic of the retina.
 
+mod cones;
 mod contrast;
 mod glare;
 mod light;

@@ -1,0 +1,194 @@
+//! Mach bands along a row of the picture: what is there, and what cells with a centre and a surround answer.
+
+use std::str::FromStr;
+
+use glanz_eye::MachProfile;
+use glanz_eye::curves::CenterSurround;
+use glanz_plot::chart::LineChart;
+use glanz_plot::page::curve_color;
+use glanz_plot::{Axis, Curve, Lang};
+use glanz_scene::Shading;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::EyeArgs;
+use crate::args::{LookArgs, PlotTarget};
+use crate::load::Input;
+use crate::pipeline::Plan;
+use crate::print;
+use crate::print::failure::Failure;
+use crate::progress::Progress;
+
+/// A row of the picture: `y=250`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Row(pub usize);
+
+impl FromStr for Row {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = text.trim().strip_prefix("y=").unwrap_or(text.trim()).parse();
+        number.map(Self).map_err(|_| "expected the row of the picture, such as y=250".to_owned())
+    }
+}
+
+/// The shadings, and what they are called.
+const SHADINGS: [(Shading, &str); 3] =
+    [(Shading::Flat, "flat"), (Shading::Gouraud, "Gouraud"), (Shading::Phong, "Phong")];
+
+/// A row of one shading.
+struct Shaded {
+    name: &'static str,
+    profile: MachProfile,
+}
+
+/// The Mach bands of a row.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Document {
+    /// The plot
+    file: String,
+    /// The row, from the top
+    y: usize,
+    /// Pixels per degree of sight
+    px_per_deg: f64,
+    /// How many times as high as predicted bands are drawn
+    gain: f64,
+    /// For flat, Gouraud and Phong shading
+    shadings: Vec<ShadingFacts>,
+    /// What was ignored or changed of the scene's file
+    notes: Vec<String>,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct ShadingFacts {
+    shading: &'static str,
+    /// From left to right
+    bands: Vec<BandFacts>,
+}
+
+/// A place that is seen brighter, or darker below 0, than it is.
+#[derive(Debug, Serialize, JsonSchema)]
+struct BandFacts {
+    /// The column
+    x: usize,
+    /// The same in degrees from the middle of the picture
+    degrees: f64,
+    /// By how much brighter, in per cent of luminance, without gain
+    percent: f64,
+}
+
+impl EyeArgs {
+    /// Plots the Mach bands of a row.
+    pub(super) fn mach(&self, row: Row) -> Result<(), Failure> {
+        let Some(path) = &self.target.output else {
+            return Err(Failure::Usage(
+                "--mach is a plot: name its file with -o, such as -o mach.svg".to_owned(),
+            ));
+        };
+        let target = PlotTarget::of_file(path)?;
+        if !(self.eyes.gain > 0.0 && self.eyes.gain <= 1e4) {
+            let gain = self.eyes.gain;
+            return Err(Failure::Usage(format!("--gain is {gain}, but must be above 0 and at most 10000")));
+        }
+        let input = self.input.load(Some(&self.camera), crate::load::More::default())?;
+        print::notes(&self.input.input, &input.notes);
+        let (shaded, px_per_deg) = self.shaded(&input, row)?;
+        target.save(&mut chart(&shaded, row, px_per_deg, self.eyes.gain))?;
+        self.tell_bands(&shaded, row, px_per_deg, input.notes)
+    }
+
+    fn shaded(&self, input: &Input, Row(y): Row) -> Result<(Vec<Shaded>, f64), Failure> {
+        let look = LookArgs {
+            samples: self.picture.samples,
+            background: self.picture.background,
+            ..LookArgs::default()
+        };
+        let plan = Plan::new(input, self.size.size, &look, &self.camera, self.develop)?;
+        let (width, height) = plan.size();
+        if y >= height {
+            let message = format!("--mach: the picture has rows 0 to {}, but not {y}", height - 1);
+            return Err(Failure::Usage(message));
+        }
+        let mut progress = Progress::new(SHADINGS.len(), "pictures");
+        let (mut shaded, mut px_per_deg) = (Vec::new(), 1.0);
+        for (shading, name) in SHADINGS {
+            let mut shot = plan.shot_shaded(&input.scene, shading)?;
+            let frame = shot.frame()?;
+            let screen = shot.on_screen(frame)?;
+            px_per_deg = self.eyes.px_per_deg.unwrap_or_else(|| shot.px_per_deg());
+            let luminance: Vec<f32> = (0..screen.alpha.len())
+                .map(|i| 0.2126 * screen.rgb[0][i] + 0.7152 * screen.rgb[1][i] + 0.0722 * screen.rgb[2][i])
+                .collect();
+            let profile =
+                MachProfile::new(&luminance, width, y, px_per_deg, CenterSurround::P_CELL, self.eyes.gain);
+            shaded.push(Shaded { name, profile });
+            progress.step();
+        }
+        Ok((shaded, px_per_deg))
+    }
+
+    fn tell_bands(
+        &self,
+        shaded: &[Shaded],
+        Row(y): Row,
+        px_per_deg: f64,
+        notes: Vec<String>,
+    ) -> Result<(), Failure> {
+        let facts = |Shaded { name, profile }: &Shaded| {
+            let middle = profile.log.len() as f64 / 2.0;
+            let band = |band: &glanz_eye::MachBand| BandFacts {
+                x: band.x,
+                degrees: (band.x as f64 + 0.5 - middle) / px_per_deg,
+                percent: 100.0 * (libm::pow(10.0, band.height) - 1.0),
+            };
+            ShadingFacts { shading: name, bands: profile.bands(self.eyes.gain).iter().map(band).collect() }
+        };
+        let shadings: Vec<ShadingFacts> = shaded.iter().map(facts).collect();
+        let file = self.target.output.as_ref().map_or(String::new(), |path| path.display().to_string());
+        if self.format.is_json() {
+            return print::json(&Document { file, y, px_per_deg, gain: self.eyes.gain, shadings, notes });
+        }
+        print::note(format_args!("wrote {file}"));
+        let line = |ShadingFacts { shading, bands }: &ShadingFacts| {
+            let highest = bands.iter().map(|band| band.percent.abs()).fold(0.0, f64::max);
+            format!("{shading:<8} {:>3} bands, the highest {highest:.1} % of luminance\n", bands.len())
+        };
+        print::text(&shadings.iter().map(line).collect::<String>())
+    }
+}
+
+/// The three shadings in one plot: the logarithm of luminance dashed, what is seen in full lines; the luminance of Phong shading itself.
+fn chart(shaded: &[Shaded], Row(y): Row, px_per_deg: f64, gain: f64) -> LineChart {
+    let points =
+        |values: &[f64]| values.iter().enumerate().map(|(x, v)| (x as f64 + 0.5, *v)).collect::<Vec<_>>();
+    let mut curves = Vec::new();
+    if let Some(Shaded { profile, .. }) = shaded.last() {
+        let most = profile.luminance.iter().fold(1e-30_f64, |most, v| most.max(*v));
+        let parts: Vec<f64> = profile.luminance.iter().map(|v| v / most).collect();
+        let name = "luminance, in parts of the greatest (Phong)".to_owned();
+        curves.push(Curve { name, points: points(&parts), color: [0x8a, 0x93, 0x9e], dash: None });
+    }
+    for (index, Shaded { name, profile }) in shaded.iter().enumerate() {
+        // Apart by half a decade, so that they do not cover each other.
+        let apart = |values: &[f64]| values.iter().map(|v| v - 0.5 * index as f64).collect::<Vec<f64>>();
+        let color = curve_color(index);
+        let seen = format!("{name}: predicted");
+        curves.push(Curve { name: seen, points: points(&apart(&profile.seen)), color, dash: None });
+        let log = format!("{name}: logarithm");
+        curves.push(Curve { name: log, points: points(&apart(&profile.log)), color, dash: Some((4.0, 3.0)) });
+    }
+    let values = curves.iter().flat_map(|curve| curve.points.iter().map(|(_, v)| *v));
+    let (least, most) = values.fold((0.0_f64, 1.0_f64), |(least, most), v| (least.min(v), most.max(v)));
+    let width = shaded.first().map_or(1, |shaded| shaded.profile.log.len());
+    LineChart {
+        title: format!("Mach bands along row {y}, bands {gain} times as high"),
+        subtitle: format!(
+            "{px_per_deg:.0} pixels per degree; P cells, centre 0.021°, surround 0.127° (σ); shadings half a decade apart"
+        ),
+        x: Axis::exact("column in pixels", (0.0, width as f64), 10),
+        y: Axis::round("luminance in decades, and in parts", (least, most), 8),
+        curves,
+        marks: Vec::new(),
+        lang: Lang::En,
+    }
+}
