@@ -47,8 +47,8 @@ impl Media {
         for (channel, table) in self.absorbance.iter_mut().enumerate() {
             let curve = |sample: usize| template(channel, lambda_nm(sample), 0.0);
             let offset = table[FIRST] - curve(FIRST);
-            for sample in FIRST_APHAKIC..FIRST {
-                table[sample] = curve(sample) + offset;
+            for (sample, value) in table.iter_mut().enumerate().take(FIRST).skip(FIRST_APHAKIC) {
+                *value = curve(sample) + offset;
             }
         }
         // The macular pigment hardly absorbs there; its edge is continued as it falls from 395 to 390 nm.

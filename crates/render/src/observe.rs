@@ -5,11 +5,12 @@
 
 mod reference;
 
+use glanz_color::{ObserverKind, Rgb};
 use glanz_picture::Frame;
 use glanz_scene::{Background, ColorMode};
 
 use crate::Backend;
-use crate::prepare::{PrepareError, Prepared};
+use crate::prepare::{Observation, PrepareError, Prepared};
 use crate::view::{Aovs, DrawOptions, View};
 
 /// Whether the observation of a prepared scene takes more than one frame of three channels.
@@ -70,8 +71,11 @@ fn draw_in_threes(
     for plane in frame.rgb.iter_mut().skip(count) {
         plane.fill(0.0);
     }
-    // A background of three numbers says nothing of further channels.
-    let bare = DrawOptions { background: bare(options.background), aovs: Aovs::default(), ..*options };
+    let bare = DrawOptions {
+        background: bare(prepared.observation(), options.background),
+        aovs: Aovs::default(),
+        ..*options
+    };
     for first in (3..count).step_by(3) {
         step(first as f64 / count as f64);
         let next = prepared.channels_from(first)?;
@@ -81,10 +85,15 @@ fn draw_in_threes(
     Ok(())
 }
 
-/// A background that adds no light.
-fn bare(background: Background) -> Background {
+/// The background of further channels: a colour of three numbers says nothing of them, and adds no light. Rods, which come after the
+/// three kinds of cones, see its luminance.
+fn bare(observation: &Observation, background: Background) -> Background {
+    let is_eye = observation.observer().is_some_and(|eye| eye.kind == ObserverKind::Lms);
     match background {
-        Background::Color(_) => Background::Color(glanz_color::Rgb::BLACK),
+        Background::Color(Rgb([l, m, _])) if is_eye => {
+            Background::Color(Rgb([0.698_134 * l + 0.301_866 * m, 0.0, 0.0]))
+        }
+        Background::Color(_) => Background::Color(Rgb::BLACK),
         Background::Transparent => Background::Transparent,
         // An environment is seen in every channel.
         Background::Environment => Background::Environment,

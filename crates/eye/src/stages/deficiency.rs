@@ -85,10 +85,11 @@ impl Projection {
                 let other = 1 - channel;
                 let moved = eye.cone(channel) * scales[channel];
                 let part = part_left(&moved, &curves, channel, other, own_white[channel], white);
-                // L_w · (L′/L′_w − M/M_w − k (L_B/L_w − M/M_w)), and L_B itself.
-                let own = white[channel] / own_white[channel];
-                let by_other = (part - 1.0) * white[channel] / white[other];
-                Some([own as f32, by_other as f32, (1.0 - part) as f32])
+                // L_w · (L′/L′_w − M/M_w − k (L_B/L_w − M/M_w)), and L_B itself; all times L′_w/L_w, so that white
+                // stays what it is to this eye.
+                let by_other = (part - 1.0) * own_white[channel] / white[other];
+                let by_projected = (1.0 - part) * own_white[channel] / white[channel];
+                Some([1.0, by_other as f32, by_projected as f32])
             }
         };
         let white = [white[numerator] as f32, white[denominator] as f32];
@@ -176,7 +177,10 @@ mod tests {
         let (projection, white, eye) = projection(name);
         let mut planes: [Vec<f32>; 3] = core::array::from_fn(|c| vec![eye.cone(c).dot(spectrum) as f32]);
         projection.apply(&mut planes, 1);
-        core::array::from_fn(|c| f64::from(planes[c][0]) / white[c])
+        let own = self::white(&eye);
+        core::array::from_fn(|c| {
+            f64::from(planes[c][0]) / if eye.shift_nm[c] == 0.0 { white[c] } else { own[c] }
+        })
     }
 
     fn red() -> Spectrum {
@@ -196,8 +200,8 @@ mod tests {
     #[test]
     fn what_is_left_of_the_difference_is_as_computed_elsewhere() {
         for (shift, expected) in [(10, 0.6748), (20, 0.3360)] {
-            let (projection, ..) = projection(&format!("protan:{shift}"));
-            let part = 1.0 - f64::from(projection.left.unwrap()[2]);
+            let (projection, usual, eye) = projection(&format!("protan:{shift}"));
+            let part = 1.0 - f64::from(projection.left.unwrap()[2]) * usual[0] / white(&eye)[0];
             assert!((part - expected).abs() < 1e-4, "{shift} nm: {part}");
         }
     }

@@ -166,7 +166,7 @@ fn first_of_next(margin: usize) -> usize {
 #[inline(always)]
 fn tall_between(coarse: &Plane, margin: usize, y: usize) -> Vec<f32> {
     let near = (first_of_next(margin) + y / 2) as isize;
-    let far = if y % 2 == 0 { near - 1 } else { near + 1 };
+    let far = if y.is_multiple_of(2) { near - 1 } else { near + 1 };
     let (near, far) = (coarse.row(near), coarse.row(far));
     near.iter().zip(far).map(|(near, far)| 0.75 * near + 0.25 * far).collect()
 }

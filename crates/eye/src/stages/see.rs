@@ -53,7 +53,7 @@ pub struct Seen {
 
 impl Seeing {
     /// Takes a frame of the eye's channels through the stages: glare, deficiency, dusk, acuity. What comes out are the channels L, M, S
-    /// of an eye with all cones that sees by day, whose picture shows what this one sees.
+    /// of an eye with all cones that sees by day, whose picture shows what this one sees; white is what it was to this eye.
     pub fn see(&self, frame: &mut Frame) -> Seen {
         let width = frame.width;
         if width == 0 || frame.height == 0 {
@@ -73,8 +73,6 @@ impl Seeing {
             projection.apply(&mut frame.rgb, width);
         }
         self.mix(frame, seen.cones);
-        frame.channels.white[..3.min(self.usual_white.len())]
-            .copy_from_slice(&self.usual_white[..3.min(self.usual_white.len())]);
         if (viewing.acuity || viewing.gaze.is_some())
             && let Some(acuity) = Acuity::new(seen.mesopic_cd_m2, viewing.gaze, self.angles)
         {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glanz_color::{Rgb, Spectrum, observer, reflectance};
+use glanz_color::{Rgb, Spectrum, observer};
 use glanz_eye::{Eye, Viewer, Viewing};
 use glanz_render::{Session, Shot};
 use glanz_scene::{ColorMode, Scene, Tint, White};
@@ -24,6 +24,23 @@ fn shown(scene: &Scene, viewer: Viewer) -> [f32; 4] {
     let mut shot = Shot::new(&spectral(scene.clone()).with_eye(viewer)).unwrap();
     let frame = shot.frame().unwrap();
     shot.on_screen(frame).unwrap().pixel(1, 1)
+}
+
+/// What is left of a spectrum without all that these curves respond to (Gram and Schmidt).
+fn unseen_by(curves: &[Spectrum], spectrum: Spectrum) -> Spectrum {
+    let mut basis: Vec<Spectrum> = Vec::new();
+    let without = |basis: &[Spectrum], mut rest: Spectrum| {
+        // Twice, for what rounding leaves.
+        for axis in basis.iter().chain(basis) {
+            let part = rest.dot(axis) / axis.dot(axis);
+            rest = Spectrum::from_fn(|nm| rest.at(nm) - part * axis.at(nm));
+        }
+        rest
+    };
+    for curve in curves {
+        basis.push(without(&basis, *curve));
+    }
+    without(&basis, spectrum)
 }
 
 fn day() -> Viewing {
@@ -60,19 +77,39 @@ fn an_old_eye_sees_yellow_until_it_is_adapted() {
 }
 
 #[test]
+fn white_is_white_to_every_eye_that_is_adapted() {
+    for source in ["D65", "A"] {
+        let mut scene = faced(matte(Rgb::WHITE.into()), &unit(source));
+        scene.render.white = White::Scene;
+        for name in [
+            "protan",
+            "deutan",
+            "tritan",
+            "deutan:10",
+            "protan:15",
+            "age:80+deutan:6",
+            "aphakic",
+            "shift:3,-2,1",
+        ] {
+            assert_near(
+                shown(&scene, viewer(name, day())),
+                [f64::from(shown(&scene, viewer("standard", day()))[1]); 3],
+                2e-5,
+                name,
+            );
+        }
+    }
+}
+
+#[test]
 fn spectra_that_all_cones_see_alike_look_alike_through_all_stages() {
     let eye: Eye = "age:60+deutan:10".parse().unwrap();
     let curves: Vec<Spectrum> =
         eye.observer_with_rods().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
     // A grey, and the same with a wiggle that no kind of receptors notices.
     let grey = Spectrum::constant(0.4);
-    let mut wiggle = Spectrum::from_fn(|nm| if nm > 400.0 && nm < 690.0 { libm::sin(nm / 9.0) } else { 0.0 });
-    for _ in 0..60 {
-        for curve in &curves {
-            let part = wiggle.dot(curve) / curve.dot(curve);
-            wiggle = Spectrum::from_fn(|nm| wiggle.at(nm) - part * curve.at(nm));
-        }
-    }
+    let wiggle = Spectrum::from_fn(|nm| if nm > 400.0 && nm < 690.0 { libm::sin(nm / 9.0) } else { 0.0 });
+    let wiggle = unseen_by(&curves, wiggle);
     let other = Spectrum::from_fn(|nm| grey.at(nm) + 0.15 * wiggle.at(nm));
     assert!(other.0.iter().all(|v| (0.0..=1.0).contains(v)));
     let night = Viewing { level_cd_m2: Some(1.0), glare: true, acuity: true, ..day() };
@@ -133,13 +170,8 @@ fn dichromats_cannot_tell_what_differs_in_the_missing_cone_alone() {
         let curves: Vec<Spectrum> =
             eye.observer().channels.iter().map(|c| c.sensitivity * unit("D65")).collect();
         // What only the missing kind of cones sees: its curve without the two others.
-        let mut only = curves[channel];
-        for _ in 0..60 {
-            for (_, curve) in curves.iter().enumerate().filter(|(c, _)| *c != channel) {
-                let part = only.dot(curve) / curve.dot(curve);
-                only = Spectrum::from_fn(|nm| only.at(nm) - part * curve.at(nm));
-            }
-        }
+        let others: Vec<Spectrum> = (0..3).filter(|c| *c != channel).map(|c| curves[c]).collect();
+        let only = unseen_by(&others, curves[channel]);
         let most = only.0.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let other = Spectrum::from_fn(|nm| 0.4 + 0.3 * only.at(nm) / most);
         let seen = |eye: &str, spectrum: Spectrum| {

@@ -7,6 +7,7 @@ use glanz_eye::curves::CenterSurround;
 use glanz_plot::chart::LineChart;
 use glanz_plot::page::curve_color;
 use glanz_plot::{Axis, Curve, Lang};
+use glanz_render::Aovs;
 use glanz_scene::Shading;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,7 +41,22 @@ const SHADINGS: [(Shading, &str); 3] =
 struct Shaded {
     name: &'static str,
     profile: MachProfile,
+    /// The number of the object in each column, 0 for none.
+    object: Vec<u32>,
 }
+
+impl Shaded {
+    /// Whether a column, as far as a cell sees, shows one object alone: its bands are of shading, not of an outline.
+    fn is_inside(&self, x: usize, px_per_deg: f64) -> bool {
+        let reach = (3.0 * CenterSurround::P_CELL.surround_deg * px_per_deg).ceil() as usize;
+        let last = self.object.len().saturating_sub(1);
+        let around = &self.object[x.saturating_sub(reach)..=(x + reach).min(last)];
+        around.iter().all(|object| *object != 0 && *object == around[0])
+    }
+}
+
+/// The least logarithm that the plot shows: a hundredth of the greatest luminance is black on paper.
+const LEAST: f64 = -2.0;
 
 /// The Mach bands of a row.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -75,6 +91,8 @@ struct BandFacts {
     degrees: f64,
     /// By how much brighter, in per cent of luminance, without gain
     percent: f64,
+    /// Whether it lies within a surface; else it is of an outline
+    inside: bool,
 }
 
 impl EyeArgs {
@@ -113,7 +131,8 @@ impl EyeArgs {
         let (mut shaded, mut px_per_deg) = (Vec::new(), 1.0);
         for (shading, name) in SHADINGS {
             let mut shot = plan.shot_shaded(&input.scene, shading)?;
-            let frame = shot.frame()?;
+            let aovs = Aovs { object: true, ..Aovs::default() };
+            let frame = shot.frame_in_steps(aovs, &mut |_| ())?;
             let screen = shot.on_screen(frame)?;
             px_per_deg = self.eyes.px_per_deg.unwrap_or_else(|| shot.px_per_deg());
             let luminance: Vec<f32> = (0..screen.alpha.len())
@@ -121,7 +140,8 @@ impl EyeArgs {
                 .collect();
             let profile =
                 MachProfile::new(&luminance, width, y, px_per_deg, CenterSurround::P_CELL, self.eyes.gain);
-            shaded.push(Shaded { name, profile });
+            let object = screen.object[y * width..(y + 1) * width].to_vec();
+            shaded.push(Shaded { name, profile, object });
             progress.step();
         }
         Ok((shaded, px_per_deg))
@@ -134,12 +154,14 @@ impl EyeArgs {
         px_per_deg: f64,
         notes: Vec<String>,
     ) -> Result<(), Failure> {
-        let facts = |Shaded { name, profile }: &Shaded| {
+        let facts = |shaded: &Shaded| {
+            let Shaded { name, profile, .. } = shaded;
             let middle = profile.log.len() as f64 / 2.0;
             let band = |band: &glanz_eye::MachBand| BandFacts {
                 x: band.x,
                 degrees: (band.x as f64 + 0.5 - middle) / px_per_deg,
                 percent: 100.0 * (libm::pow(10.0, band.height) - 1.0),
+                inside: shaded.is_inside(band.x, px_per_deg),
             };
             ShadingFacts { shading: name, bands: profile.bands(self.eyes.gain).iter().map(band).collect() }
         };
@@ -150,8 +172,13 @@ impl EyeArgs {
         }
         print::note(format_args!("wrote {file}"));
         let line = |ShadingFacts { shading, bands }: &ShadingFacts| {
-            let highest = bands.iter().map(|band| band.percent.abs()).fold(0.0, f64::max);
-            format!("{shading:<8} {:>3} bands, the highest {highest:.1} % of luminance\n", bands.len())
+            let inside = bands.iter().filter(|band| band.inside);
+            let (count, highest) =
+                inside.fold((0, 0.0_f64), |(n, most), band| (n + 1, most.max(band.percent.abs())));
+            format!(
+                "{shading:<8} {count:>3} bands within surfaces, the highest {highest:.1} % of luminance
+"
+            )
         };
         print::text(&shadings.iter().map(line).collect::<String>())
     }
@@ -168,9 +195,12 @@ fn chart(shaded: &[Shaded], Row(y): Row, px_per_deg: f64, gain: f64) -> LineChar
         let name = "luminance, in parts of the greatest (Phong)".to_owned();
         curves.push(Curve { name, points: points(&parts), color: [0x8a, 0x93, 0x9e], dash: None });
     }
-    for (index, Shaded { name, profile }) in shaded.iter().enumerate() {
+    for (index, Shaded { name, profile, .. }) in shaded.iter().enumerate() {
         // Apart by half a decade, so that they do not cover each other.
-        let apart = |values: &[f64]| values.iter().map(|v| v - 0.5 * index as f64).collect::<Vec<f64>>();
+        let apart = |values: &[f64]| -> Vec<f64> {
+            // Bands of outlines are far higher than what is looked for: they are cut.
+            values.iter().map(|v| v.clamp(LEAST, 1.0) - 0.5 * index as f64).collect()
+        };
         let color = curve_color(index);
         let seen = format!("{name}: predicted");
         curves.push(Curve { name: seen, points: points(&apart(&profile.seen)), color, dash: None });

@@ -56,7 +56,7 @@ pub(super) fn nerve(
             let code = 0.5 + 0.5 * (v[channel] / scale).clamp(-1.0, 1.0);
             [glanz_color::srgb_decode(code as f32); 3]
         });
-        pictures.push((format!("{name}\n-{scale} .. {scale}"), canvas(frame, signed)));
+        pictures.push((format!("{name}, +-{scale}"), canvas(frame, signed)));
         pictures.push((format!("{name}, in colour"), in_color(shot, frame, &values, channel, scale, white)?));
     }
     Ok(pictures)

@@ -5,7 +5,7 @@ use glanz_eye::Eye;
 use super::{EyePlot, check_count};
 use crate::Error;
 use crate::chart::{Curve, WavelengthChart};
-use crate::page::{Rgb8, curve_dash};
+use crate::page::{Rgb8, dash};
 use crate::words::Word;
 
 /// Red, green and blue for long, middle and short waves, grey for the rods.
@@ -20,7 +20,7 @@ impl EyePlot {
     pub fn cones(&self, eyes: &[Eye]) -> Result<WavelengthChart, Error> {
         check_count(eyes.len())?;
         let of_eye = |(index, eye): (usize, &Eye)| {
-            let dash = curve_dash(index);
+            let dash = dash(index);
             let observer = eye.observer_with_rods();
             let curves = observer.channels.iter().enumerate().filter_map(move |(c, channel)| {
                 let missing = eye.cones.missing() == Some(c) || eye.cones == glanz_eye::Cones::None && c < 3;
