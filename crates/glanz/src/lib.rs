@@ -62,6 +62,7 @@
 )]
 //! | [`scene`] | meshes, materials, lights, cameras, scene files and readers of other formats |
 //! | [`render`] | from a scene to linear channels: prepare, view, back ends |
+//! | [`eye`] | eyes by age, field and deficiency; glare, dusk, acuity; their formulas |
 //! | [`measure`] | measured reflectance: files, smoothing, fits, numbers of appearance |
 //! | [`shader`] | GLSL and WGSL of users: programs, machines, traces, warnings |
 #![cfg_attr(feature = "gpu", doc = "| [`gpu`] | a back end for programs on GPUs, and what GPUs there are |")]
@@ -87,6 +88,7 @@ pub use load::{load, load_with_remarks, parse};
 
 pub use glanz_bsdf as bsdf;
 pub use glanz_color as color;
+pub use glanz_eye as eye;
 #[cfg(feature = "gpu")]
 pub use glanz_gpu as gpu;
 pub use glanz_math as math;

@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 62] = [
+pub(crate) const COMMANDS: [&[&str]; 63] = [
     &[],
     &["render"],
     &["sweep"],
