@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 57] = [
+const SCHEMAS: [Named; 58] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -78,6 +78,7 @@ const SCHEMAS: [Named; 57] = [
     ("color-list", schema::<color::list::Document>),
     ("color-efficiency", schema::<color::efficiency::Document>),
     ("plot", schema::<PlotData>),
+    ("plot-eye", schema::<PlotData>),
     ("color-plot-spectra", schema::<PlotData>),
     ("color-plot-chromaticity", schema::<PlotData>),
     ("color-plot-cones", schema::<PlotData>),

@@ -236,7 +236,7 @@ fn the_numbers_of_the_curves_of_eyes_are_those_of_their_formulas() {
 fn an_option_of_eyes_that_has_no_effect_is_refused() {
     let folder = Folder::new();
     for (kind, option, value, acts) in [
-        ("csf", "--age", "20", "it acts on lens, rods, pupil and glare"),
+        ("csf", "--age", "20", "it acts on lens, cones, rods, pupil and glare"),
         ("lens", "--luminance", "20", "it acts on csf and response"),
         ("pupil", "--pigment", "1", "it acts on glare"),
     ] {

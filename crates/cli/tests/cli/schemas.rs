@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 55] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 56] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -138,6 +138,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 55] = [
             &["plot", "--kind", "attenuation", "-o", "-"],
         ],
     ),
+    ("plot-eye", &[&["plot", "eye", "--kind", "pupil", "-o", "-"]]),
     ("color-plot-spectra", &[&["color", "plot", "spectra", "D65", "-o", "-"]]),
     ("color-plot-chromaticity", &[&["color", "plot", "chromaticity", "-o", "-"]]),
     ("color-plot-cones", &[&["color", "plot", "cones", "-o", "-"]]),

@@ -61,7 +61,7 @@ impl Acuity {
         let height = plane.height;
         *channel = match self {
             Self::Everywhere(sigma_px) => {
-                blurred(&plane, 0.0, &[Blur { weight: 1.0, sigma_px: *sigma_px }]).values
+                blurred(plane, 0.0, &[Blur { weight: 1.0, sigma_px: *sigma_px }]).values
             }
             Self::Around { gaze, angles, luminance } => {
                 let table = SigmaTable::new(*luminance, *angles, *gaze, [width, height]);

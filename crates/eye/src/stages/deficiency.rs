@@ -7,7 +7,7 @@
 
 use glanz_color::{SAMPLES, Spectrum, lambda_nm};
 
-use super::plane::for_each_row;
+use super::plane::for_each_part_of_three;
 use crate::eye::{Cones, Eye};
 
 /// What is amiss with the cones.
@@ -97,27 +97,26 @@ impl Projection {
     }
 
     /// Replaces the channel of all pixels by what is shown for it.
-    pub(crate) fn apply(&self, channels: &mut [Vec<f32>; 3], width: usize) {
-        let numerator = channels[self.numerator].clone();
-        let denominator = channels[self.denominator].clone();
-        let other = channels[if self.channel == 0 { 1 } else { 0 }].clone();
-        for_each_row(&mut channels[self.channel], width, |y, row| {
-            let start = y * width;
-            for (x, value) in row.iter_mut().enumerate() {
-                let i = start + x;
-                *value = self.shown(numerator[i], denominator[i], *value, other[i]);
+    pub(crate) fn apply(&self, channels: &mut [Vec<f32>; 3]) {
+        for_each_part_of_three(channels, |parts| {
+            for i in 0..parts[0].len() {
+                let pixel: [f32; 3] = core::array::from_fn(|c| parts[c][i]);
+                parts[self.channel][i] = self.shown(pixel);
             }
         });
     }
 
     /// What is shown for one pixel.
-    fn shown(&self, numerator: f32, denominator: f32, own: f32, other: f32) -> f32 {
+    #[inline(always)]
+    fn shown(&self, pixel: [f32; 3]) -> f32 {
+        let (numerator, denominator) = (pixel[self.numerator], pixel[self.denominator]);
         let above = numerator * self.white[1] > denominator * self.white[0];
         let [by_numerator, by_denominator] = self.planes[usize::from(above)];
         let projected = by_numerator * numerator + by_denominator * denominator;
         match self.left {
             None => projected,
             Some([by_own, by_other, by_projected]) => {
+                let (own, other) = (pixel[self.channel], pixel[usize::from(self.channel == 0)]);
                 by_own * own + by_other * other + by_projected * projected
             }
         }
@@ -176,7 +175,7 @@ mod tests {
     fn shown(name: &str, spectrum: &Spectrum) -> [f64; 3] {
         let (projection, white, eye) = projection(name);
         let mut planes: [Vec<f32>; 3] = core::array::from_fn(|c| vec![eye.cone(c).dot(spectrum) as f32]);
-        projection.apply(&mut planes, 1);
+        projection.apply(&mut planes);
         let own = self::white(&eye);
         core::array::from_fn(|c| {
             f64::from(planes[c][0]) / if eye.shift_nm[c] == 0.0 { white[c] } else { own[c] }
@@ -237,8 +236,8 @@ mod tests {
             let mut a: [Vec<f32>; 3] = [vec![0.3], vec![0.2], vec![0.4]];
             let mut b = a.clone();
             b[channel][0] = 0.9;
-            projection.apply(&mut a, 1);
-            projection.apply(&mut b, 1);
+            projection.apply(&mut a);
+            projection.apply(&mut b);
             assert_eq!(a, b, "{name}");
         }
     }

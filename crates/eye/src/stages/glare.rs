@@ -43,7 +43,7 @@ impl Glare {
             return;
         }
         let plane = Plane::of(std::mem::take(channel), width);
-        *channel = blurred(&plane, self.rest, &self.blurs).values;
+        *channel = blurred(plane, self.rest, &self.blurs).values;
     }
 }
 

@@ -30,6 +30,38 @@ impl Plane {
     }
 }
 
+/// Calls `work` with parts of three channels, the same pixels of each, in parallel where the feature `rayon` is on.
+pub(crate) fn for_each_part_of_three(
+    channels: &mut [Vec<f32>; 3],
+    work: impl Fn([&mut [f32]; 3]) + Sync + Send,
+) {
+    const PART: usize = 1 << 13;
+    let [a, b, c] = channels;
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        let parts = (a.par_chunks_mut(PART), b.par_chunks_mut(PART), c.par_chunks_mut(PART));
+        parts.into_par_iter().for_each(|(a, b, c)| work([a, b, c]));
+    }
+    #[cfg(not(feature = "rayon"))]
+    for ((a, b), c) in a.chunks_mut(PART).zip(b.chunks_mut(PART)).zip(c.chunks_mut(PART)) {
+        work([a, b, c]);
+    }
+}
+
+/// The sum of a channel: rows one after the other, each by itself, so that the bits do not depend on threads.
+pub(crate) fn sum(channel: &[f32], width: usize) -> f64 {
+    let of_row = |row: &[f32]| -> f64 { row.iter().map(|v| f64::from(*v)).filter(|v| v.is_finite()).sum() };
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        let rows: Vec<f64> = channel.par_chunks(width).with_min_len(16).map(of_row).collect();
+        rows.iter().sum()
+    }
+    #[cfg(not(feature = "rayon"))]
+    channel.chunks(width).map(of_row).sum()
+}
+
 /// Calls `work` with the number and the values of every row, in parallel where the feature `rayon` is on. Rows depend on nothing but
 /// their number, so that the bits do not depend on the threads.
 pub(crate) fn for_each_row(values: &mut [f32], width: usize, work: impl Fn(usize, &mut [f32]) + Sync + Send) {

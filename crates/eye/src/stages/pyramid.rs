@@ -23,7 +23,7 @@ const SHARP: f64 = 0.25;
 const LEAST: f64 = 1.2;
 
 /// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge.
-pub(crate) fn blurred(plane: &Plane, rest: f64, blurs: &[Blur]) -> Plane {
+pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur]) -> Plane {
     let mut kept = rest;
     let mut by_level: Vec<Vec<Blur>> = Vec::new();
     for blur in blurs {
@@ -47,19 +47,18 @@ fn level_of(sigma_px: f64) -> usize {
 }
 
 /// The sum of what the levels from `level` on add to a plane at that level, and `kept` of itself.
-fn descend(plane: &Plane, level: usize, kept: f64, by_level: &[Vec<Blur>]) -> Plane {
+fn descend(plane: Plane, level: usize, kept: f64, by_level: &[Vec<Blur>]) -> Plane {
     let own = by_level.get(level).map_or(&[][..], Vec::as_slice);
-    let mut sum = Plane { values: plane.values.clone(), ..*plane };
     let more = by_level.len() > level + 1;
-    let coarse = more.then(|| {
-        let half = halved(plane);
-        descend(&half, level + 1, 0.0, by_level)
-    });
+    let coarse = more.then(|| descend(halved(&plane), level + 1, 0.0, by_level));
+    let blurs: Vec<_> = own
+        .iter()
+        .map(|blur| (gaussian(&plane, variance_left(blur.sigma_px, level)), blur.weight as f32))
+        .collect();
+    // The plane itself is needed no more: the sum takes its place.
+    let mut sum = plane;
     scale_and_double(&mut sum, kept as f32, coarse.as_ref());
-    for blur in own {
-        let blurred = gaussian(plane, variance_left(blur.sigma_px, level));
-        add(&mut sum, &blurred, blur.weight as f32);
-    }
+    blurs.iter().for_each(|(blurred, weight)| add(&mut sum, blurred, *weight));
     sum
 }
 
@@ -292,7 +291,7 @@ mod tests {
     #[test]
     fn blurs_have_the_width_that_was_asked_for() {
         for sigma in [0.4, 0.9, 1.5, 2.3, 3.0, 4.7, 6.0, 9.5, 13.0] {
-            let blurred = blurred(&point(160), 0.0, &[Blur { weight: 1.0, sigma_px: sigma }]);
+            let blurred = blurred(point(160), 0.0, &[Blur { weight: 1.0, sigma_px: sigma }]);
             let found = libm::sqrt(variance(&blurred));
             // A point on the coarse grid lies up to a quarter of a pixel of the level off its middle.
             assert!((found / sigma - 1.0).abs() < 0.01, "{sigma}: {found}");
@@ -303,7 +302,7 @@ mod tests {
     fn uniform_light_stays_uniform() {
         let plane = Plane::of(vec![0.7; 53 * 37], 53);
         let blurs = [0.8, 3.0, 10.0, 50.0, 400.0].map(|sigma_px| Blur { weight: 0.15, sigma_px });
-        let blurred = blurred(&plane, 0.25, &blurs);
+        let blurred = blurred(plane, 0.25, &blurs);
         assert!(blurred.values.iter().all(|v| (v - 0.7).abs() < 1e-6));
     }
 
@@ -311,10 +310,10 @@ mod tests {
     fn a_sum_is_the_sum_of_its_blurs() {
         let plane = point(64);
         let blurs = [(0.3, 1.4), (0.2, 5.0), (0.1, 5.5)].map(|(weight, sigma_px)| Blur { weight, sigma_px });
-        let together = blurred(&plane, 0.4, &blurs);
-        let mut sum = blurred(&plane, 0.4, &[]);
+        let together = blurred(plane.clone(), 0.4, &blurs);
+        let mut sum = blurred(plane.clone(), 0.4, &[]);
         for blur in blurs {
-            add(&mut sum, &blurred(&plane, 0.0, &[blur]), 1.0);
+            add(&mut sum, &blurred(plane.clone(), 0.0, &[blur]), 1.0);
         }
         for (a, b) in together.values.iter().zip(&sum.values) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");

@@ -7,7 +7,7 @@ use super::acuity::{Acuity, Angles};
 use super::deficiency::Projection;
 use super::dusk::{LUMINANCE, Mixture, SCOTOPIC_OF_D65};
 use super::glare::Glare;
-use super::plane::for_each_row;
+use super::plane::{for_each_row, sum};
 use crate::curves::{Eyes, acuity_cutoff, pupil_diameter_mm, trolands};
 use crate::{Cones, RodColor, Viewer};
 
@@ -70,7 +70,7 @@ impl Seeing {
         if let Some(projection) =
             Projection::new(&self.viewer.eye, &self.own_white, &self.usual_white, self.scales)
         {
-            projection.apply(&mut frame.rgb, width);
+            projection.apply(&mut frame.rgb);
         }
         self.mix(frame, seen.cones);
         if (viewing.acuity || viewing.gaze.is_some())
@@ -135,10 +135,7 @@ impl Seeing {
     }
 }
 
-/// The mean of a channel; rows are summed one after the other, so that the bits do not depend on threads.
+/// The mean of a channel.
 fn mean(channel: &[f32], width: usize) -> f64 {
-    let rows = channel
-        .chunks(width)
-        .map(|row| row.iter().map(|v| f64::from(*v)).filter(|v| v.is_finite()).sum::<f64>());
-    rows.sum::<f64>() / channel.len().max(1) as f64
+    sum(channel, width) / channel.len().max(1) as f64
 }

@@ -33,6 +33,8 @@ pub struct Shot {
     pub(crate) scene_hash: Option<u64>,
     /// The mistake that is drawn, if any.
     pub(crate) mistake: Option<Mistake>,
+    /// A frame whose memory is used again, where drawing goes through one.
+    pub(crate) scratch: Frame,
     /// What the eye made of the frame that was drawn last.
     pub(crate) seen: Option<Seen>,
     /// What is unusual about its making, as files tell it.
@@ -65,6 +67,7 @@ impl Shot {
             sight: Sight::of(&scene, &options)?,
             prepared: prepare(&scene, &options.prepare)?,
             scene_hash: None,
+            scratch: Frame::default(),
             seen: None,
             mistake: options.mistake,
             makings: options.makings(),
@@ -237,8 +240,13 @@ impl Shot {
     pub(crate) fn draw_into_in_steps(&mut self, rgba: &mut [u8], step: Step) -> Result<(), ShotError> {
         self.check_length(rgba.len())?;
         if takes_several_frames(&self.prepared) || self.sight.seeing.is_some() {
-            let frame = self.frame_in_steps(Aovs::default(), step)?;
-            rgba.copy_from_slice(&self.codes8(frame)?);
+            let mut frame = core::mem::take(&mut self.scratch);
+            let (backend, prepared) = (&mut *self.backend, &self.prepared);
+            draw_observed_into(backend, prepared, &self.sight.view, &self.sight.draw, &mut frame, step)?;
+            self.see(&mut frame);
+            self.whole(())?;
+            rgba.copy_from_slice(&self.codes8_of(&mut frame)?);
+            self.scratch = frame;
             return Ok(());
         }
         let Sight { view, draw, develop, .. } = &self.sight;
@@ -262,6 +270,14 @@ impl Shot {
     pub fn codes8(&self, frame: Frame) -> Result<Vec<u8>, ShotError> {
         let (frame, settings) = self.developable(frame)?;
         Ok(develop(&frame, &settings)?)
+    }
+
+    /// The same of a frame whose memory is to be used again, which it is for three channels.
+    fn codes8_of(&self, frame: &mut Frame) -> Result<Vec<u8>, ShotError> {
+        if frame.more.is_empty() {
+            return Ok(develop(frame, &self.sight.develop)?);
+        }
+        self.codes8(core::mem::take(frame))
     }
 
     /// The frame as 16-bit sRGB.
