@@ -176,3 +176,53 @@ fn wrong_eyes_say_what_would_be_right() {
     let failure = folder.glanz(&["render", "wrong.toml", "-o", "a.png"]).failure();
     assert!(failure.contains("dutan") && failure.contains("wrong.toml"), "{failure}");
 }
+
+#[test]
+fn pictures_are_looked_at_as_scenes_are() {
+    let folder = patches();
+    folder.glanz(&["render", "s.toml", "--spectral-exr", "-o", "spectra.exr"]).text();
+    for eye in ["age:75", "deutan", "protan:12+age:60"] {
+        folder.glanz(&["render", "s.toml", "--observer", eye, "-o", "scene.png"]).text();
+        folder.glanz(&["render", "spectra.exr", "--observer", eye, "-o", "picture.png"]).text();
+        let (scene, picture) =
+            (Png::decode(&folder.read("scene.png")), Png::decode(&folder.read("picture.png")));
+        for x in [8, 24, 40] {
+            let (a, b) = (scene.pixel(x, 16), picture.pixel(x, 16));
+            assert!(a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 1), "{eye} at {x}: {a:?} {b:?}");
+        }
+    }
+    folder.glanz(&["render", "s.toml", "-o", "codes.png"]).text();
+    let run = folder.glanz(&["render", "codes.png", "--observer", "tritan", "-o", "seen.png"]);
+    assert!(run.code == 0 && run.stderr.contains("the picture has no spectra"), "{}", run.stderr);
+    let [r, g, b, _] = white(&Png::decode(&folder.read("seen.png")));
+    assert!(r.abs_diff(g) <= 2 && g.abs_diff(b) <= 2, "{r} {g} {b}");
+    let failure = folder.glanz(&["render", "codes.png", "-o", "x.png"]).failure();
+    assert!(failure.contains("name the eye"), "{failure}");
+}
+
+#[test]
+fn bands_of_a_row_are_told_by_their_places() {
+    let folder = patches();
+    let facts = folder
+        .glanz(&["eye", "s.toml", "--mach", "y=16", "--gain", "5", "-o", "m.svg", "--format", "json"])
+        .json();
+    let shadings = facts["shadings"].as_array().unwrap();
+    assert_eq!(shadings.len(), 3);
+    // Three patches have six edges, each with a band on both sides.
+    assert!(shadings[2]["bands"].as_array().unwrap().len() >= 6, "{facts:#}");
+    assert!(folder.read("m.svg").starts_with(b"<svg"));
+    let failure = folder.glanz(&["eye", "s.toml", "--mach", "y=99", "-o", "m.svg"]).failure();
+    assert!(failure.contains("rows 0 to 31"), "{failure}");
+}
+
+#[test]
+fn people_differ_and_the_same_seed_gives_the_same_people() {
+    let folder = patches();
+    let people = |file: &str, seed: &str| {
+        let words = ["eye", "s.toml", "--population", "6", "--seed", seed, "-o", file, "--format", "json"];
+        folder.glanz(&words).json()["delta_e_00"]["mean"].as_f64().unwrap()
+    };
+    let (a, again, other) = (people("a.png", "1"), people("b.png", "1"), people("c.png", "2"));
+    assert!(a == again && a != other && (0.1..6.0).contains(&a), "{a} {other}");
+    assert!(folder.read("a.png") == folder.read("b.png"));
+}

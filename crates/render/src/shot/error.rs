@@ -71,6 +71,9 @@ pub enum ShotError {
     /// The picture does not come from the tint table, whose entries could be told.
     #[error("only pictures of light in a mode other than 'reference' can be taken apart; choose 'spectral'")]
     NoTable,
+    /// A picture of spectra that an eye is to look at holds reflectances alone.
+    #[error("the picture has spectra of reflectance, but none of light; light it first")]
+    NoLight,
     /// Spectra were asked for where there are none.
     #[error(
         "a spectrum for each pixel needs spectra of light, but the colour mode is '{mode}'; choose 'spectral'"

@@ -5,6 +5,7 @@ pub(super) mod film;
 pub(super) mod modes;
 pub(super) mod relight;
 pub(super) mod render;
+mod seen_picture;
 pub(super) mod shade_compare;
 pub(super) mod sheet;
 mod side_by_side;

@@ -34,6 +34,7 @@ Examples:
   glanz render scene.toml -o out.exr --size 3840x2160 --samples 8 --shading gouraud
   glanz render scene.toml --mode spectral --observer cie1964 --white scene
   glanz render scene.toml --mode spectral -o spectra.exr --spectral-exr
+  glanz render spectra.exr --observer age:70 -o old.png
   glanz render scene.toml --set materials.red.shininess=64 -o shinier.png
   glanz render scene.toml --frames 0..120 --turntable -o 'spin_{frame:04}.png'
   glanz render scene.toml --frames 0..60 --turntable -o spin.gif --size 400x300
@@ -139,6 +140,9 @@ impl RenderArgs {
 
     fn draw_all(&self) -> Result<(), Failure> {
         self.machine.apply()?;
+        if self.is_picture() {
+            return self.seen_picture();
+        }
         match &self.frames {
             Some(range) => self.film(range.clone()),
             None if self.ps => shader::print_of(&self.load(More::default())?.scene),

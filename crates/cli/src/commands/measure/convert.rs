@@ -6,18 +6,20 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum, ValueHint};
 use glanz_math::Vec3;
 use glanz_measure::{
-    Coordinates, Data, Klems, Measured, Merl, Quantity, Rgl, Table, write_csv, write_klems, write_merl,
-    write_rgl, write_zemax, zemax_nodes_deg,
+    Coordinates, Data, Klems, Measured, Merl, Quantity, Rgl, Smoothed, Table, write_csv, write_klems,
+    write_merl, write_rgl, write_zemax, zemax_nodes_deg,
 };
 use glanz_picture::output::{OutputError, write_atomically};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tristimulus::Conversion;
+use super::written::Written;
 use super::{ReadArgs, quantity, read};
 use crate::args::check_folder;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
+use crate::progress::Progress;
 
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
@@ -26,13 +28,14 @@ Examples:
   glanz measure convert paint.bsdf -o paint.binary
   glanz measure convert gold.binary -o gold.bsdf
   glanz measure convert steel.astm -o steel.csv --as reflectance-factor
+  glanz measure convert steel.astm -o steel.binary
   glanz measure convert vinyl.bsdf --to zemax -o again.bsdf
   glanz measure convert satin.binary -o satin.xml
 
 The ending of the output names its format: .csv for a table of all readings, .binary for MERL's, .bsdf for
 RGL's, .xml for Radiance's and WINDOW's matrix over Klems' patches; --to names it whatever the ending, and
-Zemax's .bsdf. All but CSV hold values everywhere, so they are made of tables only: readings alone say
-nothing between them. Where a table has no data MERL and Zemax get none, and the others what lies nearest.
+Zemax's .bsdf. All but CSV hold values everywhere: readings alone, which say nothing between them, are
+smoothed first, as `glanz measure smooth` does. Where a table has no data MERL and Zemax get none, and the others what lies nearest.
 MERL and RGL have red, green and blue (RGL wavelengths, too), Zemax and Klems one channel or X, Y and Z:
 others are converted, which is told. MERL is isotropic: the first azimuth of a table that is not stands for
 all.";
@@ -82,6 +85,9 @@ impl ConvertArgs {
         let measured = read(&self.file, &self.read)?;
         let mut notes = measured.notes.clone();
         let (bytes, readings) = match kind {
+            kind if kind != Kind::Csv && matches!(measured.data, Data::Readings(_)) => {
+                (self.smoothed(kind, &measured, &mut notes)?, None)
+            }
             Kind::Csv => {
                 let readings = measured.readings();
                 let text = write_csv(&readings, self.written, &measured.description);
@@ -99,7 +105,6 @@ impl ConvertArgs {
         if let Data::Merl(table) = &measured.data {
             return Ok(write_merl(table));
         }
-        self.needs_table(measured, "MERL's")?;
         let conversion = told(Conversion::to_rgb(measured.channels()), notes);
         let table = Merl::of(&mut |wi, wo| {
             let value = measured.value(wi, wo).map(|value| conversion.apply(value)).unwrap_or_default();
@@ -112,7 +117,6 @@ impl ConvertArgs {
         if let Data::Rgl(table) = &measured.data {
             return Ok(write_rgl(table));
         }
-        self.needs_table(measured, "RGL's")?;
         let conversion = told(Conversion::to_rgl(measured.channels()), notes);
         let mut looks = Looks::default();
         let mut f = |wi: Vec3<f64>, wo: Vec3<f64>| conversion.apply(looks.value(measured, wi, wo));
@@ -127,7 +131,6 @@ impl ConvertArgs {
     }
 
     fn zemax(&self, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
-        self.needs_table(measured, "Zemax's")?;
         if let Data::Table(table) = &measured.data
             && let Ok(text) = write_zemax(table, &measured.description)
         {
@@ -148,7 +151,6 @@ impl ConvertArgs {
     }
 
     fn klems(&self, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
-        self.needs_table(measured, "Klems'")?;
         if let Data::Klems(table) = &measured.data
             && let Ok(xml) = write_klems(table, &measured.description)
         {
@@ -164,18 +166,36 @@ impl ConvertArgs {
         Ok(xml.map_err(|error| Failure::from(Report::new(error).file(&self.file)))?.into_bytes())
     }
 
-    /// A format that holds values everywhere.
-    fn needs_table(&self, measured: &Measured, format: &str) -> Result<(), Failure> {
-        match measured.data {
-            Data::Readings(_) => {
-                let message = format!("{format} files hold values everywhere, and these are readings alone");
-                let help = "write a .csv; or 'glanz measure smooth' tells what lies between them";
-                Err(Report::new(message).file(&self.file).help(help).into())
+    /// Readings in a format that holds values everywhere: what smoothing tells between them.
+    fn smoothed(&self, kind: Kind, measured: &Measured, notes: &mut Vec<String>) -> Result<Vec<u8>, Failure> {
+        let smoothed = Smoothed::of(measured, None)
+            .map_err(|error| Failure::from(Report::new(error).file(&self.file)))?;
+        notes.push(format!(
+            "{} readings were smoothed, since the format holds values everywhere; 'glanz measure smooth' tells how far to trust them",
+            smoothed.readings()
+        ));
+        let written = Written {
+            channels: smoothed.channels(),
+            anisotropic: smoothed.is_anisotropic(),
+            description: &measured.description,
+            output: &self.output,
+        };
+        let mut progress = Progress::new(1, "files");
+        let mut count = 0_usize;
+        written.bytes(kind, notes, &mut |wi, wo| {
+            count += 1;
+            if count.is_multiple_of(BETWEEN_SHOWS) {
+                // How many directions a format asks for differs; most ask for as many as MERL's cells.
+                progress.within((count as f64 / MANY).min(1.0));
             }
-            _ => Ok(()),
-        }
+            smoothed.value(wi, wo).0
+        })
     }
 }
+
+/// Directions between two shows of progress, and about how many a file has.
+const BETWEEN_SHOWS: usize = 4096;
+const MANY: f64 = 1.5e6;
 
 /// Rotations of the sample in Zemax's files of anisotropic data.
 pub(super) const ROTATIONS: usize = 36;
