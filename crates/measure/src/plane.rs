@@ -153,4 +153,24 @@ mod tests {
         assert!(near(in_plane(at(30.0, 200.0), at(50.0, 199.0)), -50.0));
         assert!(near(in_plane(at(0.0, 0.0), at(40.0, 0.0)), 40.0));
     }
+
+    #[test]
+    fn detectors_are_on_the_side_of_the_light_or_of_the_mirror_direction() {
+        let near =
+            |found: Option<f64>, expected: f64| (found.expect("it is in the plane") - expected).abs() < 1e-9;
+        assert!(near(in_plane(at(30.0, 200.0), at(50.0, 21.0)), 50.0));
+        assert!(near(in_plane(at(30.0, 200.0), at(50.0, 199.0)), -50.0));
+        assert!(near(in_plane(at(30.0, 200.0), at(0.5, 90.0)), 0.5));
+        assert!(near(in_plane(at(0.0, 0.0), at(40.0, 0.0)), 40.0));
+        assert_eq!(in_plane(at(30.0, 200.0), at(50.0, 40.0)), None);
+    }
+
+    #[test]
+    fn angles_of_incidence_lie_far_apart() {
+        let pick = |known: &[usize], most| chosen(known, most).collect::<Vec<_>>();
+        assert_eq!(pick(&[10, 20, 30, 40, 50], 3), [10, 30, 50]);
+        assert_eq!(pick(&[10, 20], 5), [10, 20]);
+        assert_eq!(pick(&[10, 20], 1), [10]);
+        assert!(pick(&[], 4).is_empty() && pick(&[10], 0).is_empty());
+    }
 }
