@@ -108,13 +108,18 @@ fn tall_sum(rows: &[&[f32]; 4], tall: &mut [f32]) {
 fn halve_row(tall: &[f32], first: isize, row: &mut [f32]) {
     let last = tall.len() as isize - 1;
     let at = |x: isize| tall[x.clamp(0, last) as usize];
-    for (x, out) in row.iter_mut().enumerate() {
-        let x = first + 2 * x as isize;
-        // Inside, no index is beyond the edge.
-        if let Some(four) = usize::try_from(x - 1).ok().and_then(|x| tall.get(x..x + 4)) {
+    // Inside, no index is beyond the edge: 0 ≤ first + 2x − 1 and first + 2x + 2 ≤ last.
+    let from = (((2 - first) / 2).max(0) as usize).min(row.len());
+    let to = (((last - first) / 2).max(0) as usize).clamp(from, row.len());
+    for x in (0..from).chain(to..row.len()) {
+        let at = |d: isize| at(first + 2 * x as isize + d);
+        row[x] = 0.125 * (at(-1) + at(2)) + 0.375 * (at(0) + at(1));
+    }
+    if from < to {
+        let inside = &tall[(first + 2 * from as isize - 1) as usize..][..2 * (to - from) + 2];
+        for (x, out) in row[from..to].iter_mut().enumerate() {
+            let four = &inside[2 * x..2 * x + 4];
             *out = 0.125 * (four[0] + four[3]) + 0.375 * (four[1] + four[2]);
-        } else {
-            *out = 0.125 * (at(x - 1) + at(x + 2)) + 0.375 * (at(x) + at(x + 1));
         }
     }
 }
@@ -143,17 +148,29 @@ pub(crate) fn double_blended(
     onward: impl Fn(usize, &mut [f32]) + Sync + Send,
 ) -> Plane {
     let (width, margin) = (plane.width, plane.margin);
+    let level = SimdLevel::best();
     for_each_row(&mut plane.values, width, |y, row| {
-        let tall = tall_between(coarse, margin, y);
         let mut parts = vec![0.0; width];
         onward(y, &mut parts);
-        let mut doubled = vec![0.0; width];
-        double_row(&tall, first_of_next(margin), &mut doubled, 0.0);
-        for ((value, doubled), part) in row.iter_mut().zip(&doubled).zip(&parts) {
-            *value += part * (doubled - *value);
+        if parts.iter().all(|part| *part == 0.0) {
+            return;
         }
+        let mut doubled = vec![0.0; width];
+        at_level!(level, simd => {
+            let _ = simd;
+            let tall = tall_between(coarse, margin, y);
+            double_row(&tall, first_of_next(margin), &mut doubled, 0.0);
+            blend(row, &doubled, &parts);
+        });
     });
     plane
+}
+
+#[inline(always)]
+fn blend(row: &mut [f32], other: &[f32], parts: &[f32]) {
+    for ((value, other), part) in row.iter_mut().zip(other).zip(parts) {
+        *value += part * (other - *value);
+    }
 }
 
 /// The pixel of the next level in which the first one of this level lies, both counted with their margins.
@@ -304,6 +321,20 @@ mod tests {
         let blurs = [0.8, 3.0, 10.0, 50.0, 400.0].map(|sigma_px| Blur { weight: 0.15, sigma_px });
         let blurred = blurred(plane, 0.25, &blurs);
         assert!(blurred.values.iter().all(|v| (v - 0.7).abs() < 1e-6));
+    }
+
+    #[test]
+    fn halves_are_the_same_inside_and_at_the_edge() {
+        for (width, first) in [(1, -24), (2, -24), (7, -24), (40, -12), (41, -12), (64, 0)] {
+            let tall: Vec<f32> = (0..width).map(|x| ((x * 37) % 11) as f32).collect();
+            let mut row = vec![0.0; width + 24];
+            halve_row(&tall, first, &mut row);
+            for (x, found) in row.iter().enumerate() {
+                let at = |d: isize| tall[(first + 2 * x as isize + d).clamp(0, width as isize - 1) as usize];
+                let expected = 0.125 * (at(-1) + at(2)) + 0.375 * (at(0) + at(1));
+                assert_eq!(*found, expected, "{width}, {first}: {x}");
+            }
+        }
     }
 
     #[test]
