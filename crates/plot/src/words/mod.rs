@@ -229,6 +229,9 @@ words! {
     Cones: "Cones and rods", "Cônes et bâtonnets";
     ConesSource: "Cone fundamentals of Stockman and Sharpe (CIE 170-1:2006), rods of CIE 1951",
         "Cônes de Stockman et Sharpe (CIE 170-1:2006), bâtonnets de la CIE 1951";
+    Confusion: "Confusion lines", "Lignes de confusion";
+    ConfusionSource: "Colours of a line differ in the missing cones alone; the diagram of CIE 170-2:2015, 2°",
+        "Les couleurs d’une ligne ne diffèrent que par les cônes absents ; le diagramme de la CIE 170-2:2015, 2°";
     ConesOfEyes: "CIE 170-1:2006, rods of CIE 1951 through the lens; 1 is the peak of the standard eye",
         "CIE 170-1:2006, bâtonnets de la CIE 1951 à travers le cristallin ; 1 est le maximum de l’observateur standard";
     Rods: "rods, V′(λ)", "bâtonnets, V′(λ)";

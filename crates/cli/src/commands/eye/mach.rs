@@ -170,7 +170,6 @@ impl EyeArgs {
         if self.format.is_json() {
             return print::json(&Document { file, y, px_per_deg, gain: self.eyes.gain, shadings, notes });
         }
-        print::note(format_args!("wrote {file}"));
         let line = |ShadingFacts { shading, bands }: &ShadingFacts| {
             let inside = bands.iter().filter(|band| band.inside);
             let (count, highest) =

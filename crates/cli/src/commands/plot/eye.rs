@@ -1,7 +1,7 @@
 //! `glanz plot eye`: the curves of eyes.
 
 use clap::{Args, ValueEnum};
-use glanz_eye::{Eye, EyeError};
+use glanz_eye::{Cones as Missing, Eye, EyeError};
 use glanz_plot::{EyePlot, Figure, Lang};
 
 use crate::args::PlotOutputArgs;
@@ -27,6 +27,8 @@ enum EyeKind {
     Lens,
     /// The sensitivity of the cones of eyes, and of their rods
     Cones,
+    /// Colours that eyes without a kind of cones take for the same
+    Confusion,
     /// The sensitivity of the rods by age
     Rods,
     /// The diameter of the pupil over luminance by age
@@ -43,7 +45,7 @@ enum EyeKind {
     Mosaic,
 }
 
-use EyeKind::{Cones, Csf, Glare, Lens, Mesopic, Mosaic, Pupil, Response, Rods};
+use EyeKind::{Cones, Confusion, Csf, Glare, Lens, Mesopic, Mosaic, Pupil, Response, Rods};
 
 /// Options of `glanz plot eye`.
 #[derive(Args, Debug)]
@@ -56,7 +58,7 @@ pub(crate) struct EyePlotArgs {
     #[arg(long, value_name = "YEARS,…", value_delimiter = ',', allow_hyphen_values = true)]
     age: Vec<f64>,
 
-    /// Eyes, such as age:70+deutan:10; of cones, in place of --age
+    /// Eyes, such as age:70+deutan:10; of cones in place of --age, and of confusion [default: there protan, deutan, tritan]
     #[arg(long, value_name = "EYE,…", value_delimiter = ',')]
     observer: Vec<String>,
 
@@ -79,7 +81,7 @@ type Effect = (&'static str, &'static [EyeKind], fn(&EyePlotArgs) -> bool);
 /// Options that do not act on all kinds.
 const EFFECTS: [Effect; 4] = [
     ("--age", &[Lens, Cones, Rods, Pupil, Glare], |args| !args.age.is_empty()),
-    ("--observer", &[Cones], |args| !args.observer.is_empty()),
+    ("--observer", &[Cones, Confusion], |args| !args.observer.is_empty()),
     ("--luminance", &[Csf, Response], |args| !args.luminance.is_empty()),
     ("--pigment", &[Glare], |args| args.pigment.is_some()),
 ];
@@ -123,6 +125,22 @@ impl EyePlotArgs {
         Ok(eyes)
     }
 
+    /// The eyes whose confusions are plotted: those that are named, or one of each kind.
+    fn dichromats(&self) -> Result<Vec<Eye>, Failure> {
+        let eyes = match self.observer.is_empty() {
+            false => self.eyes(&[])?,
+            true => [Missing::NoL, Missing::NoM, Missing::NoS]
+                .map(|cones| Eye { cones, ..Eye::default() })
+                .to_vec(),
+        };
+        match eyes.iter().find(|eye| eye.cones.missing().is_none()) {
+            None => Ok(eyes),
+            Some(eye) => Err(Failure::Usage(format!(
+                "'{eye}' has all kinds of cones; confusion lines are those of protan, deutan or tritan, as age:70+deutan"
+            ))),
+        }
+    }
+
     fn figure(&self, lang: Lang) -> Result<Box<dyn Figure>, Failure> {
         let standard = EyePlot { lang, ..EyePlot::default() };
         let or = |given: &[f64], usual: &[f64]| if given.is_empty() { usual } else { given }.to_vec();
@@ -135,6 +153,7 @@ impl EyePlotArgs {
         Ok(match self.kind {
             Lens => Box::new(plot.lens()?),
             Cones => Box::new(plot.cones(&self.eyes(&plot.ages)?)?),
+            Confusion => Box::new(plot.confusion(&self.dichromats()?)?),
             Rods => Box::new(plot.rods()?),
             Pupil => Box::new(plot.pupil()?),
             Mesopic => Box::new(plot.mesopic()?),

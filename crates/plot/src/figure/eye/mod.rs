@@ -1,6 +1,7 @@
 //! Plots of the eye: lens, rods, pupil, dusk, glare, contrast sensitivity, response, mosaic of the retina.
 
 mod cones;
+mod confusion;
 mod contrast;
 mod glare;
 mod light;
