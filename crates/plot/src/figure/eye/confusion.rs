@@ -42,6 +42,8 @@ impl EyePlot {
                 if points.len() < 2 {
                     continue;
                 }
+                // Adding 0 leaves no negative 0.
+                let [x, y] = [x, y].map(|v| (v * 1000.0).round() / 1000.0 + 0.0);
                 let name = if line == LINES / 2 { format!("{eye}: ({x:.3}, {y:.3})") } else { String::new() };
                 curves.push(Curve { name, points, color: curve_color(index), dash: dash(0) });
             }
