@@ -1,5 +1,7 @@
 //! How long the stages of an eye take on a frame of 1920×1080: `cargo run --release -p glanz-eye --example bench`.
 
+#![expect(clippy::print_stdout, reason = "a bench tells what it measured")]
+
 use std::time::Instant;
 
 use glanz_eye::{Angles, Eye, Seeing, Viewer, Viewing};
