@@ -19,6 +19,7 @@ mod cones;
 pub mod curves;
 mod eye;
 mod mach;
+mod machado;
 mod media;
 mod opponent;
 mod parse;
@@ -28,6 +29,7 @@ mod viewing;
 
 pub use eye::{AGES, Cones, Eye, EyeError, FIELDS_DEG, KNOWN_AGES, Lens, MAX_SHIFT_NM};
 pub use mach::{MachBand, MachProfile};
+pub use machado::machado;
 pub use media::{macular_density, pigment_density};
 pub use opponent::opponent;
 pub use population::ASANO;

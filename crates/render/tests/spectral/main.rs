@@ -5,6 +5,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod eyes;
+mod machado;
 mod modes;
 mod observers;
 mod reference;
