@@ -226,3 +226,18 @@ fn people_differ_and_the_same_seed_gives_the_same_people() {
     assert!(a == again && a != other && (0.1..6.0).contains(&a), "{a} {other}");
     assert!(folder.read("a.png") == folder.read("b.png"));
 }
+
+#[test]
+fn another_way_to_show_a_deficiency_stands_beside_true_cones() {
+    let folder = patches();
+    let words = ["eye", "s.toml", "--deficiency", "deutan,tritan", "--against", "machado", "-o", "a.png"];
+    let facts = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
+    for eye in facts["eyes"].as_array().unwrap() {
+        let mean = eye["against"]["mean"].as_f64().unwrap();
+        assert!((0.1..12.0).contains(&mean), "{eye:#}");
+    }
+    let failure = folder
+        .glanz(&["eye", "s.toml", "--deficiency", "deutan:5", "--against", "machado", "-o", "a.png"])
+        .failure();
+    assert!(failure.contains("protan, deutan and tritan"), "{failure}");
+}

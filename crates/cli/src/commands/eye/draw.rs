@@ -2,6 +2,7 @@
 
 use glanz_eye::{Seen, Viewer};
 use glanz_picture::Frame;
+use glanz_picture::compare::Spread;
 use glanz_plot::Canvas;
 use glanz_render::{Aovs, Shot, ShotError};
 use glanz_scene::Scene;
@@ -21,6 +22,8 @@ pub(super) struct Drawn {
     pub caption: Vec<String>,
     /// What the eye made of it.
     pub seen: Option<Seen>,
+    /// How far another way to show its deficiency is from it.
+    pub against: Option<Spread>,
     /// The linear picture of the screen, with the numbers of objects.
     pub frame: Frame,
     /// The names of the objects, by their numbers.
@@ -45,8 +48,16 @@ pub(super) fn draw(
     let seen = shot.seen().copied();
     let screen = shot.on_screen(frame.clone())?;
     let picture = canvas(&shot, &screen)?;
+    let mut against = None;
     let pictures = match show {
-        Show::Picture => vec![(String::new(), picture)],
+        Show::Picture => match args.eyes.against {
+            None => vec![(String::new(), picture)],
+            Some(way) => {
+                let other = way.draw(args, input, &viewer, &screen, progress)?;
+                against = Some(other.spread);
+                vec![("true cones".to_owned(), picture), (way.title().to_owned(), other.picture)]
+            }
+        },
         Show::Opponent => shown::nerve(&shot, &frame, picture, args.develop.ev.unwrap_or(0.0))?,
         Show::Receptors => {
             let (_, frame) = receptors(args, input, &viewer, progress)?;
@@ -64,11 +75,15 @@ pub(super) fn draw(
         }
     };
     let objects = input.scene.objects.iter().map(|object| object.name.clone()).collect();
-    Ok(Drawn { pictures, caption: caption(seen, show), seen, frame: screen, objects })
+    let caption = match against {
+        None => caption(seen, show),
+        Some(spread) => vec![format!("dE00 mean {:.2}, 95 % {:.2}", spread.mean, spread.p95)],
+    };
+    Ok(Drawn { pictures, caption, seen, against, frame: screen, objects })
 }
 
 /// A frame as an eye sees it, or as the scene's observer does.
-fn frame(
+pub(super) fn frame(
     args: &EyeArgs,
     input: &mut Input,
     viewer: Option<&Viewer>,
@@ -99,7 +114,7 @@ fn receptors(
 }
 
 /// A linear picture of the screen as codes.
-fn canvas(shot: &Shot, screen: &Frame) -> Result<Canvas, Failure> {
+pub(super) fn canvas(shot: &Shot, screen: &Frame) -> Result<Canvas, Failure> {
     let settings = glanz_picture::Develop { to_screen: None, ..*shot.develop_settings() };
     let rgba = glanz_picture::develop(screen, &settings).map_err(ShotError::from)?;
     Ok(Canvas { width: screen.width, height: screen.height, rgba })

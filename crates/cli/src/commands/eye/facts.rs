@@ -34,6 +34,18 @@ pub(super) struct EyeFacts {
     /// What it is adapted to, its pupil, and what it resolves; none where the picture went through no stage
     #[serde(skip_serializing_if = "Option::is_none")]
     seen: Option<SeenFacts>,
+    /// How far what --against shows is from it
+    #[serde(skip_serializing_if = "Option::is_none")]
+    against: Option<SpreadFacts>,
+}
+
+/// ΔE00 over the pixels that show a surface.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SpreadFacts {
+    mean: f64,
+    median: f64,
+    p95: f64,
+    max: f64,
 }
 
 /// What an eye made of its picture.
@@ -60,6 +72,12 @@ impl EyeFacts {
             observer: viewer.eye.to_string(),
             adapted: viewer.viewing.adapted,
             level_cd_m2: viewer.viewing.level_cd_m2,
+            against: drawn.against.map(|spread| SpreadFacts {
+                mean: spread.mean,
+                median: spread.median,
+                p95: spread.p95,
+                max: spread.max,
+            }),
             seen: drawn.seen.map(|seen| SeenFacts {
                 adaptation_cd_m2: seen.adaptation_cd_m2,
                 cones: seen.cones,

@@ -1,5 +1,6 @@
 //! `glanz eye`: one scene as other people see it.
 
+mod against;
 mod draw;
 mod facts;
 pub(crate) mod mach;
@@ -16,6 +17,7 @@ use glanz_plot::{Canvas, ContactSheet};
 use glanz_render::DebugView;
 use glanz_scene::{Background, Shading};
 
+use self::against::Against;
 use self::draw::Drawn;
 pub(crate) use self::facts::Document;
 use self::facts::EyeFacts;
@@ -37,6 +39,7 @@ Examples:
   glanz eye scene.toml --age 20,50,80 -o ages.png
   glanz eye scene.toml --age 25,75 --level day,dusk,moon --glare -o evening.png
   glanz eye scene.toml --deficiency none,deutan:10,deutan,protan,tritan -o deficiencies.png
+  glanz eye scene.toml --deficiency deutan,protan,tritan --against machado -o ways.png
   glanz eye scene.toml --show opponent -o opponent.png
   glanz eye scene.toml --gaze 400,300 -o looked-at.png
   glanz eye scene.toml --age 20:80:60 -o ageing.gif
@@ -85,6 +88,10 @@ struct EyesArgs {
     /// Deficiencies: none, protan, deutan, tritan, rods, or protan:10 and deutan:10 with a shift of the pigment in nm
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     deficiency: Vec<String>,
+
+    /// Show beside each deficiency what this way makes of it, and how far that is from true cones
+    #[arg(long, value_enum, value_name = "WAY")]
+    against: Option<Against>,
 
     /// Light levels: sun, day, room, dusk, moon, stars, or the luminance of white in cd/m²
     #[arg(long, value_name = "LEVEL,…", value_delimiter = ',')]
@@ -196,6 +203,12 @@ impl EyeArgs {
         if let Some(row) = self.eyes.mach {
             return self.mach(row);
         }
+        if self.eyes.against.is_some() && (self.eyes.show != Show::Picture || self.eyes.population.is_some())
+        {
+            return Err(Failure::Usage(
+                "--against goes with pictures: leave out --show or --population".to_owned(),
+            ));
+        }
         let target = self.target.resolve(&self.input.input, "_eye.png")?;
         let moving = self.moving(&target)?;
         self.format.check_beside(&target)?;
@@ -227,9 +240,9 @@ impl EyeArgs {
             let fps = self.picture.fps;
             return Err(Failure::Usage(format!("--fps is {fps}, but must be above 0 and at most 1000")));
         }
-        if self.eyes.show != Show::Picture {
+        if self.eyes.show != Show::Picture || self.eyes.against.is_some() {
             return Err(Failure::Usage(
-                "a film shows pictures alone: leave out --show, or write a .png".to_owned(),
+                "a film shows pictures alone: leave out --show and --against, or write a .png".to_owned(),
             ));
         }
         Ok(Some(encode::format(target)?))
