@@ -33,5 +33,5 @@ pub use machado::machado;
 pub use media::{macular_density, pigment_density};
 pub use opponent::opponent;
 pub use population::ASANO;
-pub use stages::{Angles, Defect, Seeing, Seen};
+pub use stages::{Angles, Defect, LUMINANCE, Seeing, Seen};
 pub use viewing::{LEVELS, ROD_LIMIT_CD_M2, RodColor, SCREEN_PX_PER_DEG, Viewer, Viewing, level_cd_m2};

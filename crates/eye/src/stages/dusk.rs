@@ -3,7 +3,7 @@
 use crate::curves::{SCOTOPIC_WEIGHT, mesopic};
 
 /// The luminance of L and M, whose values are 1 for D65, in parts of the white's: V_F of CIE 170-2.
-pub(crate) const LUMINANCE: [f64; 2] = [0.698_134, 0.301_866];
+pub const LUMINANCE: [f64; 2] = [0.698_134, 0.301_866];
 
 /// The scotopic luminance of D65 over its photopic one.
 pub(crate) const SCOTOPIC_OF_D65: f64 = 2.464_63;

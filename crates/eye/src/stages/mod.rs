@@ -10,5 +10,5 @@ mod see;
 
 pub use acuity::Angles;
 pub use deficiency::Defect;
-pub(crate) use dusk::LUMINANCE;
+pub use dusk::LUMINANCE;
 pub use see::{Seeing, Seen};

@@ -1,6 +1,6 @@
 //! A picture taken apart: by kinds of receptors, by the channels of the optic nerve.
 
-use glanz_eye::{Cones, Eye, opponent};
+use glanz_eye::{Cones, Eye, LUMINANCE, opponent};
 use glanz_picture::Frame;
 use glanz_plot::Canvas;
 use glanz_render::Shot;
@@ -84,7 +84,7 @@ fn in_color(
         // L and M so that luminance stays, S so that the other channel is 0.
         let [l, m, s] = match channel {
             1 => {
-                let (l, m) = (0.5 + 0.301_866 * v, 0.5 - 0.698_134 * v);
+                let (l, m) = (0.5 + LUMINANCE[1] * v, 0.5 - LUMINANCE[0] * v);
                 [l, m, 0.5 * (l + m)]
             }
             _ => [0.5, 0.5, 0.5 - v],
