@@ -16,6 +16,29 @@ const README_PICTURES: [(&str, &str); 3] = [
     ),
 ];
 
+/// The pictures of docs/EYE.md, and the commands that draw them.
+const EYE_PICTURES: [(&str, &str); 10] = [
+    ("docs/eye/ages.png", "eye examples/colorchecker.toml --age 20,80 --size 300x200"),
+    (
+        "docs/eye/black-light.png",
+        "eye examples/black-light.toml --age 10,32,80 --adapted 0 --ev 2 --size 300x200",
+    ),
+    ("docs/eye/aphakic.png", "eye examples/black-light.toml --observer aphakic --adapted 0 --size 300x200"),
+    (
+        "docs/eye/lights.png",
+        "eye examples/traffic-lights.toml --deficiency none,deutan:10,deutan,protan,tritan --size 180x220",
+    ),
+    (
+        "docs/eye/plate.png",
+        "eye examples/plate.toml --deficiency none,deutan:10,deutan,protan,tritan --size 200x200",
+    ),
+    ("docs/eye/dusk.png", "eye examples/street-at-dusk.toml --age 25,75 --glare --size 400x267"),
+    ("docs/eye/flowers.png", "eye examples/flowers.toml --level day,dusk,0.1,moon --size 240x180"),
+    ("docs/eye/mach.svg", "eye examples/mach-bands.toml --mach y=250 --gain 10"),
+    ("docs/eye/opponent.png", "eye examples/full.toml --show opponent --size 240x180"),
+    ("docs/eye/photons.png", "eye examples/flowers.toml --level moon,stars --noise --acuity --size 300x225"),
+];
+
 /// Draws every example small and checks that each shows something.
 pub(crate) fn try_examples(workspace: &Workspace) -> Result<()> {
     let glanz = workspace.glanz(Profile::Dev)?;
@@ -31,7 +54,7 @@ pub(crate) fn try_examples(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-/// Draws all examples at their own size into `target/gallery/`, then the README's pictures.
+/// Draws all examples at their own size into `target/gallery/`, then those of the documents.
 pub(crate) fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
     let glanz = workspace.glanz(Profile::Release)?;
     if !only_readme {
@@ -40,7 +63,8 @@ pub(crate) fn run(workspace: &Workspace, only_readme: bool) -> Result<()> {
             println!("{}", draw(workspace, &glanz, &scene, &folder, &[])?.display());
         }
     }
-    for (picture, words) in README_PICTURES {
+    std::fs::create_dir_all(workspace.path("docs/eye")).map_err(Failure::during("docs/eye"))?;
+    for (picture, words) in README_PICTURES.into_iter().chain(EYE_PICTURES) {
         let mut command = workspace.command(&glanz);
         run_quietly(command.args(words.split_whitespace()).args(["--force", "-o", picture]))?;
         println!("{picture}");

@@ -1,4 +1,4 @@
-//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `gallery`, `bench`, `data`.
+//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `gallery`, `bench`, `data`, `licenses`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
@@ -9,6 +9,7 @@ mod features;
 mod gallery;
 mod golden;
 mod library_examples;
+mod licenses;
 mod packages;
 mod picture;
 mod reference;
@@ -39,7 +40,7 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --renew        write the pictures anew; target/golden/diff.png shows what changed
   renew     Write anew what follows from the code: docs/MODELS.md, docs/COMMANDS.md, snapshots of the command's output
               --pictures     the gold pictures too, of models and of tests/golden/; look at them before you commit
-  gallery   Draw all examples at full size into target/gallery/, and the README's pictures
+  gallery   Draw all examples at full size into target/gallery/, and those of the documents
               --readme       only the README's pictures
   bench     Measure drawing and print the table of docs/BENCHMARKS.md
               --peers        Mesa llvmpipe and the crate euc on the same scene, in the same run
@@ -48,6 +49,8 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --write        put the tables into docs/BENCHMARKS.md
   data      Write the tables of crates/color/data from public packages (needs Python and a network)
               --check        write nothing there, only say whether they are what the script writes
+  licenses  Write crates/cli/data/THIRD-PARTY.txt: the libraries of the command and their licences
+              --check        write nothing, only say whether it is as it would be written, and every licence permissive
   help      Print this text
 
 Example: cargo xtask test --keep-going";
@@ -61,6 +64,7 @@ enum Task {
     Gallery { only_readme: bool },
     Bench(bench::Options),
     Data { check: bool },
+    Licenses { check: bool },
     Help,
 }
 
@@ -92,6 +96,8 @@ fn run(task: &Task) -> Result<()> {
         Task::Bench(options) => bench::run_all(&workspace, options),
         Task::Data { check: true } => data::check(&workspace),
         Task::Data { check: false } => data::renew(&workspace),
+        Task::Licenses { check: true } => licenses::check(&workspace),
+        Task::Licenses { check: false } => licenses::renew(&workspace),
         Task::Help => {
             println!("{HELP}");
             Ok(())
@@ -150,6 +156,7 @@ fn task(
             write: take("write"),
         }),
         Some("data") => Task::Data { check: take("check") },
+        Some("licenses") => Task::Licenses { check: take("check") },
         None | Some("help") => Task::Help,
         Some(other) => return Err(format!("there is no task '{other}'").into()),
     })

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, Workspace, run, run_quietly, works};
 use crate::{
-    Failure, Result, data, features, gallery, golden, library_examples, packages, reference, tour, wasm,
+    Failure, Result, data, features, gallery, golden, library_examples, licenses, packages, reference, tour,
+    wasm,
 };
 
 /// How much is checked.
@@ -67,6 +68,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             .cargo("doc --workspace --all-features --no-deps --quiet")
             .env("RUSTDOCFLAGS", "-D warnings"))
     });
+    steps.run("licences of libraries", || licenses::check(workspace));
     steps.run("packages", || packages::check(workspace));
     steps.run("features", || features::check(workspace));
     steps.run("libraries without threads", || features::check_serial(workspace));

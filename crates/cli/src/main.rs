@@ -8,6 +8,7 @@ mod input;
 mod interrupt;
 mod load;
 mod old_names;
+mod panics;
 mod pipeline;
 mod print;
 mod progress;
@@ -43,6 +44,7 @@ struct Cli {
 
 fn main() -> ExitCode {
     interrupt::prepare();
+    panics::prepare();
     let words = of_course(of_help(std::env::args_os().collect()));
     let format = format_of(&words);
     let parsed = root().try_get_matches_from(&words).and_then(|matches| Cli::from_arg_matches(&matches));
@@ -56,7 +58,7 @@ fn main() -> ExitCode {
         }
     };
     old_names::tell(&cli.command.path(), &words);
-    match cli.command.run(root) {
+    match panics::caught(|| cli.command.run(root)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report::<Cli>(&cli.command.path(), format),
     }

@@ -61,6 +61,18 @@ impl Eye {
         rods
     }
 
+    /// V_F(λ) of CIE 170-2:2015, by which luminance follows from L and M: of 2° for fields up to 6°, of 10° for wider ones.
+    pub(crate) fn luminosity(&self) -> Spectrum {
+        let [l, m] = if self.field_deg > 6.0 { [0.69283932, 0.34967567] } else { [0.68990272, 0.34832189] };
+        self.cone(0) * l + self.cone(1) * m
+    }
+
+    /// λ in nm times the part of the light at the cornea that the pigment of L, M or S of the standard eye catches, at the
+    /// wavelength where that is greatest.
+    pub(crate) fn catch_at_peak(&self, channel: usize) -> f64 {
+        standard_peak(channel, self.field_deg)
+    }
+
     /// What the lens lets through at each wavelength of the grid; 0 below 390 nm.
     ///
     /// ```

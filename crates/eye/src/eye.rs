@@ -16,6 +16,13 @@ pub const FIELDS_DEG: std::ops::RangeInclusive<f64> = 1.0..=10.0;
 pub const MAX_SHIFT_NM: f64 = 20.0;
 
 /// By which formula the lens yellows.
+///
+/// ```
+/// use glanz_eye::{Eye, Lens};
+///
+/// let old = |lens| Eye { age: 70.0, lens, ..Eye::default() }.lens_transmittance().at(450.0);
+/// assert!(old(Lens::Cie203) < old(Lens::Cie170) && old(Lens::None) == 1.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lens {
@@ -29,6 +36,14 @@ pub enum Lens {
 }
 
 /// Which cones there are.
+///
+/// ```
+/// use glanz_eye::{Cones, Eye};
+///
+/// assert_eq!("deutan".parse::<Eye>()?.cones, Cones::NoM);
+/// assert_eq!(Cones::NoM.missing(), Some(1));
+/// # Ok::<(), glanz_eye::EyeError>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Cones {
@@ -168,6 +183,13 @@ impl Eye {
 }
 
 /// Why there is no such eye.
+///
+/// ```
+/// use glanz_eye::Eye;
+///
+/// let error = "age:170".parse::<Eye>().unwrap_err();
+/// assert_eq!(error.to_string(), "the age of an eye is 5 to 100 years, found 170");
+/// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EyeError {
     /// A number is out of its range.

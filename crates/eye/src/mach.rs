@@ -5,6 +5,18 @@ use libm::{ceil, erf, log10, sqrt};
 use crate::curves::CenterSurround;
 
 /// A row of a picture, and what is seen of it.
+///
+/// ```
+/// use glanz_eye::MachProfile;
+/// use glanz_eye::curves::CenterSurround;
+///
+/// // A ramp between two plains: bright and dark bands where it begins and ends.
+/// let row: Vec<f32> = (0..200).map(|x| 0.2 + 0.01 * (x as f32 - 80.0).clamp(0.0, 40.0)).collect();
+/// let profile = MachProfile::new(&row, 200, 0, 60.0, CenterSurround::P_CELL, 10.0);
+/// let bands = profile.bands(10.0);
+/// let [dark, bright] = bands[..] else { panic!("two bands") };
+/// assert!(dark.height < 0.0 && bright.height > 0.0 && dark.x.abs_diff(80) < 5 && bright.x.abs_diff(120) < 5);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MachProfile {
     /// The luminance, in the unit of the picture.
@@ -15,7 +27,7 @@ pub struct MachProfile {
     pub seen: Vec<f64>,
 }
 
-/// A band: a place where something brighter or darker is seen than there is.
+/// A band, of [`MachProfile::bands`]: a place where something brighter or darker is seen than there is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MachBand {
     /// The column.

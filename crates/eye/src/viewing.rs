@@ -16,6 +16,14 @@ pub const ROD_LIMIT_CD_M2: f64 = 30.0;
 pub const SCREEN_PX_PER_DEG: f64 = 40.0;
 
 /// The colour in which light is shown that rods alone see.
+///
+/// ```
+/// use glanz_eye::{RodColor, Viewing};
+///
+/// let film = Viewing { level_cd_m2: Some(0.01), rods: RodColor::Blue, ..Viewing::default() };
+/// assert_eq!(Viewing::default().rods, RodColor::White);
+/// # let _ = film;
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RodColor {
@@ -27,6 +35,14 @@ pub enum RodColor {
 }
 
 /// Which stages an eye's picture goes through, and with which numbers. The default is a bright day, seen sharply.
+///
+/// ```
+/// use glanz_eye::{Eye, Viewer, Viewing};
+///
+/// let dusk = Viewing { level_cd_m2: Some(1.0), glare: true, ..Viewing::default() };
+/// let viewer = Viewer { eye: Eye::default(), viewing: dusk };
+/// assert!(viewer.needs_rods() && viewer.has_stages());
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Viewing {
@@ -41,6 +57,10 @@ pub struct Viewing {
     pub rods: RodColor,
     /// Whether light is scattered in the eye.
     pub glare: bool,
+    /// Whether light of the ends of the spectrum is out of focus, through the pupil that the eye has at this light.
+    pub chromatic: bool,
+    /// Which noise the photons have that are caught in a tenth of a second; none: their mean.
+    pub noise: Option<u32>,
     /// Whether details are lost that the eye does not resolve at this light.
     pub acuity: bool,
     /// The pixel that is looked at, from the top left; details are lost around it.
@@ -60,6 +80,8 @@ impl Default for Viewing {
             adaptation_cd_m2: None,
             rods: RodColor::White,
             glare: false,
+            chromatic: false,
+            noise: None,
             acuity: false,
             gaze: None,
             px_per_deg: None,
@@ -96,6 +118,16 @@ pub fn level_cd_m2(text: &str) -> Result<f64, String> {
 }
 
 /// An eye, and how it looks.
+///
+/// ```
+/// use glanz_eye::{Eye, Viewer};
+///
+/// let mut viewer: Viewer = "age:70".parse::<Eye>()?.into();
+/// assert!(!viewer.has_stages(), "age is in the sensitivities, and takes no further work");
+/// viewer.viewing.adapted = 2.0;
+/// assert_eq!(viewer.check(), Err("adapted is 0 to 1, found 2".to_owned()));
+/// # Ok::<(), glanz_eye::EyeError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Viewer {
     /// The eye.
@@ -120,9 +152,9 @@ impl Viewer {
 
     /// Whether its picture takes more than its channels: whether frames must go through [`see`](crate::Seeing::see).
     pub fn has_stages(&self) -> bool {
-        let Viewing { glare, acuity, gaze, .. } = self.viewing;
+        let Viewing { glare, chromatic, noise, acuity, gaze, .. } = self.viewing;
         let deficient = crate::stages::deficiency::Defect::of(&self.eye).is_some();
-        deficient || self.needs_rods() || glare || acuity || gaze.is_some()
+        deficient || self.needs_rods() || glare || chromatic || noise.is_some() || acuity || gaze.is_some()
     }
 
     /// The observer by which its pictures are drawn: with rods where they are needed.

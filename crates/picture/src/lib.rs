@@ -24,6 +24,7 @@ pub mod compare;
 mod develop;
 mod frame;
 pub mod output;
+mod png_palette;
 
 pub use channels::{ChannelError, Channels, Meaning, Scale};
 pub use develop::{
@@ -31,3 +32,4 @@ pub use develop::{
     develop16_with,
 };
 pub use frame::Frame;
+pub use png_palette::wrong_png_palette;

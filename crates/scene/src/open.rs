@@ -5,8 +5,9 @@ use std::path::Path;
 use glam::DMat4;
 use thiserror::Error;
 
+use crate::builtin::MAX_TRIANGLES;
 use crate::file::{self, FileError, LoadOptions, Loaded};
-use crate::read::{ReadError, ReadOptions, read_model};
+use crate::read::{Model, Place, ReadError, ReadOptions, read_model};
 use crate::{Camera, Scene, add_default_lights};
 
 /// The material that values set for a bare model: the one of objects that name none.
@@ -80,6 +81,7 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     let mut opened = Opened::of_loaded(settings);
     let read = ReadOptions { allow_outside: options.allow_outside, ..ReadOptions::default() };
     let mut model = read_model(path, &read)?;
+    check_budget(&model, path)?;
     opened.notes.append(&mut model.notes);
     opened.cameras = core::mem::take(&mut model.cameras);
     if opened.scene.camera.is_none() {
@@ -93,6 +95,21 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
         opened.default_lights = true;
     }
     Ok(opened)
+}
+
+/// Refuses a model that uses its meshes so often that they make more triangles than can be drawn.
+fn check_budget(model: &Model, path: &Path) -> Result<(), ReadError> {
+    let found = model.triangle_count() as u64;
+    match found > MAX_TRIANGLES {
+        false => Ok(()),
+        true => Err(ReadError::TooLarge {
+            file: path.display().to_string(),
+            place: Place::File,
+            limit: MAX_TRIANGLES,
+            unit: "triangles in a scene",
+            found,
+        }),
+    }
 }
 
 impl Opened {

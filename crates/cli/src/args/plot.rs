@@ -152,6 +152,11 @@ impl PlotLookArgs {
 }
 
 impl PlotTarget {
+    /// The file, unless it is stdout.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.file.as_deref()
+    }
+
     /// A plot as it is by itself, in this file.
     pub(crate) fn of_file(file: &Path) -> Result<Self, Failure> {
         Self::new(Some(file.to_owned()), PlotFormat::from_path(file)?, &PlotLookArgs::default())

@@ -77,13 +77,18 @@ impl TargetArgs {
 
     /// That a file which the user did not name may be written.
     pub(crate) fn check_free(&self, path: &Path) -> Result<(), Failure> {
-        if self.output.is_none() && !self.force && path.exists() && !is_own(path) {
+        if self.output.is_none() && !self.force && is_there(path) && !is_own(path) {
             let message = format_args!("'{}' exists already, and Glanz did not write it", path.display());
             let report = Report::new(message).file(path);
             return Err(report.help("write over it with --force, or choose another file with -o").into());
         }
         Ok(())
     }
+}
+
+/// Whether there is a file, or a link of this name to one that is not there.
+fn is_there(path: &Path) -> bool {
+    std::fs::symlink_metadata(path).is_ok()
 }
 
 /// The file beside `input` whose name has `ending` in place of its own.

@@ -11,6 +11,7 @@ mod example;
 mod eye;
 mod info;
 mod lesson;
+mod licenses;
 mod material;
 pub(crate) mod measure;
 mod plot;
@@ -106,6 +107,9 @@ pub(crate) enum Command {
     /// Print the JSON Schema of scene files, or of what a command prints for programs
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::SchemaArgs),
+    /// Print the licences of the program and of the libraries that it contains
+    #[command(after_help = licenses::EXAMPLES)]
+    Licenses(licenses::LicensesArgs),
     /// Print what a shell needs to complete command lines
     #[command(
         after_help = "Example:\n  glanz completions bash > ~/.local/share/bash-completion/completions/glanz"
@@ -138,6 +142,7 @@ impl Command {
             Self::Devices(_) => vec!["devices"],
             Self::Example(_) => vec!["example"],
             Self::Schema(_) => vec!["schema"],
+            Self::Licenses(_) => vec!["licenses"],
             Self::Completions(_) => vec!["completions"],
         }
     }
@@ -188,6 +193,7 @@ impl Command {
             Self::Devices(args) => args.run(),
             Self::Example(args) => args.run(),
             Self::Schema(args) => args.run(),
+            Self::Licenses(args) => args.run(),
             Self::Completions(args) => args.run(root()),
         }
     }

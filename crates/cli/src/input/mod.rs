@@ -6,6 +6,7 @@ pub(crate) mod lobes;
 pub(crate) mod media;
 pub(crate) mod models;
 pub(crate) mod objects;
+pub(crate) mod picture;
 pub(crate) mod resolution;
 pub(crate) mod shader_text;
 pub(crate) mod spectra;

@@ -125,6 +125,12 @@ pub(crate) fn observer_source(word: &str) -> Result<Observer, Failure> {
         let eye: Eye = word.parse().map_err(|error: EyeError| Failure::Usage(error.to_string()))?;
         return Ok(eye.observer());
     }
+    if let Some(count) = word.strip_prefix("population:") {
+        let message = format!(
+            "population:{count} is many eyes, but one looks here: glanz eye SCENE --population {count}"
+        );
+        return Err(Failure::Usage(message));
+    }
     let error = match observer(word) {
         Ok(observer) => return Ok(observer),
         Err(error) => error,

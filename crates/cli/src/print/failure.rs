@@ -18,6 +18,7 @@ use serde::Serialize;
 
 use super::document::versioned;
 use super::stdout::Format;
+use super::text::harmless;
 use crate::input::shader_text::Texts;
 
 /// Shown after the help of the whole command.
@@ -227,6 +228,28 @@ pub(crate) fn without_number(message: &str) -> String {
     }
 }
 
+/// A text in which the line at fault is short enough to be shown, and where the fault is in it.
+fn short_line(text: String, span: std::ops::Range<usize>) -> (String, std::ops::Range<usize>) {
+    /// Bytes of a line that are shown whole, and on either side of the fault where it is longer.
+    const LONGEST: usize = 400;
+    const AROUND: usize = 80;
+    let boundary =
+        |at: usize| (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let (start, end) = (boundary(span.start), boundary(span.end.max(span.start)));
+    let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
+    let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+    if line_end - line_start <= LONGEST {
+        return (text, span);
+    }
+    let end = end.min(boundary(start + AROUND)).min(line_end);
+    let from = boundary(start.saturating_sub(AROUND)).max(line_start);
+    let to = boundary(end + AROUND).min(line_end).max(end);
+    let (before, after) = (if from > line_start { "… " } else { "" }, if to < line_end { " …" } else { "" });
+    let cut = format!("{}{before}{}{after}{}", &text[..line_start], &text[from..to], &text[line_end..]);
+    let moved = line_start + before.len() + (start - from);
+    (cut, moved..moved + (end - start))
+}
+
 /// The subcommand of `root` that `path` leads to.
 fn subcommand<'a>(root: &'a mut Command, path: &[&str]) -> &'a mut Command {
     path.iter().fold(root, |command, name| {
@@ -251,7 +274,7 @@ pub(crate) struct Report {
 impl Report {
     /// A report of this message.
     pub(crate) fn new(message: impl fmt::Display) -> Self {
-        Self { message: message.to_string(), ..Self::default() }
+        Self { message: harmless(&message.to_string()).into_owned(), ..Self::default() }
     }
 
     /// The failure of something that was judged.
@@ -266,7 +289,7 @@ impl Report {
 
     /// Adds what could be done about it.
     pub(crate) fn help(mut self, help: impl fmt::Display) -> Self {
-        self.help = Some(help.to_string());
+        self.help = Some(harmless(&help.to_string()).into_owned());
         self
     }
 
@@ -288,11 +311,12 @@ impl Report {
 
     /// Adds the text of a file, or of an argument, and the bytes of it that are at fault.
     pub(crate) fn source(mut self, file: &str, text: String, span: std::ops::Range<usize>) -> Self {
+        let (text, span) = short_line(harmless(&text).into_owned(), span);
         let start = span.start.min(text.len());
         let length = span.end.clamp(start, text.len()) - start;
         self.label =
             Some(LabeledSpan::new_with_span(Some("here".to_owned()), SourceSpan::from((start, length))));
-        self.source = Some(NamedSource::new(file, text));
+        self.source = Some(NamedSource::new(harmless(file), text));
         self
     }
 
@@ -359,6 +383,19 @@ mod tests {
     use glanz_scene::ColorMode;
 
     use super::*;
+
+    #[test]
+    fn of_a_long_line_only_what_is_about_the_fault_is_shown() {
+        let text = format!("first\n{}fault{}\nlast", "ä".repeat(3000), "b".repeat(5000));
+        let start = text.find("fault").unwrap();
+        let (cut, span) = short_line(text.clone(), start..start + 5);
+        assert_eq!(&cut[span], "fault");
+        assert!(cut.len() < 300 && cut.starts_with("first\n… ä") && cut.ends_with("b …\nlast"), "{cut}");
+        let (cut, span) = short_line(text.clone(), start..text.len());
+        assert!(cut.len() < 400 && cut[span].starts_with("faultb"), "{cut}");
+        let (same, span) = short_line("short".to_owned(), 2..9);
+        assert_eq!((same.as_str(), span), ("short", 2..9));
+    }
 
     #[test]
     fn what_fails_while_it_is_drawn_is_the_scenes() {

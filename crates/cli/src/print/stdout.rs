@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::document::versioned;
 use super::failure::{Failure, without_number};
+use super::text::harmless;
 use crate::args::Target;
 
 /// How data is printed.
@@ -54,9 +55,9 @@ pub(crate) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
-/// Writes text to stdout.
+/// Writes text to stdout; what could steer a terminal is replaced.
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
-    bytes(text.as_bytes())
+    bytes(harmless(text).as_bytes())
 }
 
 /// Writes a document to stdout, as indented JSON with its version.
@@ -66,7 +67,7 @@ pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
 
 /// Tells something on stderr that is no data. That nobody listens is no failure.
 pub(crate) fn note(message: impl std::fmt::Display) {
-    let _ = writeln!(io::stderr().lock(), "{message}");
+    let _ = writeln!(io::stderr().lock(), "{}", harmless(&message.to_string()));
 }
 
 /// So many remarks are told one by one.

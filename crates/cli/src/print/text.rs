@@ -1,8 +1,34 @@
 //! Numbers as text, and as JSON.
 
+use std::borrow::Cow;
 use std::fmt::{Arguments, Write};
 
 use glanz_color::dominant::Dominant;
+
+/// A text with a question mark for every byte of a character that could steer a terminal: names and excerpts of files
+/// may hold any. Ends of lines and tabs stay.
+pub(crate) fn harmless(text: &str) -> Cow<'_, str> {
+    let steers = |c: char| (c.is_control() && !matches!(c, '\n' | '\t')) || is_direction(c);
+    if !text.contains(steers) {
+        return Cow::Borrowed(text);
+    }
+    let mut clean = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        match c {
+            '\r' if rest.peek() == Some(&'\n') => clean.push(c),
+            // As many bytes as before, so that places in the text stay.
+            c if steers(c) => clean.extend(std::iter::repeat_n('?', c.len_utf8())),
+            c => clean.push(c),
+        }
+    }
+    Cow::Owned(clean)
+}
+
+/// Whether a character turns the direction of writing, by which a name can be shown as another one.
+fn is_direction(c: char) -> bool {
+    matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}')
+}
 
 /// A number for programs, which have no infinity: null in its place.
 pub(crate) fn finite(value: f64) -> Option<f64> {
@@ -43,6 +69,12 @@ pub(crate) fn line(text: &mut String, line: Arguments<'_>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_of_a_file_steers_a_terminal() {
+        assert_eq!(harmless("a\u{1b}[2Jb\rc\r\nd\te\u{9b}\u{202e}"), "a?[2Jb?c\r\nd\te?????");
+        assert!(matches!(harmless("Größe 1.5 µm\n"), Cow::Borrowed(_)));
+    }
 
     #[test]
     fn numbers_have_no_minus_before_nothing() {

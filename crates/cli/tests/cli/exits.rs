@@ -77,7 +77,8 @@ const COULD_NOT: [&[&str]; 59] = [
 ];
 
 /// Commands that only print, which fails where stdout takes nothing.
-const PRINTING: [&[&str]; 22] = [
+const PRINTING: [&[&str]; 23] = [
+    &["licenses"],
     &["devices"],
     &["bsdf", "list"],
     &["bsdf", "show", "phong"],

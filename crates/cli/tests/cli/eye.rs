@@ -201,6 +201,50 @@ fn pictures_are_looked_at_as_scenes_are() {
 }
 
 #[test]
+fn sheets_are_drawn_of_pictures_too() {
+    let folder = patches();
+    folder.glanz(&["render", "s.toml", "--spectral-exr", "-o", "spectra.exr"]).text();
+    folder.glanz(&["render", "s.toml", "-o", "codes.png"]).text();
+    for file in ["spectra.exr", "codes.png"] {
+        let words = ["eye", file, "--age", "20,80", "-o", "ages.png", "--format", "json"];
+        let facts = folder.glanz(&words).json();
+        assert_eq!(facts["eyes"].as_array().unwrap().len(), 4, "{facts:#}");
+        for show in ["receptors", "opponent", "glare", "acuity"] {
+            folder.glanz(&["eye", file, "--show", show, "-o", "x.png", "--force"]).text();
+            let sheet = Png::decode(&folder.read("x.png"));
+            assert!(sheet.width >= 2 * 48, "{file}, {show}");
+        }
+    }
+    folder.glanz(&["eye", "codes.png", "--population", "3", "-o", "people.png"]).text();
+    folder.glanz(&["eye", "codes.png", "--observer", "population:3", "-o", "same.png"]).text();
+    assert!(folder.read("people.png") == folder.read("same.png"));
+    let failure = folder.glanz(&["eye", "codes.png", "--mach", "y=3", "-o", "m.svg"]).failure();
+    assert!(failure.contains("one shading"), "{failure}");
+    let failure = folder.glanz(&["render", "s.toml", "--observer", "population:5", "-o", "x.png"]).failure();
+    assert!(failure.contains("glanz eye SCENE --population 5"), "{failure}");
+}
+
+#[test]
+fn photons_are_noise_and_colours_go_out_of_focus() {
+    let folder = patches();
+    let draw = |file: &str, words: &[&str]| {
+        let base = ["eye", "s.toml", "--level", "stars", "--px-per-deg", "40", "-o", file];
+        folder.glanz(&[&base[..], words].concat()).text();
+        folder.read(file)
+    };
+    let (still, noise, again) =
+        (draw("a.png", &[]), draw("b.png", &["--noise"]), draw("c.png", &["--noise", "1"]));
+    assert!(still != noise && noise == again && noise != draw("d.png", &["--noise", "2"]));
+    assert!(still != draw("e.png", &["--chromatic"]));
+    folder.write("n.toml", format!("[eye]\nlevel = \"stars\"\nnoise = 1\npx_per_deg = 40\n{PATCHES}"));
+    folder.glanz(&["eye", "n.toml", "-o", "f.png"]).text();
+    assert!(noise == folder.read("f.png"));
+    folder.write("bad.toml", format!("[eye]\nnoise = -1\n{PATCHES}"));
+    let failure = folder.glanz(&["render", "bad.toml", "-o", "x.png"]).failure();
+    assert!(failure.contains("a whole number from 0 to 4294967295"), "{failure}");
+}
+
+#[test]
 fn bands_of_a_row_are_told_by_their_places() {
     let folder = patches();
     let facts = folder
@@ -230,11 +274,13 @@ fn people_differ_and_the_same_seed_gives_the_same_people() {
 #[test]
 fn another_way_to_show_a_deficiency_stands_beside_true_cones() {
     let folder = patches();
-    let words = ["eye", "s.toml", "--deficiency", "deutan,tritan", "--against", "machado", "-o", "a.png"];
+    let ways = ["--against", "machado,daltonlens", "-o", "a.png"];
+    let words = [&["eye", "s.toml", "--deficiency", "deutan,tritan"][..], &ways].concat();
     let facts = folder.glanz(&[&words[..], &["--format", "json"]].concat()).json();
     for eye in facts["eyes"].as_array().unwrap() {
-        let mean = eye["against"]["mean"].as_f64().unwrap();
-        assert!((0.1..12.0).contains(&mean), "{eye:#}");
+        let mean = |i: usize| eye["against"][i]["mean"].as_f64().unwrap();
+        assert!((0.1..12.0).contains(&mean(0)) && (0.1..6.0).contains(&mean(1)), "{eye:#}");
+        assert_eq!((&eye["against"][1]["way"], mean(1) < mean(0)), (&"DaltonLens".into(), true));
     }
     let failure = folder
         .glanz(&["eye", "s.toml", "--deficiency", "deutan:5", "--against", "machado", "-o", "a.png"])

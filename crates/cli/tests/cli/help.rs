@@ -3,7 +3,7 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 63] = [
+pub(crate) const COMMANDS: [&[&str]; 64] = [
     &[],
     &["render"],
     &["sweep"],
@@ -66,6 +66,7 @@ pub(crate) const COMMANDS: [&[&str]; 63] = [
     &["shader", "certify"],
     &["example"],
     &["schema"],
+    &["licenses"],
     &["completions"],
 ];
 

@@ -5,6 +5,16 @@ use super::pyramid::{Blur, blurred, double_blended, halved};
 use crate::curves::{acuity_cutoff, acuity_cutoff_at, blur_sigma_deg};
 
 /// How angles belong to pixels.
+///
+/// ```
+/// use glanz_eye::Angles;
+///
+/// // A camera 500 pixels before a picture of 1000: 90° across.
+/// let wide = Angles { px_per_deg: 500_f64.to_radians(), distance_px: Some(500.0), middle: [500.0, 500.0] };
+/// assert!((wide.between([0.0, 500.0], [1000.0, 500.0]) - 90.0).abs() < 1e-9);
+/// let screen = Angles { px_per_deg: 40.0, distance_px: None, middle: [500.0, 500.0] };
+/// assert_eq!(screen.between([0.0, 500.0], [1000.0, 500.0]), 25.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angles {
     /// Pixels per degree at the middle of the picture.
@@ -61,7 +71,7 @@ impl Acuity {
         let height = plane.height;
         *channel = match self {
             Self::Everywhere(sigma_px) => {
-                blurred(plane, 0.0, &[Blur { weight: 1.0, sigma_px: *sigma_px }]).values
+                blurred(plane, 0.0, &[Blur { weight: 1.0, sigma_px: *sigma_px }], None).values
             }
             Self::Around { gaze, angles, luminance } => {
                 let table = SigmaTable::new(*luminance, *angles, *gaze, [width, height]);

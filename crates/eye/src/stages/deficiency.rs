@@ -9,8 +9,18 @@ use glanz_color::{SAMPLES, Spectrum, lambda_nm};
 
 use super::plane::for_each_part_of_three;
 use crate::eye::{Cones, Eye};
+use crate::screen::cross;
 
 /// What is amiss with the cones.
+///
+/// ```
+/// use glanz_eye::{Defect, Eye};
+///
+/// assert_eq!(Defect::of(&"protan".parse::<Eye>()?), Some(Defect::Missing(0)));
+/// assert_eq!(Defect::of(&"deutan:6".parse::<Eye>()?), Some(Defect::Shifted(1)));
+/// assert_eq!(Defect::of(&"age:70".parse::<Eye>()?), None);
+/// # Ok::<(), glanz_eye::EyeError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Defect {
     /// The cones of this channel (0: L, 1: M, 2: S) are missing.
@@ -142,13 +152,6 @@ fn part_left(
         square += whole * whole;
     }
     product / square
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    core::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
 }
 
 #[cfg(test)]

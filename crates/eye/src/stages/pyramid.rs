@@ -7,6 +7,7 @@
 use glanz_math::{SimdLevel, at_level};
 use libm::{exp, log2};
 
+use super::field::{self, Field};
 use super::plane::{Plane, for_each_row};
 
 /// A blur: how much of the light it takes, and how far.
@@ -20,10 +21,11 @@ pub(crate) struct Blur {
 const SHARP: f64 = 0.25;
 
 /// The least σ in pixels of a level at which a Gaussian is applied there.
-const LEAST: f64 = 1.2;
+const LEAST: f64 = 1.7;
 
-/// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge.
-pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur]) -> Plane {
+/// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge. Where a field
+/// of view is given, widths are angles from its level on.
+pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur], field: Option<&Field>) -> Plane {
     let mut kept = rest;
     let mut by_level: Vec<Vec<Blur>> = Vec::new();
     for blur in blurs {
@@ -37,7 +39,33 @@ pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur]) -> Plane {
         }
         by_level[level].push(*blur);
     }
-    descend(plane, 0, kept, &by_level)
+    descend(plane, 0, kept, &Levels { blurs: by_level, field })
+}
+
+/// What the levels add.
+struct Levels<'a> {
+    /// The blurs of each level.
+    blurs: Vec<Vec<Blur>>,
+    field: Option<&'a Field>,
+}
+
+impl Levels<'_> {
+    /// The field, if the planes of it begin at a level.
+    fn field_from(&self, level: usize) -> Option<&Field> {
+        self.field.filter(|field| field.level() == level)
+    }
+
+    /// The variance in pixels of a level that is left to be applied there, when going there and back has blurred already.
+    fn variance_left(&self, sigma_px: f64, level: usize) -> f64 {
+        let left = variance_left(sigma_px, level);
+        match self.field {
+            Some(field) if level >= field.level() => {
+                let scale = libm::exp2((field.level() as f64) - level as f64);
+                (left - field::VARIANCE * scale * scale).max(0.0)
+            }
+            _ => left,
+        }
+    }
 }
 
 /// The level at which a Gaussian is applied.
@@ -47,13 +75,19 @@ fn level_of(sigma_px: f64) -> usize {
 }
 
 /// The sum of what the levels from `level` on add to a plane at that level, and `kept` of itself.
-fn descend(plane: Plane, level: usize, kept: f64, by_level: &[Vec<Blur>]) -> Plane {
-    let own = by_level.get(level).map_or(&[][..], Vec::as_slice);
-    let more = by_level.len() > level + 1;
-    let coarse = more.then(|| descend(halved(&plane), level + 1, 0.0, by_level));
+fn descend(plane: Plane, level: usize, kept: f64, levels: &Levels<'_>) -> Plane {
+    let own = levels.blurs.get(level).map_or(&[][..], Vec::as_slice);
+    let more = levels.blurs.len() > level + 1;
+    let coarse = more.then(|| {
+        let half = halved(&plane);
+        match levels.field_from(level + 1) {
+            None => descend(half, level + 1, 0.0, levels),
+            Some(field) => field.back(&descend(field.forth(&half), level + 1, 0.0, levels), &half),
+        }
+    });
     let blurs: Vec<_> = own
         .iter()
-        .map(|blur| (gaussian(&plane, variance_left(blur.sigma_px, level)), blur.weight as f32))
+        .map(|blur| (gaussian(&plane, levels.variance_left(blur.sigma_px, level)), blur.weight as f32))
         .collect();
     // The plane itself is needed no more: the sum takes its place.
     let mut sum = plane;
@@ -71,7 +105,7 @@ pub(crate) fn variance_left(sigma_px: f64, level: usize) -> f64 {
 
 /// Pixels of the levels beyond the picture's edge: as far as a Gaussian of a level reaches. Light that leaves the picture is not
 /// counted at its edge again.
-const MARGIN: usize = 12;
+pub(crate) const MARGIN: usize = 12;
 
 /// The next level: half as wide and high, by the weights 1 3 3 1.
 pub(crate) fn halved(plane: &Plane) -> Plane {
@@ -308,7 +342,7 @@ mod tests {
     #[test]
     fn blurs_have_the_width_that_was_asked_for() {
         for sigma in [0.4, 0.9, 1.5, 2.3, 3.0, 4.7, 6.0, 9.5, 13.0] {
-            let blurred = blurred(point(160), 0.0, &[Blur { weight: 1.0, sigma_px: sigma }]);
+            let blurred = blurred(point(160), 0.0, &[Blur { weight: 1.0, sigma_px: sigma }], None);
             let found = libm::sqrt(variance(&blurred));
             // A point on the coarse grid lies up to a quarter of a pixel of the level off its middle.
             assert!((found / sigma - 1.0).abs() < 0.01, "{sigma}: {found}");
@@ -319,7 +353,7 @@ mod tests {
     fn uniform_light_stays_uniform() {
         let plane = Plane::of(vec![0.7; 53 * 37], 53);
         let blurs = [0.8, 3.0, 10.0, 50.0, 400.0].map(|sigma_px| Blur { weight: 0.15, sigma_px });
-        let blurred = blurred(plane, 0.25, &blurs);
+        let blurred = blurred(plane, 0.25, &blurs, None);
         assert!(blurred.values.iter().all(|v| (v - 0.7).abs() < 1e-6));
     }
 
@@ -341,10 +375,10 @@ mod tests {
     fn a_sum_is_the_sum_of_its_blurs() {
         let plane = point(64);
         let blurs = [(0.3, 1.4), (0.2, 5.0), (0.1, 5.5)].map(|(weight, sigma_px)| Blur { weight, sigma_px });
-        let together = blurred(plane.clone(), 0.4, &blurs);
-        let mut sum = blurred(plane.clone(), 0.4, &[]);
+        let together = blurred(plane.clone(), 0.4, &blurs, None);
+        let mut sum = blurred(plane.clone(), 0.4, &[], None);
         for blur in blurs {
-            add(&mut sum, &blurred(plane.clone(), 0.0, &[blur]), 1.0);
+            add(&mut sum, &blurred(plane.clone(), 0.0, &[blur], None), 1.0);
         }
         for (a, b) in together.values.iter().zip(&sum.values) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");

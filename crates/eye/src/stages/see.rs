@@ -4,14 +4,44 @@ use glanz_picture::Frame;
 use serde::Serialize;
 
 use super::acuity::{Acuity, Angles};
+use super::chromatic::Chromatic;
 use super::deficiency::Projection;
 use super::dusk::{LUMINANCE, Mixture, SCOTOPIC_OF_D65};
 use super::glare::Glare;
+use super::photons;
 use super::plane::{for_each_row, sum};
 use crate::curves::{Eyes, acuity_cutoff, pupil_diameter_mm, trolands};
 use crate::{Cones, RodColor, Viewer};
 
 /// An eye that looks at a picture: all that its stages need to know of it.
+///
+/// A `Shot` of the crate `glanz-render` has one of its own; by itself:
+///
+/// ```
+/// use glanz_eye::{Angles, Eye, Seeing, Viewer};
+/// use glanz_picture::Frame;
+///
+/// let protan: Viewer = "protan".parse::<Eye>()?.into();
+/// let seeing = Seeing {
+///     viewer: protan,
+///     own_white: vec![1.0; 3],
+///     usual_white: vec![1.0; 3],
+///     gains: [1.0; 3],
+///     scales: [1.0; 3],
+///     white: [1.0; 3],
+///     rod_color: [1.0; 3],
+///     unit_cd_m2: 1000.0,
+///     angles: Angles { px_per_deg: 40.0, distance_px: None, middle: [0.5, 0.5] },
+/// };
+/// // What L sees is not what the picture of someone without L is made of.
+/// let pixel = |l| Frame { width: 1, height: 1, rgb: [vec![l], vec![0.4], vec![0.3]], alpha: vec![1.0], ..Frame::default() };
+/// let (mut a, mut b) = (pixel(0.5), pixel(0.3));
+/// let seen = seeing.see(&mut a);
+/// seeing.see(&mut b);
+/// assert_eq!(a.rgb, b.rgb);
+/// assert!(seen.pupil_mm > 2.0 && seen.cones == 1.0);
+/// # Ok::<(), glanz_eye::EyeError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seeing {
     /// The eye, and how it looks.
@@ -34,7 +64,7 @@ pub struct Seeing {
     pub angles: Angles,
 }
 
-/// What an eye made of a picture.
+/// What an eye made of a picture: what [`Seeing::see`] tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Seen {
     /// The photopic luminance that it is adapted to, in cd/m².
@@ -52,7 +82,7 @@ pub struct Seen {
 }
 
 impl Seeing {
-    /// Takes a frame of the eye's channels through the stages: glare, deficiency, dusk, acuity. What comes out are the channels L, M, S
+    /// Takes a frame of the eye's channels through the stages: glare, chromatic aberration, photons, deficiency, dusk, acuity. What comes out are the channels L, M, S
     /// of an eye with all cones that sees by day, whose picture shows what this one sees; white is what it was to this eye.
     pub fn see(&self, frame: &mut Frame) -> Seen {
         let width = frame.width;
@@ -61,12 +91,28 @@ impl Seeing {
         }
         let viewing = &self.viewer.viewing;
         if viewing.glare {
-            let glare = Glare::new(&self.viewer.eye, self.angles.px_per_deg);
+            let glare = Glare::new(&self.viewer.eye, self.angles);
             for channel in frame.rgb.iter_mut().chain(&mut frame.more) {
                 glare.apply(channel, width);
             }
         }
         let seen = self.adapted_to(frame);
+        if viewing.chromatic {
+            for (c, channel) in frame.rgb.iter_mut().chain(&mut frame.more).enumerate() {
+                let eye = &self.viewer.eye;
+                Chromatic::new(eye, c, seen.pupil_mm, self.angles.px_per_deg).apply(channel, width);
+            }
+        }
+        if let Some(seed) = viewing.noise {
+            for (c, channel) in frame.rgb.iter_mut().chain(&mut frame.more).enumerate() {
+                photons::draw(
+                    channel,
+                    width,
+                    self.photons(c, seen.pupil_mm),
+                    u64::from(seed) | (c as u64) << 32,
+                );
+            }
+        }
         if let Some(projection) =
             Projection::new(&self.viewer.eye, &self.own_white, &self.usual_white, self.scales)
         {
@@ -81,6 +127,14 @@ impl Seeing {
             }
         }
         seen
+    }
+
+    /// How many photons of a pixel receptors of a channel answer to, for the value 1.
+    fn photons(&self, channel: usize, pupil_mm: f64) -> f64 {
+        let pupil_mm2 = core::f64::consts::FRAC_PI_4 * pupil_mm * pupil_mm;
+        let pixel_deg2 = 1.0 / (self.angles.px_per_deg * self.angles.px_per_deg);
+        let per_second = photons::photons_of_one(&self.viewer.eye, channel) * pupil_mm2 * pixel_deg2;
+        per_second * photons::GATHERED_S * self.unit_cd_m2
     }
 
     /// What the eye is adapted to: the mean of the frame, or what was said.

@@ -50,27 +50,63 @@ impl Seek for TargetFile {
 /// Lets `write` fill a temporary file beside `path` and puts it in place of `path` at the end.
 ///
 /// If `write` fails or panics, or the disk is full, the temporary file is removed and what was at
-/// `path` stays as it was; it also stays if the program is killed. A link is followed. A device or pipe
-/// is written to directly. The permissions of a file that is replaced are kept.
+/// `path` stays as it was; it also stays if the program is killed. What is written has reached the disk before
+/// it is put in place. A link is followed, also one to a file that is not there yet. A device or a pipe gets the
+/// whole file at the end. The permissions of a file that is replaced are kept, and hold for the temporary one.
 pub fn write_atomically<T, E: From<OutputError>>(
     path: impl AsRef<Path>,
     write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
 ) -> Result<T, E> {
     let path = path.as_ref();
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let target = followed(path);
     let failed = |action| move |source| OutputError::File { path: path.to_owned(), action, source };
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
-        let file = OpenOptions::new().write(true).open(&target).map_err(failed("open"))?;
-        return fill(file, path, &target, write);
+        return into_stream(path, &target, write);
     }
     let (temporary, file) = create_beside(&target).map_err(failed("create a file beside it"))?;
-    let result = fill(file, path, &temporary.0, write)?;
     if let Some(old) = old {
         // Keeping the permissions is a courtesy: some file systems have none.
-        let _ = fs::set_permissions(&temporary.0, old.permissions());
+        let _ = file.set_permissions(old.permissions());
     }
+    let (result, file) = fill(file, path, &temporary.0, write)?;
+    file.sync_all().map_err(failed("write it to the disk"))?;
+    drop(file);
     temporary.put_at(&target).map_err(failed("replace it"))?;
+    Ok(result)
+}
+
+/// Where a path leads: through links, also to what is not there.
+fn followed(path: &Path) -> PathBuf {
+    /// More links than any system follows.
+    const LINKS: usize = 40;
+    let mut target = path.to_owned();
+    for _ in 0..LINKS {
+        if let Ok(whole) = fs::canonicalize(&target) {
+            return whole;
+        }
+        match fs::read_link(&target) {
+            // A relative link begins at the folder that it lies in.
+            Ok(next) => target = target.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return target,
+        }
+    }
+    path.to_owned()
+}
+
+/// Gives a device or a pipe a whole file, which some formats are written to with steps back.
+fn into_stream<T, E: From<OutputError>>(
+    path: &Path,
+    target: &Path,
+    write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
+) -> Result<T, E> {
+    let failed = |action| move |source| OutputError::File { path: path.to_owned(), action, source };
+    let mut stream = OpenOptions::new().write(true).open(target).map_err(failed("open"))?;
+    let beside = std::env::temp_dir().join("glanz");
+    let (temporary, file) = create_beside(&beside).map_err(failed("create a temporary file"))?;
+    let (result, _) = fill(file, path, &temporary.0, write)?;
+    let mut whole = File::open(&temporary.0).map_err(failed("read a temporary file"))?;
+    io::copy(&mut whole, &mut stream).map_err(failed("write"))?;
     Ok(result)
 }
 
@@ -79,12 +115,13 @@ fn fill<T, E: From<OutputError>>(
     path: &Path,
     written: &Path,
     write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
-) -> Result<T, E> {
+) -> Result<(T, File), E> {
     let file = BufWriter::with_capacity(1 << 16, file);
     let mut file = TargetFile { file, path: path.to_owned(), written: written.to_owned() };
     let result = write(&mut file)?;
     file.flush().map_err(OutputError::Stream)?;
-    Ok(result)
+    let file = file.file.into_inner().map_err(|error| OutputError::Stream(error.into_error()))?;
+    Ok((result, file))
 }
 
 /// The temporary files that there are now.
@@ -135,7 +172,10 @@ impl Drop for Temporary {
 /// A new file in the folder of `target`; a name that is taken is passed over, so that processes
 /// writing the same target do not meet.
 fn create_beside(target: &Path) -> io::Result<(Temporary, File)> {
+    /// File systems have names of at most 255 bytes.
+    const LONGEST: usize = 240;
     let name = target.file_name().ok_or_else(|| io::Error::other("the path names no file"))?;
+    let name = if name.len() > LONGEST { std::ffi::OsStr::new("glanz") } else { name };
     for attempt in 0..10_000 {
         let mut hidden = std::ffi::OsString::from(".");
         hidden.push(name);
@@ -269,5 +309,55 @@ mod tests {
         assert_eq!(fs::read_to_string(&real).unwrap(), "new");
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+
+    #[test]
+    fn names_as_long_as_they_may_be_are_written() {
+        let folder = Folder::new("long");
+        let path = folder.0.join("x".repeat(255));
+        write(&path, "one").unwrap();
+        assert_eq!(folder.names(), ["x".repeat(255)]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_nothing_is_followed_and_a_hidden_file_stays_hidden() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = Folder::new("links");
+        symlink("deep.png", folder.0.join("link.png")).unwrap();
+        symlink("link.png", folder.0.join("second.png")).unwrap();
+        write(&folder.0.join("second.png"), "one").unwrap();
+        assert_eq!(folder.names(), ["deep.png", "link.png", "second.png"]);
+        assert!(fs::symlink_metadata(folder.0.join("link.png")).unwrap().is_symlink());
+        let path = folder.0.join("deep.png");
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+        let seen: Result<u32, OutputError> = write_atomically(&path, |out| {
+            out.write_all(b"two")?;
+            Ok(fs::metadata(out.written_path()).unwrap().permissions().mode() & 0o777)
+        });
+        assert_eq!(seen.unwrap(), 0o600);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_gets_the_whole_file_though_it_is_written_with_steps_back() {
+        let folder = Folder::new("pipe");
+        let path = folder.0.join("p.exr");
+        if !std::process::Command::new("mkfifo").arg(&path).status().unwrap().success() {
+            panic!("mkfifo is part of POSIX");
+        }
+        let reading = {
+            let path = path.clone();
+            std::thread::spawn(move || fs::read(path).unwrap())
+        };
+        let done: Result<(), OutputError> = write_atomically(&path, |out| {
+            out.write_all(b"....five")?;
+            out.seek(SeekFrom::Start(0))?;
+            out.write_all(b"four")?;
+            out.seek(SeekFrom::End(0))?;
+            Ok(())
+        });
+        done.unwrap();
+        assert_eq!(reading.join().unwrap(), b"fourfive");
     }
 }

@@ -16,7 +16,7 @@ mod xray;
 pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
 pub(crate) use mistaken::mistaken;
-pub use of_picture::{PictureLight, see_picture};
+pub use of_picture::{PictureLight, SeenPicture, picture_frame, see_picture};
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};
 pub(crate) use sight::{Sight, angles};

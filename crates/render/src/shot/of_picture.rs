@@ -1,9 +1,9 @@
 //! Pictures that an eye looks at in place of a scene.
 
 use glanz_color::exr::{Band, SpectralImage};
-use glanz_color::{FIRST_NM, SAMPLES, STEP_NM, Spectrum, rgb_spectra};
+use glanz_color::{FIRST_NM, Observer, SAMPLES, STEP_NM, Spectrum, rgb_spectra};
 use glanz_eye::{Angles, SCREEN_PX_PER_DEG, Seen, Viewer};
-use glanz_picture::Frame;
+use glanz_picture::{Frame, ToScreen};
 use glanz_scene::{ColorMode, Light, White};
 
 use super::ShotError;
@@ -24,7 +24,38 @@ pub enum PictureLight<'a> {
     Spectra(&'a SpectralImage),
 }
 
-/// A picture as an eye sees it: in linear sRGB, and what the eye made of it where it goes through stages.
+/// A picture as an eye sees it.
+#[derive(Clone, Debug)]
+pub struct SeenPicture {
+    /// The channels of the eye, as [`Shot::frame`](crate::Shot::frame) has them.
+    pub frame: Frame,
+    /// What the eye made of it, where it goes through stages.
+    pub seen: Option<Seen>,
+    to_screen: Option<ToScreen>,
+}
+
+impl SeenPicture {
+    /// A frame of these channels, in linear sRGB.
+    ///
+    /// # Errors
+    /// If the frame has other channels.
+    pub fn on_screen(&self, frame: Frame) -> Result<Frame, ShotError> {
+        Ok(match &self.to_screen {
+            Some(to_screen) => frame.on_screen(to_screen)?,
+            None => frame,
+        })
+    }
+
+    /// The picture itself in linear sRGB.
+    ///
+    /// # Errors
+    /// As [`SeenPicture::on_screen`].
+    pub fn screen(&self) -> Result<Frame, ShotError> {
+        self.on_screen(self.frame.clone())
+    }
+}
+
+/// A picture as an eye sees it, and what the eye made of it where it goes through stages.
 ///
 /// White is D65, and a pixel is a fortieth of a degree unless the viewer says otherwise.
 ///
@@ -34,21 +65,19 @@ pub enum PictureLight<'a> {
 ///
 /// let rgb = [vec![0.8], vec![0.1], vec![0.1]];
 /// let deutan: Viewer = "deutan".parse::<glanz_eye::Eye>()?.into();
-/// let (seen, _) = see_picture(PictureLight::Rgb { width: 1, rgb: &rgb }, &deutan)?;
+/// let seen = see_picture(PictureLight::Rgb { width: 1, rgb: &rgb }, &deutan)?;
 /// // Red and green are the same yellow to it.
-/// let [r, g, b, _] = seen.pixel(0, 0);
+/// let [r, g, b, _] = seen.screen()?.pixel(0, 0);
 /// assert!((r - g).abs() < 0.3 * r && b < 0.5 * r);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// If the spectra are not of light.
-pub fn see_picture(light: PictureLight<'_>, viewer: &Viewer) -> Result<(Frame, Option<Seen>), ShotError> {
+pub fn see_picture(light: PictureLight<'_>, viewer: &Viewer) -> Result<SeenPicture, ShotError> {
     let observation = Observation::of_viewer(ColorMode::Spectral, viewer)?;
-    let lights = [Light::directional([0.0, 0.0, -1.0], [1.0; 3])];
+    let lights = daylight();
     let mut frame = frame_of(light, &observation)?;
-    let count = observation.channel_count();
-    frame.channels = observation.channels(&lights, false, White::D65, (0, count));
     let middle = [frame.width, frame.height].map(|size| 0.5 * size as f64);
     let px_per_deg = viewer.viewing.px_per_deg.unwrap_or(SCREEN_PX_PER_DEG);
     let angles = Angles { px_per_deg, distance_px: None, middle };
@@ -57,7 +86,32 @@ pub fn see_picture(light: PictureLight<'_>, viewer: &Viewer) -> Result<(Frame, O
         false => None,
     };
     let to_screen = observation.to_screen_under(&lights, false, White::D65)?;
-    Ok((to_screen.map_or(Ok(frame.clone()), |to_screen| frame.on_screen(&to_screen))?, seen))
+    Ok(SeenPicture { frame, seen, to_screen })
+}
+
+/// What each channel of an observer has of a picture.
+///
+/// ```
+/// use glanz_eye::Eye;
+/// use glanz_render::{PictureLight, picture_frame};
+///
+/// let rgb = [vec![1.0], vec![1.0], vec![1.0]];
+/// let light = PictureLight::Rgb { width: 1, rgb: &rgb };
+/// let frame = picture_frame(light, &Eye::default().observer_with_rods())?;
+/// assert_eq!(frame.channels.names, ["L", "M", "S", "R"]);
+/// assert!((frame.rgb[0][0] - 1.0).abs() < 1e-3 && (frame.more[0][0] - 1.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`see_picture`].
+pub fn picture_frame(light: PictureLight<'_>, observer: &Observer) -> Result<Frame, ShotError> {
+    frame_of(light, &Observation::new(ColorMode::Spectral, Some(observer.clone()))?)
+}
+
+/// White is D65.
+fn daylight() -> [Light; 1] {
+    [Light::directional([0.0, 0.0, -1.0], [1.0; 3])]
 }
 
 /// The channels of an observation.
@@ -87,7 +141,8 @@ fn frame_of(light: PictureLight<'_>, observation: &Observation) -> Result<Frame,
     };
     let more = planes.split_off(3);
     let rgb = <[Vec<f32>; 3]>::try_from(planes).unwrap_or_default();
-    Ok(Frame { width, height, rgb, more, alpha: vec![1.0; width * height], ..Frame::default() })
+    let channels = observation.channels(&daylight(), false, White::D65, (0, observation.channel_count()));
+    Ok(Frame { width, height, rgb, more, alpha: vec![1.0; width * height], channels, ..Frame::default() })
 }
 
 /// The weighted sum of planes.

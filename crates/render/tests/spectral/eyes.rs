@@ -124,7 +124,14 @@ fn spectra_that_all_cones_see_alike_look_alike_through_all_stages() {
 #[test]
 fn uniform_light_stays_uniform_through_every_stage() {
     let scene = faced(matte(patch("orange")), &unit("D65"));
-    let all = Viewing { level_cd_m2: Some(0.5), glare: true, acuity: true, gaze: Some([0.0, 0.0]), ..day() };
+    let all = Viewing {
+        level_cd_m2: Some(0.5),
+        glare: true,
+        chromatic: true,
+        acuity: true,
+        gaze: Some([0.0, 0.0]),
+        ..day()
+    };
     for name in ["age:70+protan", "deutan:12", "tritan+iris:1.2", "rods"] {
         let mut shot = Shot::new(&spectral(scene.clone()).with_eye(viewer(name, all.clone()))).unwrap();
         let frame = shot.frame().unwrap();
@@ -140,6 +147,30 @@ fn in_bright_light_rods_change_nothing() {
     let [r, g, b, _] = shown(&scene, viewer("age:50", day())).map(f64::from);
     let bright = Viewing { level_cd_m2: Some(1e4), night: true, ..day() };
     assert_near(shown(&scene, viewer("age:50", bright)), [r, g, b], 1e-6, "by day");
+}
+
+#[test]
+fn photons_are_few_by_night_and_keep_the_mean() {
+    let mut scene = spectral(faced(matte(patch("white")), &unit("D65")));
+    (scene.image.width, scene.image.height) = (200, 200);
+    // The mean of the cones' mixture with the rods, and its relative standard deviation.
+    let spread = |level: f64, noise: Option<u32>| {
+        let viewing = Viewing { level_cd_m2: Some(level), noise, px_per_deg: Some(40.0), ..day() };
+        let frame = Shot::new(&scene.clone().with_eye(viewer("standard", viewing))).unwrap().frame().unwrap();
+        let values: Vec<f64> = frame.rgb[1].iter().map(|v| f64::from(*v)).collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let variance = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / values.len() as f64;
+        (mean, libm::sqrt(variance) / mean)
+    };
+    let (still, none) = spread(0.01, None);
+    assert!(none < 1e-6);
+    let (mean, moon) = spread(0.01, Some(1));
+    assert!((mean / still - 1.0).abs() < 4.0 * moon / 200.0, "{mean} for {still}");
+    // By moonlight some photons of a pixel in a tenth of a second, by starlight a hundredth of them.
+    let (_, stars) = spread(1e-4, Some(1));
+    assert!((0.2..0.9).contains(&moon) && stars > 5.0 * moon, "{moon} {stars}");
+    let (_, bright) = spread(1e3, Some(1));
+    assert!(bright < 0.02, "{bright}");
 }
 
 #[test]
@@ -189,7 +220,15 @@ fn dichromats_cannot_tell_what_differs_in_the_missing_cone_alone() {
 #[test]
 fn the_same_bits_for_every_number_of_threads() {
     let scene = spectral(faced(matte(patch("green")), &unit("D65")));
-    let all = Viewing { level_cd_m2: Some(1.0), glare: true, acuity: true, gaze: Some([20.0, 9.0]), ..day() };
+    let all = Viewing {
+        level_cd_m2: Some(1.0),
+        glare: true,
+        chromatic: true,
+        noise: Some(4),
+        acuity: true,
+        gaze: Some([20.0, 9.0]),
+        ..day()
+    };
     let mut scene = scene.with_eye(viewer("age:66+deutan:6", all));
     (scene.image.width, scene.image.height) = (233, 121);
     let drawn = |threads: usize| {

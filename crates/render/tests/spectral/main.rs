@@ -5,9 +5,9 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod eyes;
-mod machado;
 mod modes;
 mod observers;
+mod other_ways;
 mod reference;
 
 use std::sync::Arc;

@@ -387,6 +387,8 @@ fn viewer() -> impl Strategy<Value = Viewer> {
             adaptation_cd_m2: (!flag).then_some(n[11]),
             rods: if flag { RodColor::Blue } else { RodColor::White },
             glare: flag,
+            chromatic: kind == 1,
+            noise: (kind > 2).then_some(kind as u32),
             acuity: !flag,
             gaze: flag.then_some([100.0 * n[1], 50.0]),
             px_per_deg: flag.then_some(60.0 * n[2]),

@@ -77,6 +77,10 @@ impl EvalArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let shape = self.model.shape()?;
         let factor = self.factor.factor()?;
+        if self.output.is_some() && self.directions.is_none() {
+            let message = "-o is for the values of --directions; those of one pair are printed";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         if let Some(directions) = &self.directions {
             if self.format.is_json() {
                 let message = "--directions gives CSV; --format json is for one pair of directions";

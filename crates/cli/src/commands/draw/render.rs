@@ -11,6 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use super::watched::is_read_by;
 use crate::args::{
     BitDepth, CameraArgs, DevelopArgs, DeviceArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target,
     TargetArgs,
@@ -169,6 +170,12 @@ impl RenderArgs {
             _ => Some(self.target.resolve(&self.input.input, ".png")?),
         };
         target.as_ref().map_or(Ok(()), |target| self.format.check_beside(target))?;
+        let path = target.as_ref().and_then(Target::path);
+        if let Some(path) = path.filter(|path| is_read_by(&self.input.input, path)) {
+            let message =
+                format!("the scene reads '{}': a picture there would be written over it", path.display());
+            return Err(Report::new(message).file(path).help("choose another file with -o").into());
+        }
         if self.preview.is_some() && self.format.is_json() {
             let message = "stdout cannot take both the --preview and --format json";
             return Err(Failure::Usage(message.to_owned()));

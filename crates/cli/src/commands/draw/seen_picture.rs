@@ -1,29 +1,22 @@
 //! `glanz render photo.exr --observer age:70`: a picture that an eye looks at.
 
-use std::path::Path;
-
-use glanz_color::exr::{MAX_PICTURE_BYTES, SpectralImage, read_spectral_exr};
 use glanz_eye::{Eye, EyeError, Viewer};
-use glanz_picture::compare::{Scale, decode_picture};
 use glanz_picture::output::{Format, Metadata, PictureData};
-use glanz_picture::{Frame, develop, develop16};
-use glanz_render::{PictureLight, ShotError, see_picture};
+use glanz_picture::{develop, develop16};
+use glanz_render::ShotError;
 use glanz_scene::RenderSettings;
 
 use super::render::RenderArgs;
 use crate::args::{BitDepth, Target};
 use crate::encode;
+use crate::input::picture::PictureInput;
 use crate::print;
-use crate::print::failure::{Failure, Report};
-
-/// The endings of pictures.
-const ENDINGS: [&str; 2] = ["exr", "png"];
+use crate::print::failure::Failure;
 
 impl RenderArgs {
     /// Whether the input is a picture, not a scene.
     pub(super) fn is_picture(&self) -> bool {
-        let ending = self.input.input.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()))
+        PictureInput::is_named(&self.input.input)
     }
 
     /// Shows a picture as an eye sees it.
@@ -32,8 +25,9 @@ impl RenderArgs {
         let path = &self.input.input;
         let target = self.target.resolve(path, "_seen.png")?;
         let format = encode::format(&target)?;
-        let bytes = std::fs::read(path).map_err(|error| Failure::from(Report::new(error).file(path)))?;
-        let frame = look(&bytes, path, &viewer)?;
+        let picture = PictureInput::read(path)?;
+        picture.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
+        let frame = picture.seen_by(&viewer)?.screen().map_err(Failure::from)?;
         let settings = self.develop.resolve(&RenderSettings::default())?;
         let (width, height) = (frame.width, frame.height);
         let picture = match (format, self.bit_depth) {
@@ -71,28 +65,4 @@ impl RenderArgs {
         }
         Ok(eye.into())
     }
-}
-
-/// The picture as the eye sees it, in linear sRGB.
-fn look(bytes: &[u8], path: &Path, viewer: &Viewer) -> Result<Frame, Failure> {
-    let wrong = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(path));
-    let name = path.display().to_string();
-    if let Some(image) = spectra(bytes, &name) {
-        let seen = see_picture(PictureLight::Spectra(&image), viewer);
-        return seen.map(|(frame, _)| frame).map_err(|error| wrong(&error));
-    }
-    let picture = decode_picture(bytes, &name).map_err(|error| wrong(&error))?;
-    picture.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
-    let kind = if picture.scale == Scale::Codes { "codes" } else { "linear light" };
-    print::note(format_args!(
-        "note: the picture has no spectra: its {kind} stand for the smooth ones of Mallett and Yuksel (2019) under D65"
-    ));
-    let light = PictureLight::Rgb { width: picture.width, rgb: &picture.rgb };
-    see_picture(light, viewer).map(|(frame, _)| frame).map_err(|error| wrong(&error))
-}
-
-/// The spectra of a picture, if it has spectra of light.
-fn spectra(bytes: &[u8], name: &str) -> Option<SpectralImage> {
-    let image = read_spectral_exr(bytes, name, MAX_PICTURE_BYTES).ok()?;
-    (!image.emissive.is_empty() || !image.reflective.is_empty()).then_some(image)
 }

@@ -33,7 +33,7 @@ impl RenderArgs {
             watched.look();
             if self.preview.is_some() && io::stdout().is_terminal() && !first {
                 // Home, and nothing below.
-                print::text("\x1b[H\x1b[J")?;
+                print::bytes(b"\x1b[H\x1b[J")?;
             }
             let start = Instant::now();
             match self.once(target.as_ref(), kind, Timings::default()) {

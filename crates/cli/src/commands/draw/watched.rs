@@ -134,17 +134,32 @@ fn stamp(path: &Path) -> Stamp {
 
 /// The scene, the files whose names stand in it, and what lies beside models, which name more files themselves.
 fn files_of(scene: &Path) -> Vec<PathBuf> {
-    let mut files = vec![scene.to_owned()];
+    let mut files = named_by(scene);
+    let beside: Vec<PathBuf> =
+        files.iter().filter(|path| names_files(path)).flat_map(|path| folder_of(path)).collect();
+    files.extend(beside);
+    files
+}
+
+/// Whether a scene file names this file: a picture there would be written over what it is drawn from.
+pub(super) fn is_read_by(scene: &Path, picture: &Path) -> bool {
+    let Ok(picture) = picture.canonicalize() else { return false };
+    if !glanz_scene::is_scene_file(scene) {
+        return scene.canonicalize().is_ok_and(|scene| scene == picture);
+    }
+    let named = named_by(scene);
+    named.iter().any(|path| path.canonicalize().is_ok_and(|path| path == picture))
+}
+
+/// The scene, and the files whose names stand in it.
+fn named_by(scene: &Path) -> Vec<PathBuf> {
     let folder = scene.parent().unwrap_or(Path::new(""));
     let text =
         std::fs::read(scene).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
     let is_scene = glanz_scene::is_scene_file(scene);
     let named = strings(&text).into_iter().filter(|name| is_scene && name.contains('.'));
-    files.extend(named.map(|name| folder.join(name)).filter(|path| path.is_file()));
-    let beside: Vec<PathBuf> =
-        files.iter().filter(|path| names_files(path)).flat_map(|path| folder_of(path)).collect();
-    files.extend(beside);
-    files
+    let named = named.map(|name| folder.join(name)).filter(|path| path.is_file());
+    std::iter::once(scene.to_owned()).chain(named).collect()
 }
 
 /// All that stands between quotation marks on one line of a scene file, whether that makes sense or not.

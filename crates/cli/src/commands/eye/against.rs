@@ -1,15 +1,16 @@
 //! What other programs show of a deficiency, beside the projection of true cones.
 
 use clap::ValueEnum;
-use glanz_eye::{Viewer, machado};
+use glanz_color::Matrix3;
+use glanz_eye::{BrettelOnScreen, Cones, Viewer, machado};
 use glanz_picture::Frame;
 use glanz_picture::compare::Spread;
 use glanz_picture::compare::frames::DeltaE;
 use glanz_plot::Canvas;
 
 use super::EyeArgs;
-use super::draw::{canvas, frame};
-use crate::load::Input;
+use super::draw::canvas;
+use super::source::Source;
 use crate::print::failure::Failure;
 use crate::progress::Progress;
 
@@ -18,6 +19,31 @@ use crate::progress::Progress;
 pub(super) enum Against {
     /// A matrix on linear sRGB (Machado, Oliveira, Fernandes 2009, severity 1), as browsers have it
     Machado,
+    /// The projection of Brettel, Viénot and Mollon 1997 on linear sRGB, with the cones of Smith and Pokorny, as DaltonLens has it
+    Daltonlens,
+}
+
+/// What another way makes of a colour of linear sRGB.
+enum Map {
+    Matrix(Matrix3),
+    Brettel(BrettelOnScreen),
+}
+
+impl Map {
+    /// That of an eye without a kind of cones.
+    fn of(way: Against, cones: Cones) -> Option<Self> {
+        match way {
+            Against::Machado => machado(cones).map(Self::Matrix),
+            Against::Daltonlens => BrettelOnScreen::without(cones).map(Self::Brettel),
+        }
+    }
+
+    fn apply(&self, rgb: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Matrix(matrix) => matrix.apply(rgb),
+            Self::Brettel(way) => way.apply(rgb),
+        }
+    }
 }
 
 /// A picture by another way, and how far it is from the one by true cones.
@@ -31,6 +57,7 @@ impl Against {
     pub(super) fn title(self) -> &'static str {
         match self {
             Self::Machado => "Machado 2009",
+            Self::Daltonlens => "DaltonLens",
         }
     }
 
@@ -38,26 +65,25 @@ impl Against {
     pub(super) fn draw(
         self,
         args: &EyeArgs,
-        input: &mut Input,
+        source: &mut Source,
         viewer: &Viewer,
         seen: &Frame,
         progress: &mut Progress,
     ) -> Result<Other, Failure> {
-        let Some(matrix) = machado(viewer.eye.cones) else {
+        let Some(map) = Map::of(self, viewer.eye.cones) else {
             return Err(Failure::Usage(format!(
-                "--against machado has matrices of protan, deutan and tritan, but not of '{}'",
+                "--against shows protan, deutan and tritan by other ways, but not '{}'",
                 viewer.eye
             )));
         };
         let usual = Viewer { eye: viewer.eye.with_usual_cones(), viewing: viewer.viewing.clone() };
-        let (shot, drawn) = frame(args, input, Some(&usual), progress)?;
-        let mut screen = shot.on_screen(drawn)?;
+        let (looked, drawn) = source.look(args, &usual, progress)?;
+        let mut screen = looked.on_screen(drawn)?;
         for i in 0..screen.alpha.len() {
-            let rgb = [0, 1, 2].map(|c| f64::from(screen.rgb[c][i]));
-            let shown = matrix.apply(rgb);
+            let shown = map.apply([0, 1, 2].map(|c| f64::from(screen.rgb[c][i])));
             screen.rgb.iter_mut().zip(shown).for_each(|(plane, value)| plane[i] = value as f32);
         }
         let spread = DeltaE::between(seen, &screen, args.develop.ev.unwrap_or(0.0)).spread;
-        Ok(Other { picture: canvas(&shot, &screen)?, spread })
+        Ok(Other { picture: canvas(&looked, &screen)?, spread })
     }
 }

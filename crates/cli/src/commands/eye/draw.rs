@@ -4,12 +4,11 @@ use glanz_eye::{Seen, Viewer};
 use glanz_picture::Frame;
 use glanz_picture::compare::Spread;
 use glanz_plot::Canvas;
-use glanz_render::{Aovs, Shot, ShotError};
-use glanz_scene::Scene;
+use glanz_render::ShotError;
 
+use super::against::Against;
+use super::source::{Looked, Source};
 use super::{EyeArgs, Show, shown};
-use crate::load::Input;
-use crate::pipeline::Plan;
 use crate::print::failure::Failure;
 use crate::print::number;
 use crate::progress::Progress;
@@ -18,12 +17,12 @@ use crate::progress::Progress;
 pub(super) struct Drawn {
     /// One picture, or what it is taken apart into, with names.
     pub pictures: Vec<(String, Canvas)>,
-    /// What stands under the first.
-    pub caption: Vec<String>,
+    /// What stands under each of them, in lines.
+    pub captions: Vec<Vec<String>>,
     /// What the eye made of it.
     pub seen: Option<Seen>,
-    /// How far another way to show its deficiency is from it.
-    pub against: Option<Spread>,
+    /// How far other ways to show its deficiency are from it.
+    pub against: Vec<(Against, Spread)>,
     /// The linear picture of the screen, with the numbers of objects.
     pub frame: Frame,
     /// The names of the objects, by their numbers.
@@ -33,7 +32,7 @@ pub(super) struct Drawn {
 /// Draws a scene for an eye.
 pub(super) fn draw(
     args: &EyeArgs,
-    input: &mut Input,
+    source: &mut Source,
     viewer: &Viewer,
     progress: &mut Progress,
 ) -> Result<Drawn, Failure> {
@@ -44,23 +43,25 @@ pub(super) fn draw(
         Show::Acuity => viewer.viewing.acuity = true,
         _ => {}
     }
-    let (shot, frame) = frame(args, input, Some(&viewer), progress)?;
-    let seen = shot.seen().copied();
-    let screen = shot.on_screen(frame.clone())?;
-    let picture = canvas(&shot, &screen)?;
-    let mut against = None;
+    let (looked, frame) = source.look(args, &viewer, progress)?;
+    let seen = looked.seen();
+    let screen = looked.on_screen(frame.clone())?;
+    let picture = canvas(&looked, &screen)?;
+    let mut against = Vec::new();
     let pictures = match show {
-        Show::Picture => match args.eyes.against {
-            None => vec![(String::new(), picture)],
-            Some(way) => {
-                let other = way.draw(args, input, &viewer, &screen, progress)?;
-                against = Some(other.spread);
-                vec![("true cones".to_owned(), picture), (way.title().to_owned(), other.picture)]
+        Show::Picture if args.eyes.against.is_empty() => vec![(String::new(), picture)],
+        Show::Picture => {
+            let mut pictures = vec![("true cones".to_owned(), picture)];
+            for way in &args.eyes.against {
+                let other = way.draw(args, source, &viewer, &screen, progress)?;
+                against.push((*way, other.spread));
+                pictures.push((way.title().to_owned(), other.picture));
             }
-        },
-        Show::Opponent => shown::nerve(&shot, &frame, picture, args.develop.ev.unwrap_or(0.0))?,
+            pictures
+        }
+        Show::Opponent => shown::nerve(&looked, &frame, picture, args.develop.ev.unwrap_or(0.0))?,
         Show::Receptors => {
-            let (_, frame) = receptors(args, input, &viewer, progress)?;
+            let frame = source.receptors(args, &viewer, progress)?;
             shown::receptors(&frame, &viewer.eye, args.develop.ev.unwrap_or(0.0))
         }
         Show::Glare | Show::Acuity => {
@@ -69,60 +70,35 @@ pub(super) fn draw(
             if show == Show::Acuity {
                 (viewer.viewing.acuity, viewer.viewing.gaze) = (false, None);
             }
-            let (without_shot, without) = self::frame(args, input, Some(&viewer), progress)?;
-            let without = canvas(&without_shot, &without_shot.on_screen(without)?)?;
+            let (without, frame) = source.look(args, &viewer, progress)?;
+            let without = canvas(&without, &without.on_screen(frame)?)?;
             vec![("without".to_owned(), without), (name.to_owned(), picture)]
         }
     };
-    let objects = input.scene.objects.iter().map(|object| object.name.clone()).collect();
-    let caption = match against {
-        None => caption(seen, show),
-        Some(spread) => vec![format!("dE00 mean {:.2}, 95 % {:.2}", spread.mean, spread.p95)],
+    let captions = match against.is_empty() {
+        true => vec![caption(seen, show)],
+        false => {
+            let spread = |(_, spread): &(Against, Spread)| {
+                vec![format!("dE00 mean {:.2}, 95 % {:.2}", spread.mean, spread.p95)]
+            };
+            core::iter::once(Vec::new()).chain(against.iter().map(spread)).collect()
+        }
     };
-    Ok(Drawn { pictures, caption, seen, against, frame: screen, objects })
-}
-
-/// A frame as an eye sees it, or as the scene's observer does.
-pub(super) fn frame(
-    args: &EyeArgs,
-    input: &mut Input,
-    viewer: Option<&Viewer>,
-    progress: &mut Progress,
-) -> Result<(Shot, Frame), Failure> {
-    let Scene { eye, .. } = &mut input.scene;
-    if let Some(viewer) = viewer {
-        *eye = Some(viewer.clone());
-    }
-    let plan = Plan::new(input, args.size.size, &args.look(), &args.camera, args.develop)?;
-    let mut shot = plan.shot(&input.scene)?;
-    let aovs = Aovs { object: true, ..Aovs::default() };
-    let frame = shot.frame_in_steps(aovs, &mut |part| progress.within(part))?;
-    Ok((shot, frame))
-}
-
-/// A frame of all four kinds of receptors, as light falls on them.
-fn receptors(
-    args: &EyeArgs,
-    input: &mut Input,
-    viewer: &Viewer,
-    progress: &mut Progress,
-) -> Result<(Shot, Frame), Failure> {
-    let own = (input.scene.eye.take(), input.scene.observer.replace(viewer.eye.observer_with_rods()));
-    let drawn = frame(args, input, None, progress);
-    (input.scene.eye, input.scene.observer) = own;
-    drawn
+    Ok(Drawn { pictures, captions, seen, against, frame: screen, objects: source.objects() })
 }
 
 /// A linear picture of the screen as codes.
-pub(super) fn canvas(shot: &Shot, screen: &Frame) -> Result<Canvas, Failure> {
-    let settings = glanz_picture::Develop { to_screen: None, ..*shot.develop_settings() };
-    let rgba = glanz_picture::develop(screen, &settings).map_err(ShotError::from)?;
+pub(super) fn canvas(looked: &Looked, screen: &Frame) -> Result<Canvas, Failure> {
+    let rgba = glanz_picture::develop(screen, &looked.develop()).map_err(ShotError::from)?;
     Ok(Canvas { width: screen.width, height: screen.height, rgba })
 }
 
 /// What an eye is adapted to, in words, where that is not the day.
 fn caption(seen: Option<Seen>, show: Show) -> Vec<String> {
-    let digits = |value: f64| number(format!("{value:.2e}").parse().unwrap_or(value));
+    let digits = |value: f64| match value {
+        0.001.. => number(format!("{value:.2e}").parse().unwrap_or(value)),
+        _ => format!("{value:.2e}"),
+    };
     match seen {
         Some(seen) if seen.cones < 1.0 => {
             vec![

@@ -34,9 +34,18 @@ pub(super) struct EyeFacts {
     /// What it is adapted to, its pupil, and what it resolves; none where the picture went through no stage
     #[serde(skip_serializing_if = "Option::is_none")]
     seen: Option<SeenFacts>,
-    /// How far what --against shows is from it
-    #[serde(skip_serializing_if = "Option::is_none")]
-    against: Option<SpreadFacts>,
+    /// How far what the ways of --against show is from it
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    against: Vec<WayFacts>,
+}
+
+/// How far what another way shows is from what true cones show.
+#[derive(Debug, Serialize, JsonSchema)]
+struct WayFacts {
+    /// What it is called on the sheet
+    way: &'static str,
+    #[serde(flatten)]
+    spread: SpreadFacts,
 }
 
 /// ΔE00 over the pixels that show a surface.
@@ -72,12 +81,19 @@ impl EyeFacts {
             observer: viewer.eye.to_string(),
             adapted: viewer.viewing.adapted,
             level_cd_m2: viewer.viewing.level_cd_m2,
-            against: drawn.against.map(|spread| SpreadFacts {
-                mean: spread.mean,
-                median: spread.median,
-                p95: spread.p95,
-                max: spread.max,
-            }),
+            against: drawn
+                .against
+                .iter()
+                .map(|(way, spread)| WayFacts {
+                    way: way.title(),
+                    spread: SpreadFacts {
+                        mean: spread.mean,
+                        median: spread.median,
+                        p95: spread.p95,
+                        max: spread.max,
+                    },
+                })
+                .collect(),
             seen: drawn.seen.map(|seen| SeenFacts {
                 adaptation_cd_m2: seen.adaptation_cd_m2,
                 cones: seen.cones,

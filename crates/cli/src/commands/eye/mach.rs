@@ -14,6 +14,7 @@ use serde::Serialize;
 
 use super::EyeArgs;
 use crate::args::{LookArgs, PlotTarget};
+use crate::input::picture::PictureInput;
 use crate::load::Input;
 use crate::pipeline::Plan;
 use crate::print;
@@ -107,6 +108,11 @@ impl EyeArgs {
         if !(self.eyes.gain > 0.0 && self.eyes.gain <= 1e4) {
             let gain = self.eyes.gain;
             return Err(Failure::Usage(format!("--gain is {gain}, but must be above 0 and at most 10000")));
+        }
+        if PictureInput::is_named(&self.input.input) {
+            let message =
+                "--mach draws a scene flat, by Gouraud and by Phong; a picture has one shading already";
+            return Err(Failure::Usage(message.to_owned()));
         }
         let input = self.input.load(Some(&self.camera), crate::load::More::default())?;
         print::notes(&self.input.input, &input.notes);

@@ -7,6 +7,7 @@ pub(crate) mod mach;
 mod patches;
 pub(crate) mod population;
 mod shown;
+mod source;
 mod variants;
 
 use clap::{Args, ValueEnum};
@@ -22,13 +23,13 @@ use self::draw::Drawn;
 pub(crate) use self::facts::Document;
 use self::facts::EyeFacts;
 use self::patches::Patches;
+use self::source::Source;
 use self::variants::{Ages, Variants};
 use crate::args::{
     CameraArgs, ColorArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
     choices, values,
 };
 use crate::encode;
-use crate::load::{Input, More};
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
@@ -39,9 +40,11 @@ Examples:
   glanz eye scene.toml --age 20,50,80 -o ages.png
   glanz eye scene.toml --age 25,75 --level day,dusk,moon --glare -o evening.png
   glanz eye scene.toml --deficiency none,deutan:10,deutan,protan,tritan -o deficiencies.png
-  glanz eye scene.toml --deficiency deutan,protan,tritan --against machado -o ways.png
+  glanz eye scene.toml --deficiency deutan,protan,tritan --against machado,daltonlens -o ways.png
   glanz eye scene.toml --show opponent -o opponent.png
   glanz eye scene.toml --gaze 400,300 -o looked-at.png
+  glanz eye scene.toml --level moon,stars --noise --acuity -o photons.png
+  glanz eye photo.png --age 20,80 -o photo-by-age.png
   glanz eye scene.toml --age 20:80:60 -o ageing.gif
   glanz eye scene.toml --population 20 --seed 1 -o people.png
   glanz eye scene.toml --mach y=250 --gain 10 -o mach.svg
@@ -77,7 +80,8 @@ pub(crate) struct EyeArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Eye")]
 struct EyesArgs {
-    /// The eye that the other options change, such as field:10+iris:1.2 [default: the scene's, else the standard one]
+    /// The eye that the other options change, such as field:10+iris:1.2, or population:20 for --population 20 [default: the scene's,
+    /// else the standard one]
     #[arg(long, value_name = "EYE")]
     observer: Option<String>,
 
@@ -89,9 +93,9 @@ struct EyesArgs {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     deficiency: Vec<String>,
 
-    /// Show beside each deficiency what this way makes of it, and how far that is from true cones
-    #[arg(long, value_enum, value_name = "WAY")]
-    against: Option<Against>,
+    /// Show beside each deficiency what other ways make of it, and how far that is from true cones
+    #[arg(long, value_enum, value_name = "WAY,…", value_delimiter = ',')]
+    against: Vec<Against>,
 
     /// Light levels: sun, day, room, dusk, moon, stars, or the luminance of white in cd/m²
     #[arg(long, value_name = "LEVEL,…", value_delimiter = ',')]
@@ -112,6 +116,14 @@ struct EyesArgs {
     /// Scatter light in the eye, as it does at the eye's age
     #[arg(long)]
     glare: bool,
+
+    /// Blur what is out of focus since an eye focuses on 555 nm, through the pupil that it has at this light
+    #[arg(long)]
+    chromatic: bool,
+
+    /// Draw the photons that are caught in a tenth of a second; the number says which noise
+    #[arg(long, value_name = "SEED", num_args = 0..=1, default_missing_value = "1")]
+    noise: Option<u32>,
 
     /// Leave out what the eye does not resolve at this light
     #[arg(long)]
@@ -196,6 +208,25 @@ fn gaze(text: &str) -> Result<[f64; 2], String> {
     <[f64; 2]>::try_from(numbers).map_err(|_| "expected the pixel as X,Y, such as 400,300".to_owned())
 }
 
+impl EyesArgs {
+    /// How many people are drawn who differ as people do.
+    fn people(&self) -> Result<Option<u32>, Failure> {
+        let Some(count) = self.observer.as_deref().and_then(|name| name.strip_prefix("population:")) else {
+            return Ok(self.population);
+        };
+        let count = count.parse::<u32>().ok().filter(|count| (1..=1000).contains(count));
+        count.map(Some).ok_or_else(|| {
+            let message = "--observer: expected population:N with N from 1 to 1000, such as population:20";
+            Failure::Usage(message.to_owned())
+        })
+    }
+
+    /// The eye that is named, if one is.
+    fn observer(&self) -> Option<&str> {
+        self.observer.as_deref().filter(|name| !name.starts_with("population:"))
+    }
+}
+
 impl EyeArgs {
     /// Draws.
     pub(crate) fn run(&self) -> Result<(), Failure> {
@@ -203,7 +234,7 @@ impl EyeArgs {
         if let Some(row) = self.eyes.mach {
             return self.mach(row);
         }
-        if self.eyes.against.is_some() && (self.eyes.show != Show::Picture || self.eyes.population.is_some())
+        if !self.eyes.against.is_empty() && (self.eyes.show != Show::Picture || self.eyes.people()?.is_some())
         {
             return Err(Failure::Usage(
                 "--against goes with pictures: leave out --show or --population".to_owned(),
@@ -212,20 +243,20 @@ impl EyeArgs {
         let target = self.target.resolve(&self.input.input, "_eye.png")?;
         let moving = self.moving(&target)?;
         self.format.check_beside(&target)?;
-        let mut input = self.input.load(Some(&self.camera), More::default())?;
-        print::notes(&self.input.input, &input.notes);
-        if let Some(count) = self.eyes.population {
-            let base = variants::base(&self.eyes, &input)?;
-            return self.population(count as usize, &mut input, &base, &target);
+        let mut source = Source::open(self)?;
+        print::notes(&self.input.input, source.notes());
+        if let Some(count) = self.eyes.people()? {
+            let base = variants::base(&self.eyes, &source)?;
+            return self.population(count as usize, &mut source, &base, &target);
         }
-        let variants = Variants::of(&self.eyes, &input)?;
+        let variants = Variants::of(&self.eyes, &source)?;
         variants.remarks().iter().for_each(|remark| print::note(format_args!("note: {remark}")));
-        let drawn = self.draw(&mut input, &variants)?;
+        let drawn = self.draw(&mut source, &variants)?;
         match moving {
-            Some(format) => self.film(&drawn, &target, format, &input)?,
-            None => self.sheet(&variants, &drawn, &target, &input)?,
+            Some(format) => self.film(&drawn, &target, format, &source)?,
+            None => self.sheet(&variants, &drawn, &target, &source)?,
         }
-        self.tell(&target, &variants, &drawn, input.notes)
+        self.tell(&target, &variants, &drawn, source.notes().to_vec())
     }
 
     /// The format of a film, if the target is one.
@@ -240,7 +271,7 @@ impl EyeArgs {
             let fps = self.picture.fps;
             return Err(Failure::Usage(format!("--fps is {fps}, but must be above 0 and at most 1000")));
         }
-        if self.eyes.show != Show::Picture || self.eyes.against.is_some() {
+        if self.eyes.show != Show::Picture || !self.eyes.against.is_empty() {
             return Err(Failure::Usage(
                 "a film shows pictures alone: leave out --show and --against, or write a .png".to_owned(),
             ));
@@ -248,11 +279,11 @@ impl EyeArgs {
         Ok(Some(encode::format(target)?))
     }
 
-    fn draw(&self, input: &mut Input, variants: &Variants) -> Result<Vec<Drawn>, Failure> {
+    fn draw(&self, source: &mut Source, variants: &Variants) -> Result<Vec<Drawn>, Failure> {
         let mut progress = Progress::new(variants.eyes.len(), "eyes");
         let mut drawn = Vec::with_capacity(variants.eyes.len());
         for variant in &variants.eyes {
-            drawn.push(draw::draw(self, input, &variant.viewer, &mut progress)?);
+            drawn.push(draw::draw(self, source, &variant.viewer, &mut progress)?);
             progress.step();
         }
         Ok(drawn)
@@ -275,7 +306,7 @@ impl EyeArgs {
         variants: &Variants,
         drawn: &[Drawn],
         target: &Target,
-        input: &Input,
+        source: &Source,
     ) -> Result<(), Failure> {
         // An eye is one picture, or a row of pictures that take it apart.
         let parts = drawn[0].pictures.len();
@@ -286,10 +317,9 @@ impl EyeArgs {
                 (drawn[0].pictures.iter().map(|(name, _)| name.clone()).collect(), labels, parts)
             }
         };
-        let captions = drawn.iter().flat_map(|eye| {
-            let first = eye.caption.clone();
-            core::iter::once(first).chain((1..parts).map(|_| Vec::new()))
-        });
+        let captions = drawn
+            .iter()
+            .flat_map(|eye| (0..parts).map(|part| eye.captions.get(part).cloned().unwrap_or_default()));
         let pictures: Vec<&Canvas> =
             drawn.iter().flat_map(|eye| eye.pictures.iter().map(|(_, picture)| picture)).collect();
         let sheet = ContactSheet {
@@ -308,13 +338,13 @@ impl EyeArgs {
         encode::deliver(
             canvas.into(),
             target,
-            &encode::metadata_of_sheet(input.scene.content_hash(), Vec::new()),
+            &encode::metadata_of_sheet(source.content_hash(), Vec::new()),
         )?;
         self.wrote(target);
         Ok(())
     }
 
-    fn film(&self, drawn: &[Drawn], target: &Target, format: Format, input: &Input) -> Result<(), Failure> {
+    fn film(&self, drawn: &[Drawn], target: &Target, format: Format, source: &Source) -> Result<(), Failure> {
         let Target::File(path) = target else { return Ok(()) };
         let first = &drawn[0].pictures[0].1;
         let animation = Animation {
@@ -323,7 +353,7 @@ impl EyeArgs {
             frames: drawn.len(),
             delay_ms: (1000.0 / self.picture.fps).round() as u32,
         };
-        let metadata = encode::metadata_of_sheet(input.scene.content_hash(), Vec::new());
+        let metadata = encode::metadata_of_sheet(source.content_hash(), Vec::new());
         let codes =
             drawn.iter().map(|eye| -> Result<Vec<u8>, Failure> { Ok(eye.pictures[0].1.rgba.clone()) });
         write_atomically(path, |out| match format {

@@ -11,10 +11,10 @@ use serde::Serialize;
 
 use super::draw::{self, Drawn};
 use super::patches::means;
+use super::source::Source;
 use super::{EyeArgs, Show};
 use crate::args::Target;
 use crate::encode;
-use crate::load::Input;
 use crate::print;
 use crate::print::failure::Failure;
 use crate::progress::Progress;
@@ -66,7 +66,7 @@ impl EyeArgs {
     pub(super) fn population(
         &self,
         count: usize,
-        input: &mut Input,
+        source: &mut Source,
         base: &Viewer,
         target: &Target,
     ) -> Result<(), Failure> {
@@ -83,7 +83,7 @@ impl EyeArgs {
         let mut progress = Progress::new(1 + count, "eyes");
         let mut draw = |eye: &Eye| -> Result<Drawn, Failure> {
             let viewer = Viewer { eye: eye.clone(), viewing: base.viewing.clone() };
-            let drawn = draw::draw(self, input, &viewer, &mut progress)?;
+            let drawn = draw::draw(self, source, &viewer, &mut progress)?;
             progress.step();
             Ok(drawn)
         };
@@ -94,8 +94,8 @@ impl EyeArgs {
             drawn.iter().map(|person| DeltaE::between(&person.frame, &mean.frame, 0.0)).collect();
         let (map, spread) = together(&deltas);
         let matches = matches(&mean, &drawn);
-        self.people_sheet(&mean, &drawn, &map, &spread, target, input)?;
-        self.tell_people(target, spread, matches, count, input.notes.clone())
+        self.people_sheet(&mean, &drawn, &map, &spread, target, source)?;
+        self.tell_people(target, spread, matches, count, source.notes().to_vec())
     }
 
     fn people_sheet(
@@ -105,7 +105,7 @@ impl EyeArgs {
         map: &[f32],
         spread: &SpreadFacts,
         target: &Target,
-        input: &Input,
+        source: &Source,
     ) -> Result<(), Failure> {
         let first = &mean.pictures[0].1;
         let cell = (first.width, first.height);
@@ -136,7 +136,7 @@ impl EyeArgs {
         encode::deliver(
             canvas.into(),
             target,
-            &encode::metadata_of_sheet(input.scene.content_hash(), Vec::new()),
+            &encode::metadata_of_sheet(source.content_hash(), Vec::new()),
         )?;
         self.wrote(target);
         Ok(())

@@ -3,9 +3,9 @@
 use glanz_eye::{Cones, Eye, LUMINANCE, opponent};
 use glanz_picture::Frame;
 use glanz_plot::Canvas;
-use glanz_render::Shot;
 
 use super::code;
+use super::source::Looked;
 use crate::print::failure::Failure;
 
 /// What each kind of receptors gets, in parts of what it gets from white.
@@ -37,7 +37,7 @@ fn round_scale(values: &[[f64; 3]], channel: usize) -> f64 {
 
 /// The picture itself, and what the optic nerve carries of it.
 pub(super) fn nerve(
-    shot: &Shot,
+    looked: &Looked,
     frame: &Frame,
     picture: Canvas,
     ev: f32,
@@ -57,7 +57,8 @@ pub(super) fn nerve(
             [glanz_color::srgb_decode(code as f32); 3]
         });
         pictures.push((format!("{name}, +-{scale}"), canvas(frame, signed)));
-        pictures.push((format!("{name}, in colour"), in_color(shot, frame, &values, channel, scale, white)?));
+        pictures
+            .push((format!("{name}, in colour"), in_color(looked, frame, &values, channel, scale, white)?));
     }
     Ok(pictures)
 }
@@ -68,7 +69,7 @@ fn opponent_of(frame: &Frame, i: usize, white: [f64; 3]) -> [f64; 3] {
 
 /// The colours that differ from grey in one channel alone, at half of white's luminance; as strong as the screen shows them.
 fn in_color(
-    shot: &Shot,
+    looked: &Looked,
     frame: &Frame,
     values: &[[f64; 3]],
     channel: usize,
@@ -93,7 +94,7 @@ fn in_color(
             plane[i] = (part * white) as f32;
         }
     }
-    let screen = shot.on_screen(colored)?;
+    let screen = looked.on_screen(colored)?;
     let gain = 1.0 / luminance_scale(&screen);
     let pixels =
         (0..screen.alpha.len()).map(|i| [0, 1, 2].map(|c| (f64::from(screen.rgb[c][i]) * gain) as f32));

@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use glanz_eye::{Eye, EyeError, Viewer, level_cd_m2};
 
+use super::source::Source;
 use super::{EyesArgs, Show};
-use crate::load::Input;
 use crate::print::failure::Failure;
 use crate::print::number;
 
@@ -55,10 +55,10 @@ pub(super) struct Variants {
 
 impl Variants {
     /// What the command line asks for, beside what the scene says.
-    pub(super) fn of(args: &EyesArgs, input: &Input) -> Result<Self, Failure> {
-        let base = base(args, input)?;
+    pub(super) fn of(args: &EyesArgs, source: &Source) -> Result<Self, Failure> {
+        let base = base(args, source)?;
         let columns = columns(args, &base)?;
-        let rows = rows(args, &base, input, columns.len())?;
+        let rows = rows(args, &base, source, columns.len())?;
         let mut eyes = Vec::new();
         for (row, viewing) in &rows {
             for (column, eye) in &columns {
@@ -88,9 +88,9 @@ impl Variants {
 }
 
 /// The eye that the options change.
-pub(super) fn base(args: &EyesArgs, input: &Input) -> Result<Viewer, Failure> {
-    let mut viewer = input.scene.eye.clone().unwrap_or_default();
-    if let Some(name) = &args.observer {
+pub(super) fn base(args: &EyesArgs, source: &Source) -> Result<Viewer, Failure> {
+    let mut viewer = source.viewer().cloned().unwrap_or_default();
+    if let Some(name) = args.observer() {
         if !Eye::is_named(name) {
             let message = format!("--observer is an eye here, such as age:70 or field:10, found '{name}'");
             return Err(Failure::Usage(message));
@@ -100,6 +100,8 @@ pub(super) fn base(args: &EyesArgs, input: &Input) -> Result<Viewer, Failure> {
     }
     let viewing = &mut viewer.viewing;
     viewing.glare |= args.glare;
+    viewing.chromatic |= args.chromatic;
+    viewing.noise = args.noise.or(viewing.noise);
     viewing.acuity |= args.acuity;
     viewing.gaze = args.gaze.or(viewing.gaze);
     viewing.px_per_deg = args.px_per_deg.or(viewing.px_per_deg);
@@ -108,7 +110,7 @@ pub(super) fn base(args: &EyesArgs, input: &Input) -> Result<Viewer, Failure> {
         viewing.rods = rods.into();
     }
     // A scene that knows its luminance is seen by rods where it is dark.
-    viewing.night |= input.scene.photometric;
+    viewing.night |= source.photometric();
     Ok(viewer)
 }
 
@@ -159,10 +161,10 @@ fn deficient(name: &str) -> Result<Eye, Failure> {
 fn rows(
     args: &EyesArgs,
     base: &Viewer,
-    input: &Input,
+    source: &Source,
     columns: usize,
 ) -> Result<Vec<(String, glanz_eye::Viewing)>, Failure> {
-    if input.scene.photometric && !args.level.is_empty() {
+    if source.photometric() && !args.level.is_empty() {
         let message = "--level is for scenes in classic units; this one is in photometric units and has luminances of its own";
         return Err(Failure::Usage(message.to_owned()));
     }

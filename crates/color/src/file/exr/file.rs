@@ -11,8 +11,8 @@ use ::exr::meta::attribute::{AttributeValue, Chromaticities, SampleType};
 use ::exr::meta::header::Header;
 use ::exr::prelude::{Vec2, f16};
 
-use super::Attribute;
 use super::part::{ExrChannel, ExrPart, ExrReadError};
+use super::{Attribute, dwa};
 use crate::models::{RgbSpace, Transfer};
 
 /// The most bytes of samples that one byte of a file can stand for: deflate packs 1032 bytes into one,
@@ -74,7 +74,7 @@ impl<'a> ExrFile<'a> {
     /// # Errors
     ///
     /// [`ExrReadError`] where the file is damaged, has deep data, subsampled channels or the compressions
-    /// B44, B44A or DWA.
+    /// B44 or B44A.
     ///
     /// # Panics
     ///
@@ -95,8 +95,12 @@ impl<'a> ExrFile<'a> {
         let wanted = self
             .reader
             .filter_chunks(false, |_, _, block| block.layer == part && block.level == Vec2(0, 0))?;
-        for block in wanted.sequential_decompressor(false) {
-            planes.take(&block?)?;
+        let meta = wanted.meta_data().clone();
+        for chunk in wanted {
+            let chunk = chunk?;
+            let header = meta.headers.get(chunk.layer_index);
+            header.map_or(Ok(()), |header| dwa::check(&chunk, header))?;
+            planes.take(&UncompressedBlock::decompress_chunk(chunk, &meta, false)?)?;
         }
         planes.complete()
     }

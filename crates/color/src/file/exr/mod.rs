@@ -37,6 +37,8 @@
 
 mod channels;
 #[cfg(feature = "exr")]
+mod dwa;
+#[cfg(feature = "exr")]
 mod file;
 #[cfg(not(feature = "exr"))]
 mod off;

@@ -30,7 +30,7 @@ const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 /// Of a PNG, 1 to 16 bits per sample are taken as sRGB codes and straight alpha. Of OpenEXR, the half or
 /// float channels R, G, B of the first part that has them are taken, else the first layer `name.R`, … that
 /// has them; they are premultiplied with alpha, linear, and of the primaries that the file names. The
-/// compressions B44, B44A and DWA and deep data are not read.
+/// compressions B44 and B44A and deep data are not read.
 ///
 /// Memory grows with what the file holds, not with what it claims, up to [`MAX_PIXELS`].
 pub fn read_picture(path: impl AsRef<Path>) -> Result<Picture, ReadError> {

@@ -10,6 +10,7 @@ use super::super::{Picture, Scale};
 use super::error::ReadError;
 use super::limits::MAX_PIXELS;
 use super::source::Source;
+use crate::wrong_png_palette;
 
 /// Deflate packs at most 1032 bytes into one, and a byte holds at most eight pixels.
 const PIXELS_PER_BYTE: usize = 8 * 1032;
@@ -19,6 +20,9 @@ const DECODER_BYTES: usize = 64 << 20;
 const SRGB_GAMMA: u32 = 45_455;
 
 pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
+    if let Some(bytes) = wrong_png_palette(source.bytes) {
+        return Err(source.content("a palette of whole entries", format_args!("{bytes} bytes")));
+    }
     let failed = |error: ::png::DecodingError| source.content("a complete PNG", error);
     let limits = Limits { bytes: MAX_PIXELS * 8 + DECODER_BYTES };
     let mut decoder = Decoder::new_with_limits(Cursor::new(source.bytes), limits);

@@ -121,6 +121,14 @@ impl Observation {
 }
 
 /// A white as an observer sees it, and as its reference sees it, in the channels of frames.
+///
+/// ```
+/// use glanz_render::OwnWhite;
+///
+/// // An old eye gets less in S; adapted by half, half of that in ratios is made up for.
+/// let white = OwnWhite { own: vec![0.8, 0.76, 0.49], reference: vec![0.8, 0.76, 1.0], adapted: 0.5 };
+/// assert_eq!(white.gains().map(|gain| (gain * 100.0).round()).collect::<Vec<_>>(), [100.0, 100.0, 143.0]);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnWhite {
     /// As the observer sees it.

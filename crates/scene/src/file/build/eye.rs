@@ -46,6 +46,8 @@ impl Builder {
             adaptation_cd_m2: table.adaptation_cd_m2.map(|luminance| luminance.0),
             rods: table.rods.unwrap_or(usual.rods),
             glare: table.glare,
+            chromatic: table.chromatic,
+            noise: table.noise.map(|seed| seed.0),
             acuity: table.acuity,
             gaze: table.gaze.map(|gaze| gaze.map(|c| c.0)),
             px_per_deg: table.px_per_deg.map(|px| px.0),

@@ -46,6 +46,10 @@ pub(crate) struct EyeTable {
     pub rods: Option<RodColor>,
     /// Whether light is scattered in the eye.
     pub glare: bool,
+    /// Whether light of the ends of the spectrum is out of focus, through the pupil that the eye has at this light.
+    pub chromatic: bool,
+    /// Which noise the photons have that are caught in a tenth of a second, as a whole number; their mean without one.
+    pub noise: Option<NoiseSeed>,
     /// Whether details are lost that the eye does not resolve at this light.
     pub acuity: bool,
     /// The pixel that is looked at, from the top left; details are lost around it.
@@ -54,6 +58,30 @@ pub(crate) struct EyeTable {
     pub px_per_deg: Option<PixelsPerDegree>,
     /// Whether rods are drawn where nothing says that it is dark: for scenes in photometric units, which know their luminance.
     pub night: bool,
+}
+
+/// Which noise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NoiseSeed(pub u32);
+
+impl<'de> Deserialize<'de> for NoiseSeed {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let found = i64::deserialize(deserializer)?;
+        let message = || format!("expected a whole number from 0 to {}, found {found}", u32::MAX);
+        u32::try_from(found).map(Self).map_err(|_| D::Error::custom(message()))
+    }
+}
+
+impl JsonSchema for NoiseSeed {
+    fn schema_name() -> Cow<'static, str> {
+        "NoiseSeed".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 0, "maximum": u32::MAX })
+    }
 }
 
 /// A light level, in cd/m² or by name.

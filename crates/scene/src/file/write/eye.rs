@@ -43,6 +43,10 @@ fn how(viewing: &Viewing, table: &mut Table) {
     table.put_unless(viewing.adapted == usual.adapted, "adapted", number(viewing.adapted));
     table.put_unless(viewing.rods == RodColor::White, "rods", string("blue"));
     table.put_unless(!viewing.glare, "glare", "true");
+    table.put_unless(!viewing.chromatic, "chromatic", "true");
+    if let Some(seed) = viewing.noise {
+        table.put("noise", seed.to_string());
+    }
     table.put_unless(!viewing.acuity, "acuity", "true");
     table.put_unless(!viewing.night, "night", "true");
     if let Some(gaze) = viewing.gaze {

@@ -28,7 +28,8 @@ pub struct Model {
 impl Model {
     /// The number of triangles of all objects.
     pub fn triangle_count(&self) -> usize {
-        self.objects.iter().map(|object| self.meshes[object.mesh].triangle_count()).sum()
+        let of_mesh: Vec<usize> = self.meshes.iter().map(Mesh::triangle_count).collect();
+        self.objects.iter().fold(0, |sum: usize, object| sum.saturating_add(of_mesh[object.mesh]))
     }
 
     /// A scene of this model alone, seen by its first camera if it has one. No lights are added to

@@ -100,6 +100,9 @@ impl SpectrumArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
         self.csv.as_deref().map_or(Ok(()), check_folder)?;
+        if self.csv.is_some() && self.csv.as_deref() == plot.as_ref().and_then(PlotTarget::path) {
+            return Err(Failure::Usage("--csv and --plot name the same file".to_owned()));
+        }
         let source = source(&self.spectrum, None, &self.table)?.interpolated(self.interpolation);
         if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";
