@@ -3,6 +3,7 @@
 use glanz_bsdf::DirectionPair;
 use glanz_math::Vec3;
 
+use super::errors::ErrorEstimate;
 use super::lobe::{self, FitLobe, FittedLobe};
 use super::metric::Metric;
 use super::problem::{Problem, has_grain};
@@ -58,6 +59,8 @@ pub struct Fit {
     pub aniso_deg: Option<f64>,
     /// The error with equal widths, where two widths were not asked for and are clearly better.
     pub isotropic_error: Option<f64>,
+    /// How the standard errors of parameters were found.
+    pub error_estimate: ErrorEstimate,
     /// The root of the mean of the squares of the metric's differences.
     pub error: f64,
     /// The same as a part of that of the readings themselves.
