@@ -25,6 +25,9 @@ mod factored;
 mod facts;
 mod fit;
 mod format;
+#[cfg(feature = "fuzz")]
+#[doc(hidden)]
+pub mod fuzz;
 mod geometry;
 mod goniometer;
 mod linear;
