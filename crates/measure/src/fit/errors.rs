@@ -29,7 +29,7 @@ const SURELY: f64 = 10.83;
 /// use glanz_math::Vec3;
 /// use glanz_measure::{Channels, ErrorEstimate, FitOptions, Readings, fit};
 ///
-/// // Readings that are off by a hundredth in turn, dark or bright.
+/// // Readings of one value that are off by a hundredth in turn.
 /// let mut readings = Readings::new(Channels::Luminance);
 /// let wi = Vec3::from_angles(0.5, std::f64::consts::PI);
 /// for theta_o in 0..60 {

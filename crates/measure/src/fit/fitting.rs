@@ -12,6 +12,15 @@ use super::{refine, rendered, search, tints};
 use crate::Readings;
 
 /// How a fit is made.
+///
+/// ```
+/// use glanz_measure::{FitOptions, Metric};
+///
+/// // Peaks of highlights count most, and every reading up to 60° from the normal.
+/// let options =
+///     FitOptions { metric: Metric::L2, most_theta_deg: 60.0, most_readings: usize::MAX };
+/// assert_eq!((options.metric.name(), FitOptions::default().metric), ("l2", Metric::CubeRoot));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     /// What is made small.
