@@ -1,6 +1,14 @@
 //! What is wrong with a file.
 
 /// A file that cannot be read.
+///
+/// ```
+/// use glanz_measure::Measured;
+///
+/// let text = "theta_i_deg,theta_o_deg,Y\n45,0,0.2\n45,ten,0.2\n";
+/// let error = Measured::read(text.as_bytes(), "tile.csv", &Default::default()).expect_err("'ten' is no number");
+/// assert_eq!(error.line(), Some(3));
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadError {
     /// Nothing says what it is.

@@ -25,6 +25,9 @@ mod factored;
 mod facts;
 mod fit;
 mod format;
+#[cfg(feature = "fuzz")]
+#[doc(hidden)]
+pub mod fuzz;
 mod geometry;
 mod goniometer;
 mod linear;
@@ -43,8 +46,8 @@ pub use error::{ReadError, WriteError};
 pub use factored::{FactorError, FactorFacts, FactorOptions, Factored, Smoothed};
 pub use facts::{Albedo, Facts, Reciprocity};
 pub use fit::{
-    Fit, FitError, FitLobe, FitOptions, FitSlice, FittedLobe, FittedParameter, Metric, SlicePoint, fit,
-    fit_lobes, fit_observed,
+    ErrorEstimate, Fit, FitError, FitLobe, FitOptions, FitSlice, FittedLobe, FittedParameter, Metric,
+    SlicePoint, fit, fit_lobes, fit_observed,
 };
 pub use format::{
     Coordinates, Data, Format, Klems, Measured, Merl, ReadOptions, Rgl, Table, TensorTree, write_csv,

@@ -69,6 +69,14 @@ impl Quantity {
 }
 
 /// What the values of a reading belong to.
+///
+/// ```
+/// use glanz_measure::Channels;
+///
+/// let spectral = Channels::Wavelengths(vec![450.0, 550.0, 650.0]);
+/// assert_eq!((spectral.count(), Channels::Rgb.count()), (3, 3));
+/// assert_eq!(Channels::Xyz.names(), ["X", "Y", "Z"]);
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Channels {
     /// One number for all light, or for a photometric eye.

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 use glanz_measure::{
-    Channels, Data, FactorError, FactorOptions, Factored, Format, Measured, Noise, Quantity, Readings,
-    Smoothed,
+    Channels, Data, FactorError, FactorOptions, Factored, Format, Geometry, Measured, Noise, Quantity,
+    Readings, Smoothed,
 };
 
 /// Directions without an order that one sees.
@@ -74,7 +74,7 @@ fn readings(
     measured(readings)
 }
 
-fn shape(name: &str, params: &[(&str, f64)]) -> impl Fn(Vec3<f64>, Vec3<f64>) -> f64 {
+fn shape(name: &str, params: &[(&str, f64)]) -> impl Fn(Vec3<f64>, Vec3<f64>) -> f64 + use<> {
     let shape = Shape::named(name, params).unwrap();
     move |wi, wo| shape.f_cos(&DirectionPair::new(wo, wi)) / wi.z
 }
@@ -153,6 +153,61 @@ fn far_from_readings_the_fitted_lobes_remain() {
     assert!(factored.facts.holes > 0.3, "{}", factored.facts.holes);
     let [median, most] = errors(&|wi, wo| factored.value(wi, wo), &f);
     assert!(median < 0.01 && most < 0.05, "{median}, {most}");
+}
+
+/// Pairs of directions off the plane of incidence: the light, and detectors to all sides.
+fn beside_the_plane() -> Vec<(Vec3<f64>, Vec<Vec3<f64>>)> {
+    let at =
+        |theta: i32, phi: i32| Vec3::from_angles(f64::from(theta).to_radians(), f64::from(phi).to_radians());
+    let lights = [10, 30, 50, 70].into_iter().flat_map(|theta| [0, 20, 45, 70, 90].map(|phi| (theta, phi)));
+    let detectors = |phi: i32| {
+        let around = (20..341).step_by(20).filter(|turn| *turn != 180);
+        around.flat_map(move |turn| (5..76).step_by(10).map(move |theta| at(theta, phi + turn))).collect()
+    };
+    lights.map(|(theta, phi)| (at(theta, phi), detectors(phi))).collect()
+}
+
+/// Readings with 3 % of noise where a goniometer goes that stays in the plane of incidence, of a brushed surface whose matte
+/// part has this albedo, smoothed; and what it is.
+fn read_in_plane(
+    geometry: Geometry,
+    widths: [f64; 2],
+    albedo: f64,
+) -> (Smoothed, impl Fn(Vec3<f64>, Vec3<f64>) -> f64) {
+    let brushed = shape("ward", &[("alpha", widths[0]), ("alpha_y", widths[1])]);
+    let f = move |wi, wo| 0.3 * brushed(wi, wo) + albedo * FRAC_1_PI;
+    let (mut noise, mut list) = (Noise::new(3), Readings::new(Channels::Luminance));
+    for [wi, wo] in geometry.pairs(true) {
+        list.push(wi, wo, &[(f(wi, wo) * (1.0 + 0.03 * noise.normal())) as f32]);
+    }
+    let smoothed = Smoothed::of(&measured(list), None).unwrap();
+    assert!(smoothed.is_anisotropic());
+    (smoothed, f)
+}
+
+#[test]
+fn readings_in_the_plane_of_incidence_tell_what_lies_beside_it() {
+    // Most readings are of the highlight, and their median is 60 times the matte part.
+    let (smoothed, f) = read_in_plane(Geometry::Scatterometer, [0.09, 0.32], 0.02);
+    for (wi, detectors) in beside_the_plane() {
+        for wo in detectors {
+            let (value, exact) = (smoothed.value(wi, wo).0[0], f(wi, wo));
+            assert!((value / exact - 1.0).abs() < 0.05, "{value} for {exact} at {wi:?}, {wo:?}");
+        }
+    }
+}
+
+#[test]
+fn slopes_in_the_plane_of_incidence_do_not_lead_on_beside_it() {
+    // Without a matte part the logarithms of the readings fall without end.
+    let (smoothed, f) = read_in_plane(Geometry::InPlane, [0.02, 0.6], 0.0);
+    for (wi, detectors) in beside_the_plane() {
+        let most = detectors.iter().map(|wo| f(wi, *wo)).fold(0.0, f64::max);
+        for wo in detectors {
+            let value = smoothed.value(wi, wo).0[0];
+            assert!(value < 1.1 * most, "{value} where {most} is the most, at {wi:?}, {wo:?}");
+        }
+    }
 }
 
 #[test]

@@ -375,6 +375,11 @@ fn readings_are_smoothed_and_compared() {
     folder.glanz(&[&sample[..7], &["--geometry", "hemisphere", "-o", "exact.csv"]].concat()).text();
     let smooth = ["measure", "smooth", "noisy.csv", "-o", "smooth.bsdf", "--format", "json"];
     let facts = folder.glanz(&smooth).json();
+    // Without -o the numbers are told alone, and --to is of a file.
+    let told = folder.glanz(&["measure", "smooth", "noisy.csv", "--format", "json"]).json();
+    assert!(told["file"].is_null() && told["format"].is_null() && told["holes"].is_number(), "{told}");
+    assert_eq!([&told["readings"], &told["noise"]], [&facts["readings"], &facts["noise"]]);
+    assert_eq!(folder.glanz(&["measure", "smooth", "noisy.csv", "--to", "rgl"]).code, 2);
     assert_eq!((facts["format"].as_str(), facts["readings"].as_u64()), (Some("rgl"), Some(2454)));
     assert_eq!(facts["anisotropic"].as_bool(), Some(false));
     let noise = facts["noise"].as_f64().unwrap();

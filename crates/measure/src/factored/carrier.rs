@@ -2,7 +2,10 @@
 
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
+use rstar::{PointDistance, RTree};
 
+use super::HOLE;
+use super::smooth::{Isotropic, Place};
 use crate::{Fit, FitError, FitOptions, Readings, fit};
 
 /// Candidates, the simplest first.
@@ -16,6 +19,16 @@ const WORTH: f64 = 0.85;
 
 /// A matte part of at least this much of the median reading keeps quotients finite far from the highlight.
 const LEAST_MATTE: f64 = 0.05;
+
+/// But, where readings are not all over the hemisphere, of no more than this much of what is read there: instruments read most
+/// where it is bright, so that the median may be many times the matte part, which would be drawn wherever nothing was read.
+const MOST_OF_DARK: f64 = 0.5;
+
+/// The part of the readings that are no brighter than those far from the highlight.
+const FAR_FROM_HIGHLIGHT: f64 = 0.05;
+
+/// Pairs of directions that are looked at for whether there are readings near them.
+const PROBES: usize = 256;
 
 /// A lobe counts where its tint is at least this part of the greatest one.
 const LEAST_TINT: f64 = 1e-4;
@@ -71,7 +84,7 @@ impl Carrier {
 
     fn of(fit: Fit, readings: &Readings) -> Self {
         let mut lobes: Vec<_> = fit.lobes.into_iter().map(|lobe| (lobe.shape, lobe.tint)).collect();
-        let least = medians(readings).into_iter().map(|median| LEAST_MATTE * median * core::f64::consts::PI);
+        let least = least_values(readings).into_iter().map(|value| value * core::f64::consts::PI);
         // Every candidate ends with its matte lobe.
         if let Some((_, matte)) = lobes.last_mut() {
             matte.iter_mut().zip(least).for_each(|(tint, least)| *tint = tint.max(least));
@@ -101,13 +114,37 @@ fn raised(w: Vec3<f64>) -> Vec3<f64> {
     if w.z >= LEAST_COSINE { w } else { Vec3::new(w.x, w.y, LEAST_COSINE).normalized() }
 }
 
-/// The median of each channel's readings that are above 0.
-fn medians(readings: &Readings) -> Vec<f64> {
+/// What a matte part is at least, in 1/sr, of each channel; readings count that are above 0.
+fn least_values(readings: &Readings) -> Vec<f64> {
+    let is_covered = cover(readings);
     let of = |c: usize| {
         let values = (0..readings.len()).map(|i| f64::from(readings.values(i)[c]));
         let mut values: Vec<f64> = values.filter(|value| *value > 0.0).collect();
         values.sort_by(f64::total_cmp);
-        values.get(values.len() / 2).copied().unwrap_or(0.0)
+        let at = |part: f64| values.get((values.len() as f64 * part) as usize).copied().unwrap_or(0.0);
+        let most = if is_covered { f64::MAX } else { MOST_OF_DARK * at(FAR_FROM_HIGHLIGHT) };
+        (LEAST_MATTE * at(0.5)).min(most)
     };
     (0..readings.channels().count()).map(of).collect()
+}
+
+/// Whether there are readings near all pairs of directions.
+fn cover(readings: &Readings) -> bool {
+    let place = |[wi, wo]: [Vec3<f64>; 2]| <Isotropic as Place>::of(wi, wo);
+    let tree = RTree::bulk_load((0..readings.len()).map(|i| place(readings.pair(i))).collect());
+    let is_far = |number: &usize| {
+        let place = place(probe(*number));
+        tree.nearest_neighbor(&place).is_none_or(|near| near.distance_2(&place) > HOLE * HOLE)
+    };
+    (0..PROBES).filter(is_far).count() * 10 < PROBES
+}
+
+/// One of a sequence of pairs of directions that fills the cap up to 75° from the normal evenly (M. Roberts, The Unreasonable
+/// Effectiveness of Quasirandom Sequences, 2018: powers of the root of x⁴ = x + 1, one azimuth being enough).
+fn probe(number: usize) -> [Vec3<f64>; 2] {
+    const ROOT: f64 = 1.220_744_084_605_759_5;
+    let part = |power: i32| (0.5 + (number as f64 + 1.0) * libm::pow(ROOT, -f64::from(power))).fract();
+    let theta = |part: f64| libm::acos(1.0 - part * (1.0 - libm::cos(75.0_f64.to_radians())));
+    let azimuth = core::f64::consts::TAU * part(3);
+    [Vec3::from_angles(theta(part(1)), 0.0), Vec3::from_angles(theta(part(2)), azimuth)]
 }

@@ -37,6 +37,14 @@ const LEAST_COSINE: f64 = 0.06;
 const HOLE: f64 = 0.1;
 
 /// How data become a table.
+///
+/// ```
+/// use glanz_measure::FactorOptions;
+///
+/// // A table with four ranks, smoothed by 64 neighbours.
+/// let options = FactorOptions { ranks: Some(4), smooth: true, neighbours: Some(64), ..FactorOptions::default() };
+/// assert_eq!((options.most_delta_e, FactorOptions::default().ranks), (0.3, None));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorOptions {
     /// How many ranks; as many as it takes for `most_delta_e` where nothing is said.

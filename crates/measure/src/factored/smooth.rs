@@ -2,7 +2,9 @@
 //!
 //! The logarithm of a reading over the carrier is a smooth function of half and difference angles. Between readings it is
 //! that of a plane through the nearest ones, each weighted by a Gaussian of its distance whose width is that of the
-//! neighbourhood: kernel regression, local and linear. Far from all readings the carrier alone remains.
+//! neighbourhood: kernel regression, local and linear. Beside the readings, rather than between them, the plane is level: a
+//! slope that is known along the plane of incidence says nothing of what lies off it. Far from all readings the carrier alone
+//! remains.
 
 use glanz_math::Vec3;
 use rstar::RTree;
@@ -32,6 +34,13 @@ const RIDGES: [f64; 3] = [1e-3, 0.05, 1.0];
 
 /// Readings count at least this part of the carrier, and at most its inverse: their logarithms are finite.
 const LEAST_FACTOR: f64 = 1e-3;
+
+/// A plane may leave what its readings say by this part of how far they are apart.
+const BEYOND: f64 = 0.25;
+
+/// From where to where a place lies beside its neighbours, rather than at their rim: its distance from the first of them over
+/// how far the last lies behind it, in the direction in which they lie.
+const BESIDE: [f64; 2] = [3.0, 6.0];
 
 /// So far from all readings the carrier counts as much as they do.
 const FAR: f64 = 0.25;
@@ -175,7 +184,7 @@ impl<P: Place> Smooth<P> {
         let mut logs = vec![0.0; self.channels];
         let Some(last) = near.last() else { return logs };
         let width = WIDTH * libm::sqrt(last.squared).max(1e-6);
-        let weights = linear(near, place, (width, ridge));
+        let (weights, among) = linear(near, place, (width, ridge));
         let (mut low, mut high) = (vec![f64::MAX; self.channels], vec![f64::MIN; self.channels]);
         for (near, weight) in near.iter().zip(weights) {
             for (c, log) in self.log(near.reading).iter().map(|log| f64::from(*log)).enumerate() {
@@ -184,9 +193,8 @@ impl<P: Place> Smooth<P> {
                 high[c] = high[c].max(log);
             }
         }
-        // A plane may leave what its readings say by a quarter of how far they are apart.
         for (log, (low, high)) in logs.iter_mut().zip(low.into_iter().zip(high)) {
-            let more = 0.25 * (high - low);
+            let more = BEYOND * among * (high - low);
             *log = log.clamp(low - more, high + more);
         }
         logs
@@ -204,8 +212,28 @@ struct Near<P> {
 /// Unknowns of a plane in the most dimensions.
 const UNKNOWNS: usize = 5;
 
-/// What each neighbour counts for in the height of the weighted plane at the place: the first row of (XᵀGX)⁻¹ XᵀG.
-fn linear<P: Place>(near: &[Near<P>], place: &P, (width, ridge): (f64, f64)) -> Vec<f64> {
+/// From 0 to 1 between two numbers, smoothly.
+fn risen(x: f64, [from, to]: [f64; 2]) -> f64 {
+    let part = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    part * part * (3.0 - 2.0 * part)
+}
+
+/// How much a place lies among its neighbours: 1, and 0 where they lie far away on one side. Of each neighbour the weight and
+/// the row: 1, and how far it is off along each axis.
+fn among(weights: &[f64], rows: &[[f64; UNKNOWNS]]) -> f64 {
+    let mut middle = [0.0; UNKNOWNS];
+    for (weight, row) in weights.iter().zip(rows) {
+        middle.iter_mut().zip(row).skip(1).for_each(|(sum, x)| *sum += weight * x);
+    }
+    let along = |row: &[f64; UNKNOWNS]| middle.iter().zip(row).map(|(middle, x)| middle * x).sum::<f64>();
+    let (first, last) =
+        rows.iter().map(along).fold((f64::MAX, 0.0_f64), |(first, last), at| (first.min(at), last.max(at)));
+    1.0 - risen(first / (last - first).max(1e-30), BESIDE)
+}
+
+/// What each neighbour counts for in the height of the weighted plane at the place: the first row of (XᵀGX)⁻¹ XᵀG; of a level
+/// plane as far as the place is not among them, and how much it is.
+fn linear<P: Place>(near: &[Near<P>], place: &P, (width, ridge): (f64, f64)) -> (Vec<f64>, f64) {
     let n = P::DIMENSIONS + 1;
     let row = |near: &Near<P>| {
         core::array::from_fn::<f64, UNKNOWNS, _>(|i| match i {
@@ -233,8 +261,48 @@ fn linear<P: Place>(near: &[Near<P>], place: &P, (width, ridge): (f64, f64)) -> 
     let mut heights = [0.0; UNKNOWNS];
     heights[0] = 1.0;
     solve(&mut matrix, &mut heights[..n]);
+    let among = among(&weights, &rows);
     let share = |(weight, row): (&f64, &[f64; UNKNOWNS])| {
-        weight * heights.iter().zip(row).map(|(height, x)| height * x).sum::<f64>()
+        let sloped = heights.iter().zip(row).map(|(height, x)| height * x).sum::<f64>();
+        weight * (among * sloped + (1.0 - among) / whole)
     };
-    weights.iter().zip(&rows).map(share).collect()
+    (weights.iter().zip(&rows).map(share).collect(), among)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values that rise along the first axis by 2 a unit, read in a plane, in steps of 0.05.
+    fn plane() -> Smooth<Isotropic> {
+        let place = |i: i32, j: i32| [0.05 * f64::from(i), 0.05 * f64::from(j), 0.0];
+        let places: Vec<Isotropic> = (0..20).flat_map(|i| (0..20).map(move |j| place(i, j))).collect();
+        let logs = places.iter().map(|place| 2.0 * place[0] as f32).collect();
+        let points = places.into_iter().enumerate().map(|(i, place)| GeomWithData::new(place, i)).collect();
+        let tree = RTree::bulk_load(points);
+        Smooth { channels: 1, tree, logs, neighbours: 16, ridge: RIDGES[0], error: 0.0 }
+    }
+
+    fn told(place: Isotropic) -> f64 {
+        let smooth = plane();
+        smooth.logs_from(&smooth.near(&place, smooth.neighbours, -1.0), &place, smooth.ridge)[0]
+    }
+
+    #[test]
+    fn slopes_are_followed_between_readings_and_a_step_beyond() {
+        assert!((told([0.52, 0.31, 0.0]) - 1.04).abs() < 0.01);
+        assert!((told([0.52, 0.31, 0.05]) - 1.04).abs() < 0.01);
+        // As far as a quarter of how far the 16 nearest are apart, four columns.
+        let beyond = told([1.0, 0.5, 0.0]);
+        assert!((1.92..1.98).contains(&beyond), "{beyond}");
+    }
+
+    #[test]
+    fn farther_away_nothing_is_told_but_what_was_read() {
+        for off in [0.5, 1.0, 3.0] {
+            let beyond = told([0.95 + off, 0.5, 0.0]);
+            // The nearest readings are those of the last columns, 1.9 at most.
+            assert!((1.6..=1.9).contains(&beyond), "{off}: {beyond}");
+        }
+    }
 }

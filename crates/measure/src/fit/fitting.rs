@@ -3,6 +3,7 @@
 use glanz_bsdf::DirectionPair;
 use glanz_math::Vec3;
 
+use super::errors::ErrorEstimate;
 use super::lobe::{self, FitLobe, FittedLobe};
 use super::metric::Metric;
 use super::problem::{Problem, has_grain};
@@ -11,6 +12,15 @@ use super::{refine, rendered, search, tints};
 use crate::Readings;
 
 /// How a fit is made.
+///
+/// ```
+/// use glanz_measure::{FitOptions, Metric};
+///
+/// // Peaks of highlights count most, and every reading up to 60° from the normal.
+/// let options =
+///     FitOptions { metric: Metric::L2, most_theta_deg: 60.0, most_readings: usize::MAX };
+/// assert_eq!((options.metric.name(), FitOptions::default().metric), ("l2", Metric::CubeRoot));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     /// What is made small.
@@ -58,6 +68,8 @@ pub struct Fit {
     pub aniso_deg: Option<f64>,
     /// The error with equal widths, where two widths were not asked for and are clearly better.
     pub isotropic_error: Option<f64>,
+    /// How the standard errors of parameters were found.
+    pub error_estimate: ErrorEstimate,
     /// The root of the mean of the squares of the metric's differences.
     pub error: f64,
     /// The same as a part of that of the readings themselves.

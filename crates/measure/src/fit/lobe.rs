@@ -204,6 +204,27 @@ fn diffuse_models() -> impl Iterator<Item = &'static str> {
 }
 
 /// A parameter that was searched.
+///
+/// ```
+/// use glanz_bsdf::{DirectionPair, Shape};
+/// use glanz_math::Vec3;
+/// use glanz_measure::{Channels, FitOptions, Readings, fit};
+///
+/// // A highlight that was read with an error of 2 %, here above and there below.
+/// let gloss = Shape::named("ggx", &[("alpha", 0.3)])?;
+/// let mut readings = Readings::new(Channels::Luminance);
+/// let wi = Vec3::from_angles(0.5, std::f64::consts::PI);
+/// for theta_o in 0..70 {
+///     let wo = Vec3::from_angles(f64::from(theta_o).to_radians(), 0.0);
+///     let noise = 1.0 + 0.02 * f64::from(theta_o * 7 % 13 - 6) / 6.0;
+///     readings.push(wi, wo, &[(0.2 * noise * gloss.f_cos(&DirectionPair::new(wo, wi)) / wi.z) as f32]);
+/// }
+/// let found = fit(&readings, &["ggx"], &FitOptions::default())?;
+/// let width = &found.lobes[0].parameters[0];
+/// let error = width.log_error.expect("the readings tell it");
+/// assert!(width.name == "alpha" && error < 0.02 && (width.value / 0.3).ln().abs() < 3.0 * error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedParameter {
     /// Its name.

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
+use super::errors::Errors;
 use super::lobe::FitLobe;
 use super::metric::Metric;
 use super::samples::Samples;
@@ -113,7 +114,7 @@ impl<'a> Problem<'a> {
     pub(super) fn fit_at(
         &mut self,
         point: &[f64],
-        errors: &[Option<f64>],
+        errors: &Errors,
         near: Option<&[Tints]>,
     ) -> Result<Fit, FitError> {
         let point = self.clamped(point);
@@ -122,12 +123,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The fit that a point with its tints is.
-    pub(super) fn fit_of(
-        &self,
-        point: &[f64],
-        errors: &[Option<f64>],
-        solved: &Solved,
-    ) -> Result<Fit, FitError> {
+    pub(super) fn fit_of(&self, point: &[f64], errors: &Errors, solved: &Solved) -> Result<Fit, FitError> {
         let (samples, whole) = (self.solver.samples(), self.solver.whole());
         if whole <= 0.0 || solved.tints.iter().flatten().all(|tint| *tint <= 0.0) {
             return Err(FitError::Nothing("all values are 0 or below".to_owned()));
@@ -140,7 +136,7 @@ impl<'a> Problem<'a> {
             let tint = |column: usize| solved.tints.iter().map(|tint| tint[column]).collect();
             lobes.push(FittedLobe {
                 shape: shape(lobe, &point[range.clone()])?,
-                parameters: parameters(lobe, &point[range.clone()], &errors[range]),
+                parameters: parameters(lobe, &point[range.clone()], &errors.of[range]),
                 tint: tint(column),
                 tint_at_grazing: lobe.is_schlick.then(|| tint(column + 1)),
             });
@@ -152,6 +148,7 @@ impl<'a> Problem<'a> {
             aniso_deg: has_grain(self.lobes)
                 .then(|| azimuth(self.lobes, point).to_degrees().rem_euclid(180.0)),
             isotropic_error: None,
+            error_estimate: errors.estimate,
             error: (solved.squares / weights).sqrt(),
             relative: (solved.squares / whole).sqrt(),
             readings: samples.len(),

@@ -1,4 +1,4 @@
-//! The last digits, with all readings, and standard errors.
+//! The last digits, with all readings.
 //!
 //! K. Levenberg 1944 and D. Marquardt 1963, on the differences of g with the best tints at each point: G. H. Golub and
 //! V. Pereyra, "The differentiation of pseudo-inverses and nonlinear least squares problems whose variables separate",
@@ -6,7 +6,8 @@
 
 use super::FitError;
 use super::blocks::{self, dot};
-use super::problem::{AT_BOUND, Columns, Problem, slices};
+use super::errors::Errors;
+use super::problem::{Columns, Problem, slices};
 use super::solve::Solved;
 use super::tints::{MOST, Normal, Tints};
 
@@ -19,22 +20,27 @@ const LAST_STEP: f64 = 1e-7;
 /// Where a step would lower the sum of squares by less than this part, the search ends.
 const LAST_GAIN: f64 = 1e-11;
 
-/// A parameter with less than this part of the greatest curvature changes nothing.
-const LEAST_CURVATURE: f64 = 1e-12;
-/// A parameter that may be e times as great or small is not known.
-const MOST_ERROR: f64 = 1.0;
-
 /// Parameters that can be searched at once.
 pub(super) const MOST_PARAMETERS: usize = MOST;
 
 /// The best point.
 pub(super) struct Refined {
     pub point: Vec<f64>,
-    /// The standard error of each number of the point; none where it cannot be told.
-    pub errors: Vec<Option<f64>>,
+    /// Of its numbers.
+    pub errors: Errors,
     /// The tints there.
     pub tints: Vec<Tints>,
     squares: f64,
+}
+
+/// Slopes of all differences at a point.
+pub(super) struct Slopes {
+    /// Their products with each other, and with the differences.
+    pub normal: Normal,
+    /// For each number of the point, channel by channel as the differences are.
+    pub rows: Vec<Vec<f64>>,
+    /// The differences.
+    pub residuals: Vec<f64>,
 }
 
 impl Problem<'_> {
@@ -68,13 +74,18 @@ impl Problem<'_> {
         let mut damping = 1e-4;
         let mut here = self.solved(&point, near)?;
         if point.is_empty() {
-            return Ok(Refined { point, errors: Vec::new(), tints: here.0.tints, squares: here.0.squares });
+            return Ok(Refined {
+                point,
+                errors: Errors::default(),
+                tints: here.0.tints,
+                squares: here.0.squares,
+            });
         }
         let mut slopes = self.slopes(&point, &here)?;
         for step in 0..MOST_STEPS {
             // Most end after few steps: each takes a fourth of what is left.
             progress(1.0 - libm::pow(0.75, step as f64));
-            let (next, expected) = self.step(&point, &slopes, damping);
+            let (next, expected) = self.step(&point, &slopes.normal, damping);
             if expected < LAST_GAIN * here.0.squares {
                 break;
             }
@@ -92,16 +103,16 @@ impl Problem<'_> {
                 damping = 10.0 * damping.max(1e-3);
             }
         }
-        let errors = self.errors(&point, &slopes, here.0.squares);
+        let errors = self.errors(&point, &slopes, &here);
         Ok(Refined { point, errors, tints: here.0.tints, squares: here.0.squares })
     }
 
-    /// The products of the slopes of all differences with each other, and with the differences, at a point with its tints.
+    /// The slopes of all differences at a point with its tints.
     fn slopes(
         &mut self,
         point: &[f64],
         (solved, columns): &(Solved, Vec<Columns>),
-    ) -> Result<Normal, FitError> {
+    ) -> Result<Slopes, FitError> {
         let residuals = self.solver().residuals(&slices(columns), &solved.tints);
         let mut rows = Vec::with_capacity(point.len());
         for (i, [_, high]) in self.ranges().into_iter().enumerate() {
@@ -126,9 +137,9 @@ impl Problem<'_> {
             }
             part
         });
-        let mut all = Normal::new(rows.len());
-        parts.iter().for_each(|part| all.add(part));
-        Ok(all)
+        let mut normal = Normal::new(rows.len());
+        parts.iter().for_each(|part| normal.add(part));
+        Ok(Slopes { normal, rows, residuals })
     }
 
     /// The next point, and by how much it should lower the sum of squares. Parameters at an end of their range that would
@@ -149,26 +160,5 @@ impl Problem<'_> {
         let moved: Vec<f64> = point.iter().zip(step).map(|(x, step)| x + step.clamp(-1.0, 1.0)).collect();
         let expected = (0..point.len()).map(|i| step[i] * slopes.products[i]).sum();
         (self.clamped(&moved), expected)
-    }
-
-    /// Standard errors, from the curvature of the sum of squares about its least, whose tints follow: that of the profile.
-    /// Parameters at an end of their range are fixed there, and those of lobes that are not there say nothing.
-    fn errors(&self, point: &[f64], slopes: &Normal, squares: f64) -> Vec<Option<f64>> {
-        let samples = self.solver().samples();
-        let columns: usize = self.lobes().iter().map(|lobe| lobe.columns()).sum();
-        let numbers = point.len() + columns * samples.values.len();
-        let count = samples.len() * samples.values.len();
-        let variance = squares / count.saturating_sub(numbers).max(1) as f64;
-        let most = (0..point.len()).map(|i| slopes.matrix[i][i]).fold(0.0, f64::max);
-        let mut chosen = 0;
-        for (i, [low, high]) in self.ranges().into_iter().enumerate() {
-            let is_inside = point[i] - low > AT_BOUND && high - point[i] > AT_BOUND;
-            chosen |= usize::from(is_inside && slopes.matrix[i][i] > LEAST_CURVATURE * most) << i;
-        }
-        let error = |i: usize| {
-            let inverse = slopes.inverse_at(i, chosen).filter(|_| chosen >> i & 1 == 1)?;
-            Some((variance * inverse).sqrt()).filter(|error| *error < MOST_ERROR)
-        };
-        (0..point.len()).map(error).collect()
     }
 }

@@ -11,6 +11,7 @@ use core::f64::consts::PI;
 use glanz_color::difference::{ciede2000, ciede2000_components};
 use glanz_color::models::Lab;
 
+use super::errors::{ErrorEstimate, Errors};
 use super::fitting::{self, Fit, FitError, FitOptions};
 use super::lobe::FitLobe;
 use super::metric::Metric;
@@ -194,7 +195,7 @@ impl Search<'_> {
     }
 
     /// Standard errors of the numbers of the point, tints being free.
-    fn errors(&self, state: &State, slopes: &Dense) -> Vec<Option<f64>> {
+    fn errors(&self, state: &State, slopes: &Dense) -> Errors {
         let samples = self.seen.samples;
         let numbers = samples.len() * self.seen.directions.len();
         let variance = state.solved.squares / numbers.saturating_sub(slopes.size).max(1) as f64;
@@ -211,7 +212,7 @@ impl Search<'_> {
             let inverse = slopes.inverse_at(i, &chosen).filter(|_| chosen.contains(&i))?;
             Some((variance * inverse).sqrt()).filter(|error| *error < MOST_ERROR)
         };
-        (0..ranges.len()).map(error).collect()
+        Errors { of: (0..ranges.len()).map(error).collect(), estimate: ErrorEstimate::Profile }
     }
 }
 

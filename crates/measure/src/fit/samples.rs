@@ -5,6 +5,9 @@ use glanz_bsdf::{Angle, DirectionPair, LayerWeight, Shape};
 use super::{FitOptions, blocks};
 use crate::Readings;
 
+/// Channels that widths are searched with, at most.
+pub(super) const GROUPS: usize = 3;
+
 /// Readings that count, as columns of numbers.
 #[derive(Clone)]
 pub(super) struct Samples {
@@ -64,9 +67,8 @@ impl Samples {
     /// The same with three channels, the means of thirds, if there are more: widths are those of all channels together.
     pub(super) fn grouped(&self) -> Option<Self> {
         let count = self.values.len();
-        let groups = 3;
         let mean = |g: usize| {
-            let members = &self.values[g * count / groups..(g + 1) * count / groups];
+            let members = &self.values[g * count / GROUPS..(g + 1) * count / GROUPS];
             blocks::fill(self.len(), |range, out| {
                 for member in members {
                     out.iter_mut().zip(&member[range.clone()]).for_each(|(sum, value)| *sum += value);
@@ -74,7 +76,7 @@ impl Samples {
                 out.iter_mut().for_each(|sum| *sum /= members.len() as f64);
             })
         };
-        (count > groups).then(|| Self { values: (0..groups).map(mean).collect(), ..self.clone() })
+        (count > GROUPS).then(|| Self { values: (0..GROUPS).map(mean).collect(), ..self.clone() })
     }
 
     /// Every n-th, so that at most this many are left.

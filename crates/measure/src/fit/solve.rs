@@ -62,6 +62,8 @@ impl<'a> Solver<'a> {
     /// The tints for these columns; from tints that are near to them it takes fewer rounds.
     pub(super) fn solve(&self, columns: &[&[f64]], near: Option<&[Tints]>) -> Solved {
         let solve = |sums: &[Sums]| sums.iter().map(|sums| sums.normal.solve()).collect::<Vec<Tints>>();
+        // Of g(x) = x the tangents are the same everywhere: the first round is the last.
+        let near = near.filter(|_| self.metric != Metric::L2);
         let mut tints = near.map_or_else(|| solve(&self.pass(columns, None)), <[Tints]>::to_vec);
         let mut best: Option<Solved> = None;
         for _ in 0..ROUNDS {
@@ -92,6 +94,69 @@ impl<'a> Solver<'a> {
             })
         };
         (0..tints.len()).map(of_channel).collect::<Vec<_>>().concat()
+    }
+
+    /// Whether the squares of these differences grow with g of the fit, surely: R. Koenker, "A note on studentizing a test for
+    /// heteroscedasticity", J. Econometrics 17, 1981, for one regressor.
+    pub(super) fn spread_grows(&self, residuals: &[f64], surely: f64) -> bool {
+        let weights = self.samples.weights.iter().cycle();
+        let of = |((residual, target), weight): ((&f64, &f64), &f64)| {
+            [target - residual / weight.sqrt(), residual * residual]
+        };
+        let all = || residuals.iter().zip(self.targets.iter().flatten()).zip(weights.clone()).map(of);
+        let count = residuals.len() as f64;
+        let sums = all().fold([0.0; 2], |[a, b], [value, square]| [a + value, b + square]);
+        let means = sums.map(|sum| sum / count);
+        let [mut values, mut squares, mut both] = [0.0; 3];
+        for [value, square] in all() {
+            let [value, square] = [value - means[0], square - means[1]];
+            values += value * value;
+            squares += square * square;
+            both += value * square;
+        }
+        both > 0.0 && count * both * both > surely * values * squares
+    }
+
+    /// How much each difference is held by its own reading, by way of the tints: the diagonal of X (XᵀX)⁻¹ Xᵀ of the slopes X,
+    /// channel by channel.
+    pub(super) fn leverages(&self, columns: &[&[f64]], tints: &[Tints]) -> Vec<f64> {
+        let sums = self.pass(columns, Some(tints));
+        let of_channel = |c: usize| {
+            let chosen = (0..columns.len()).filter(|k| tints[c][*k] > 0.0).fold(0, |bits, k| bits | 1 << k);
+            let inverse = sums[c].normal.inverse(chosen).unwrap_or_default();
+            blocks::fill(self.samples.len(), |range, out| {
+                self.squared_slopes(&range, columns, c, &tints[c], out);
+                for (out, i) in out.iter_mut().zip(range) {
+                    let line = |line: &Tints| -> f64 {
+                        line.iter().zip(columns).map(|(inverse, column)| inverse * column[i]).sum()
+                    };
+                    *out *=
+                        inverse.iter().zip(columns).map(|(own, column)| line(own) * column[i]).sum::<f64>();
+                }
+            })
+        };
+        (0..tints.len()).map(of_channel).collect::<Vec<_>>().concat()
+    }
+
+    /// The weighted squares of the slopes of g at the fit.
+    fn squared_slopes(
+        &self,
+        range: &Range<usize>,
+        columns: &[&[f64]],
+        c: usize,
+        tints: &Tints,
+        out: &mut [f64],
+    ) {
+        let mut rows = [[0.0; BLOCK]; 2];
+        let [valued, differences] = rows.each_mut().map(|row| &mut row[..range.len()]);
+        self.model(range, columns, tints, out);
+        let rows = [out, valued, differences];
+        match self.metric {
+            Metric::L2 => self.tangents::<Linear>(range, c, rows),
+            Metric::Log => self.tangents::<Logarithm>(range, c, rows),
+            Metric::CubeRoot => self.tangents::<CubeRoot>(range, c, rows),
+            Metric::Lightness | Metric::Rendered => self.tangents::<Lightness>(range, c, rows),
+        };
     }
 
     /// The sum of columns times tints.

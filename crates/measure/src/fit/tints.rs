@@ -58,6 +58,18 @@ impl Normal {
         Some(Self { products: unit, ..*self }.solve_for(chosen)?[i]).filter(|x| *x > 0.0)
     }
 
+    /// The inverse of the matrix of the columns whose bits are set, 0 in the lines and columns of others; nothing where two are the
+    /// same.
+    pub(super) fn inverse(&self, chosen: usize) -> Option<[Tints; MOST]> {
+        let mut inverse = [[0.0; MOST]; MOST];
+        for (i, line) in inverse.iter_mut().enumerate().filter(|(i, _)| chosen >> i & 1 == 1) {
+            let mut unit = [0.0; MOST];
+            unit[i] = 1.0;
+            *line = Self { products: unit, ..*self }.solve_for(chosen)?;
+        }
+        Some(inverse)
+    }
+
     /// The solution for the columns whose bits are set, by Cholesky's way; nothing where two of them are the same.
     pub(super) fn solve_for(&self, chosen: usize) -> Option<Tints> {
         let mut list = [0; MOST];

@@ -302,6 +302,19 @@ fn pair(
 ///
 /// Angles are in degrees, from the normal and around it; the values are what `quantity` says, which the first line tells.
 /// Where a weight is not 1, the last column is that of weights.
+///
+/// ```
+/// use glanz_math::Vec3;
+/// use glanz_measure::{Channels, Measured, Quantity, Readings, write_csv};
+///
+/// let mut readings = Readings::new(Channels::Luminance);
+/// readings.push(Vec3::from_angles(0.5, std::f64::consts::PI), Vec3::from_angles(0.2, 0.0), &[0.25]);
+/// let text = write_csv(&readings, Quantity::RadianceFactor, "a tile");
+/// let again = Measured::read(text.as_bytes(), "tile.csv", &Default::default())?;
+/// assert_eq!(again.quantity, Quantity::RadianceFactor);
+/// assert!((again.readings().values(0)[0] - 0.25).abs() < 1e-6);
+/// # Ok::<(), glanz_measure::ReadError>(())
+/// ```
 pub fn write_csv(readings: &Readings, quantity: Quantity, description: &str) -> String {
     let mut text = String::new();
     for line in description.lines() {

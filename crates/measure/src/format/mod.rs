@@ -32,6 +32,16 @@ pub use table::Table;
 pub use zemax::{write_zemax, zemax_nodes_deg};
 
 /// A kind of file.
+///
+/// ```
+/// use glanz_measure::{Format, Measured};
+///
+/// // What a file is its content tells, not its name.
+/// let text = "VARS theta_i,phi_i,theta_s,phi_s,R,G,B\n0.5,3.14159,0.5,0.0,0.3,0.2,0.1\n";
+/// let measured = Measured::read(text.as_bytes(), "paint.txt", &Default::default())?;
+/// assert_eq!((measured.format, measured.format.name()), (Format::Astm, "astm"));
+/// # Ok::<(), glanz_measure::ReadError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// A table with named columns ([`write_csv`]).
@@ -140,6 +150,19 @@ pub enum Data {
 const LEAST_COSINE: f64 = 0.01;
 
 /// A file of measured reflectance.
+///
+/// ```
+/// use glanz_math::Vec3;
+/// use glanz_measure::{Channels, Klems, Measured, write_klems};
+///
+/// // A table has values everywhere above the horizon; of readings one by one `Smoothed` tells what lies between.
+/// let grey = Klems::of_function(Channels::Luminance, &mut |_, _| vec![0.2]);
+/// let file = Measured::read(write_klems(&grey, "grey")?.as_bytes(), "grey.xml", &Default::default())?;
+/// let (wi, wo) = (Vec3::from_angles(0.5, 3.0), Vec3::from_angles(0.8, 0.0));
+/// assert!((file.value(wi, wo).expect("both are above the horizon")[0] - 0.2).abs() < 1e-6);
+/// assert_eq!((file.description.as_str(), file.readings().len()), ("grey", 145 * 145));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// What kind of file it is.
@@ -234,6 +257,35 @@ impl Measured {
             Data::Table(table) => table.is_isotropic(),
             Data::Tree(tree) => tree.is_isotropic(),
         }
+    }
+}
+
+/// Reads a file as one of this format, whatever its content is.
+#[cfg(feature = "fuzz")]
+pub(crate) fn read_as(
+    format: Format,
+    bytes: &[u8],
+    name: &str,
+    options: &ReadOptions,
+) -> Result<Measured, ReadError> {
+    match format {
+        Format::Merl => return merl::read(bytes, options),
+        Format::Rgl => return rgl::read(bytes, options),
+        Format::Utia => return utia::read(bytes, options),
+        Format::Csail => return csail::read(bytes, options),
+        Format::Ssdd => return ssdd::read(bytes, options),
+        Format::Alta if alta::is_binary(bytes) => return alta::read_binary(bytes, options),
+        _ => (),
+    }
+    let (text, _) = decoded(bytes, name)?;
+    match format {
+        Format::Astm => astm::read(&text, options),
+        Format::Zemax => zemax::read(&text, options),
+        Format::LightTools => lighttools::read(&text, options),
+        Format::Pab => pab::read(&text, options),
+        Format::Klems | Format::TensorTree => radiance::read(&text, options),
+        Format::Alta => alta::read(&text, options),
+        _ => csv::read(&text, name, options),
     }
 }
 

@@ -56,6 +56,9 @@ struct FitFacts {
     isotropic_error: Option<f64>,
     /// The same as a part of the readings' own
     relative: f64,
+    /// How standard errors were found: profile, all differences having one variance, or sandwich, from each as it is, where they
+    /// grow with the value
+    error_estimate: &'static str,
     /// CIEDE2000 between readings and fit, as points of a sphere under one lamp
     delta_e: SpreadFacts,
     /// CIEDE2000 of the pixels of balls of data and fit; none unless they are ranked by it
@@ -125,6 +128,7 @@ impl FitFacts {
             error: fit.error,
             isotropic_error: fit.isotropic_error,
             relative: fit.relative,
+            error_estimate: fit.error_estimate.name(),
             delta_e: SpreadFacts::of(*delta_e),
             balls: balls.iter().map(ball).collect(),
             readings: fit.readings,
@@ -166,6 +170,10 @@ pub(super) fn text(facts: &Document) -> String {
             });
             let told = equal.unwrap_or_else(|| format!("grain at {degrees:.1}°"));
             writeln!(text, "   {told}").expect("a string takes everything");
+        }
+        if fit.lobes.iter().flat_map(|lobe| &lobe.parameters).any(|own| own.standard_error.is_some()) {
+            writeln!(text, "   standard errors by the {}", fit.error_estimate)
+                .expect("a string takes everything");
         }
         for lobe in &fit.lobes {
             let parameters: String = lobe.parameters.iter().map(parameter_text).collect();

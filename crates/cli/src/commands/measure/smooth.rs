@@ -19,6 +19,7 @@ use crate::progress::Progress;
 /// Shown after the help.
 pub(crate) const EXAMPLES: &str = "\
 Examples:
+  glanz measure smooth readings.csv
   glanz measure smooth readings.csv -o smooth.bsdf
   glanz measure smooth cloth.csv -o cloth.binary
   glanz measure smooth readings.csv --neighbours 128 -o table.csv
@@ -43,12 +44,12 @@ pub(crate) struct SmoothArgs {
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     file: PathBuf,
 
-    /// The file that is written; its ending is that of its format, as convert has them
+    /// The file that is written; its ending is that of its format, as convert has them [default: none, and the numbers are told]
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    output: PathBuf,
+    output: Option<PathBuf>,
 
     /// Its format, whatever the ending is
-    #[arg(long, value_enum, value_name = "FORMAT")]
+    #[arg(long, value_enum, value_name = "FORMAT", requires = "output")]
     to: Option<Kind>,
 
     /// How many readings tell a direction between them [default: as many as tell readings best]
@@ -64,9 +65,10 @@ pub(crate) struct SmoothArgs {
 /// What was smoothed, and written.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
-    file: String,
-    /// csv, merl, rgl, zemax or klems
-    format: &'static str,
+    /// The file that was written; null of none
+    file: Option<String>,
+    /// csv, merl, rgl, zemax or klems; null of none
+    format: Option<&'static str>,
     /// How many readings count
     readings: usize,
     /// How many tell a direction between them
@@ -75,7 +77,7 @@ pub(crate) struct Document {
     noise: f64,
     /// Whether readings are told better where the azimuth of the half vector counts
     anisotropic: bool,
-    /// The part of the directions that the file asked for that are far from all readings
+    /// The part of the directions that the file asked for that are far from all readings; of those of a .csv where none is written
     holes: f64,
     /// What is odd, and what was dropped
     notes: Vec<String>,
@@ -84,18 +86,18 @@ pub(crate) struct Document {
 impl SmoothArgs {
     /// Reads, smooths and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let kind = Kind::of(&self.output, self.to)?;
-        check_folder(&self.output)?;
+        let kind = self.output.as_deref().map(|output| Kind::of(output, self.to)).transpose()?;
+        self.output.as_deref().map(check_folder).transpose()?;
         let measured = read(&self.file, &self.read)?;
         let mut notes = measured.notes.clone();
         let smoothed = Smoothed::of(&measured, self.neighbours.map(|count| count as usize))
             .map_err(|error| Failure::from(Report::new(error).file(&self.file)))?;
         let description = format!("{}, smoothed by Glanz", measured.description);
-        let (bytes, looks) = self.written(kind, &smoothed, &description, &mut notes)?;
-        save(&bytes, &self.output)?;
+        let (bytes, looks) = self.written(kind.unwrap_or(Kind::Csv), &smoothed, &description, &mut notes)?;
+        self.output.as_deref().map(|output| save(&bytes, output)).transpose()?;
         let document = Document {
-            file: self.output.display().to_string(),
-            format: kind.name(),
+            file: self.output.as_deref().map(|output| output.display().to_string()),
+            format: kind.map(Kind::name),
             readings: smoothed.readings(),
             neighbours: smoothed.neighbours(),
             noise: smoothed.noise(),
@@ -119,7 +121,7 @@ impl SmoothArgs {
             channels,
             anisotropic: smoothed.is_anisotropic(),
             description: description.trim_start_matches(", "),
-            output: &self.output,
+            output: self.output.as_deref().unwrap_or(&self.file),
         };
         let bytes = |notes: &mut Vec<String>, f: &mut dyn FnMut(Vec3<f64>, Vec3<f64>) -> (Vec<f64>, f64)| {
             match kind {
@@ -147,7 +149,9 @@ impl SmoothArgs {
     }
 
     fn tell(&self, document: &Document) -> Result<(), Failure> {
-        print::note(format_args!("wrote {}", self.output.display()));
+        if let Some(file) = &document.file {
+            print::note(format_args!("wrote {file}"));
+        }
         document.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
         if self.format.is_json() {
             return print::json(document);
