@@ -2,8 +2,31 @@
 
 use glam::{DVec3, Vec3, Vec4};
 
+use super::faces::close_face;
 use crate::Mesh;
 use crate::read::notes::Notes;
+
+/// Leaves faces out that use a position which is no finite number. Such positions become 0: nothing uses them then.
+pub(super) fn drop_faces_without_positions(mesh: &mut Mesh, notes: &mut Notes) {
+    if mesh.positions.iter().all(|position| position.is_finite()) {
+        return;
+    }
+    let mut kept = Mesh::default();
+    for face in mesh.faces() {
+        if face.iter().all(|&corner| mesh.positions[corner as usize].is_finite()) {
+            let first = kept.corners.len();
+            kept.corners.extend(face);
+            close_face(&mut kept, first);
+        }
+    }
+    let dropped = mesh.face_count() - kept.face_count();
+    notes.add_times("faces with positions that are no finite numbers are left out", dropped as u64);
+    (mesh.corners, mesh.face_starts) = (kept.corners, kept.face_starts);
+    mesh.positions
+        .iter_mut()
+        .filter(|position| !position.is_finite())
+        .for_each(|position| *position = Vec3::ZERO);
+}
 
 /// Makes normals and tangents unit vectors.
 ///
