@@ -17,7 +17,7 @@ pub(super) fn split<'a>(bytes: &'a [u8], file: &str) -> Result<(&'a [u8], Option
     }
     let version = word(bytes, 4, file)?;
     if version != 2 {
-        let found = format!("version {version}");
+        let found = format!("glTF {version}");
         return Err(ReadError::unsupported(file, Place::Byte(4), "version 2 of glTF", found));
     }
     let length = word(bytes, 8, file)? as usize;

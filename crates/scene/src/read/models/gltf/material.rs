@@ -14,6 +14,7 @@ use super::layers;
 use super::pbr::{self, PbrMaterial};
 use super::source::Source;
 use super::specular_glossiness;
+use crate::read::notes::Notes;
 use crate::read::texture;
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
 
@@ -80,11 +81,9 @@ impl Reader<'_> {
         path: &str,
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
-        self.check(json, path)?;
+        let ([r, g, b, alpha], cutoff) = checked(json, path, &mut context.notes);
         let unlit = json.extensions.unlit.is_some();
-        let pbr = &json.pbr_metallic_roughness;
         let mut material = if unlit {
-            let [r, g, b, _] = pbr.base_color_factor.map(|channel| channel as f32);
             let shape = Shape::named("emission", &[]).expect("the shape exists");
             Material::of_lobes(json.name.clone(), vec![Lobe::new(shape, Rgb([r, g, b])).textured()])
         } else {
@@ -93,32 +92,18 @@ impl Reader<'_> {
         self.textures_of(json, unlit, &mut material, path, context)?;
         material.two_sided = json.double_sided;
         material.cull_back = !json.double_sided;
-        material.opacity = pbr.base_color_factor[3].min(1.0) as f32;
+        material.opacity = alpha.min(1.0);
         material.alpha_mode = match json.alpha_mode.as_deref() {
             None | Some("OPAQUE") => AlphaMode::Opaque,
-            Some("MASK") => AlphaMode::Mask { cutoff: json.alpha_cutoff.unwrap_or(0.5) as f32 },
+            Some("MASK") => AlphaMode::Mask { cutoff },
             Some("BLEND") => AlphaMode::Blend,
             Some(other) => {
-                let place = Place::Path(format!("{path}.alphaMode"));
-                let found = excerpt(other);
-                return Err(self.source.malformed(place, "OPAQUE, MASK or BLEND", found));
+                let note = format!("glTF: the alphaMode {} is taken as OPAQUE", excerpt(other));
+                context.notes.add_at(&note, Place::Path(format!("{path}.alphaMode")));
+                AlphaMode::Opaque
             }
         };
         Ok(material)
-    }
-
-    /// Checks what lit and unlit materials have.
-    fn check(&self, json: &json::Material, path: &str) -> Result<(), ReadError> {
-        let color =
-            ("pbrMetallicRoughness.baseColorFactor", &json.pbr_metallic_roughness.base_color_factor[..]);
-        let cutoff = json.alpha_cutoff.unwrap_or(0.5);
-        for (name, values) in [color, ("alphaCutoff", &[cutoff])] {
-            if !values.iter().all(|value| (0.0..=1e30).contains(value)) {
-                let place = Place::Path(format!("{path}.{name}"));
-                return Err(self.source.malformed(place, "numbers from 0 on", format!("{values:?}")));
-            }
-        }
-        Ok(())
     }
 
     /// A lit material, without its textures.
@@ -129,7 +114,7 @@ impl Reader<'_> {
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
         let metal = self.mean_metal(json, path, context)?;
-        let mut pbr = pbr::check(self.source, json, metal, path, context)?;
+        let mut pbr = pbr::check(json, metal, path, &mut context.notes);
         if let Some(old) = &json.extensions.specular_glossiness {
             context.notes.add("glTF: specular and glossiness are taken as a dielectric of that reflectance");
             let info = old.specular_glossiness_texture.as_ref();
@@ -202,8 +187,9 @@ impl Reader<'_> {
         let transform = uv_transform(info);
         let scale = info.scale.unwrap_or(1.0) as f32;
         if !transform.as_flattened().iter().chain([&scale]).all(|value| value.is_finite()) {
-            let place = Place::Path(format!("{path}.KHR_texture_transform"));
-            return Err(self.source.malformed(place, "finite numbers", "others"));
+            let note = "glTF: textures that are placed by no finite numbers lie as if they were not moved";
+            context.notes.add_at(note, Place::Path(path.to_owned()));
+            return Ok(Some(TextureUse::plain(texture)));
         }
         Ok(Some(TextureUse { texture, transform, scale }))
     }
@@ -332,6 +318,17 @@ impl Reader<'_> {
         }
         context.find_picture(&[decode_percent(uri)], place)
     }
+}
+
+/// The base colour and the least alpha that is drawn, of lit and unlit materials.
+fn checked(json: &json::Material, path: &str, notes: &mut Notes) -> ([f32; 4], f32) {
+    let (color, cutoff) = (json.pbr_metallic_roughness.base_color_factor, json.alpha_cutoff.unwrap_or(0.5));
+    if !color.iter().chain([&cutoff]).all(|value| (0.0..=1e30).contains(value)) {
+        let note = "glTF: base colours and alphaCutoff beyond 0 to 1e30 are taken as the nearest within";
+        notes.add_at(note, Place::Path(path.to_owned()));
+    }
+    let near = |value: f64| value.clamp(0.0, 1e30) as f32;
+    (color.map(near), near(cutoff))
 }
 
 /// Notes what of a lit material is left out or cannot be had together.

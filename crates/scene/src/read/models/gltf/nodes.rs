@@ -134,10 +134,22 @@ impl Visit<'_> {
             self.add_objects(mesh, builder, model, notes)?;
         }
         if let Some(camera) = self.node.camera {
-            self.add_camera(camera, builder, model)?;
+            match self.camera(camera) {
+                Ok(camera) => self.add_camera(camera, builder, model)?,
+                Err(error) => {
+                    let note = format!("glTF: a camera is left out ({error})");
+                    notes.add_at(&note, Place::Path(self.path("camera")));
+                }
+            }
         }
         if let Some(light) = &self.node.extensions.light {
-            self.add_light(light.light, builder, model, notes)?;
+            match self.light(light.light, notes) {
+                Ok(light) => self.add_light(light, builder, model)?,
+                Err(error) => {
+                    let note = format!("glTF: a light is left out ({error})");
+                    notes.add_at(&note, Place::Path(self.path("extensions.KHR_lights_punctual")));
+                }
+            }
         }
         Ok(())
     }
@@ -249,10 +261,17 @@ impl Visit<'_> {
 
     fn add_camera(
         &self,
-        index: usize,
+        camera: (String, Camera),
         builder: &mut Builder<'_>,
         model: &mut Model,
     ) -> Result<(), ReadError> {
+        builder.spend((size_of::<Camera>() + camera.0.len()) as u64, || self.path("camera"))?;
+        model.cameras.push(camera);
+        Ok(())
+    }
+
+    /// The camera at the node, with its name.
+    fn camera(&self, index: usize) -> Result<(String, Camera), ReadError> {
         let source = self.source;
         let camera = source.root.cameras.get(index).ok_or_else(|| {
             let expected = format!("one of {} cameras", source.root.cameras.len());
@@ -266,18 +285,17 @@ impl Visit<'_> {
         let target = eye + self.forward("camera")?;
         let up = self.transform.transform_vector3(DVec3::Y).try_normalize().unwrap_or(DVec3::Y);
         let name = if camera.name.is_empty() { &self.node.name } else { &camera.name };
-        builder.spend((size_of::<Camera>() + name.len()) as u64, || self.path("camera"))?;
-        model.cameras.push((name.clone(), Camera { eye, target, up, projection }));
+        Ok((name.clone(), Camera { eye, target, up, projection }))
+    }
+
+    fn add_light(&self, light: Light, builder: &mut Builder<'_>, model: &mut Model) -> Result<(), ReadError> {
+        builder.spend((size_of::<Light>() + light.name.len()) as u64, || self.path("extensions"))?;
+        model.lights.push(light);
         Ok(())
     }
 
-    fn add_light(
-        &self,
-        index: usize,
-        builder: &mut Builder<'_>,
-        model: &mut Model,
-        notes: &mut Notes,
-    ) -> Result<(), ReadError> {
+    /// The light at the node.
+    fn light(&self, index: usize, notes: &mut Notes) -> Result<Light, ReadError> {
         let source = self.source;
         let lights = &source.root.extensions.lights.lights;
         let light = lights.get(index).ok_or_else(|| {
@@ -297,10 +315,8 @@ impl Visit<'_> {
         }
         notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
         let name = if light.name.is_empty() { &self.node.name } else { &light.name };
-        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
         let colors = LightColors::direct(Rgb(color));
-        model.lights.push(Light { name: name.clone(), ..Light::new(kind, colors) });
-        Ok(())
+        Ok(Light { name: name.clone(), ..Light::new(kind, colors) })
     }
 
     /// The geometry of a light at the node.
