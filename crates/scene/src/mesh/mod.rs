@@ -5,7 +5,7 @@ mod polygon_mesh;
 mod subdivide;
 mod tangents;
 pub(crate) mod topology;
-mod triangulate;
+pub(crate) mod triangulate;
 
 pub use normals::Normals;
 pub use polygon_mesh::{Bounds, Mesh, MeshError};

@@ -11,8 +11,8 @@ use crate::Mesh;
 /// Less is what rounding does to corners on a line, which no pixel shows.
 const TURNED: f64 = 1e-9;
 
-/// The most corners of a face that is looked at: a list that long is no outline, and searching it takes minutes.
-const MOST_CORNERS: usize = 1 << 20;
+/// The most corners of a face that is cut: the time grows with their square, to half a second here.
+pub(crate) const MOST_CORNERS: usize = 1 << 14;
 
 /// The triangles of a face, as places among its corners.
 #[derive(Clone, Debug)]
@@ -135,48 +135,83 @@ fn area(outline: &[DVec2], triangle: [u32; 3]) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Cuts triangles along whose sides corners lie that no triangle has: without them there would be gaps between this
-/// face and the next one, which has a corner there.
+/// Cuts triangles along whose sides corners lie that they do not have: without them there would be gaps to the triangles
+/// that have them, of this face and of the next one.
 fn keep_corners_on_lines(outline: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
-    let count = outline.len() as u32;
-    let mut used = vec![false; outline.len()];
-    triangles.iter().flatten().for_each(|&corner| used[corner as usize] = true);
-    let Some(first) = used.iter().position(|used| *used).map(|first| first as u32) else { return };
-    if used.iter().all(|used| *used) {
-        return;
-    }
-    let mut owners = HashMap::new();
-    for (number, &[a, b, c]) in triangles.iter().enumerate() {
-        owners.extend([[a, b], [b, c], [c, a]].map(|side| (side, number)));
-    }
-    let mut run = vec![first];
-    for step in 1..=count {
-        let corner = (first + step) % count;
-        run.push(corner);
-        if !used[corner as usize] {
-            continue;
+    let mut sides = Sides::of(outline.len() as u32, triangles);
+    let most = outline.len() - 2;
+    for side in sides.open_of_triangles(triangles) {
+        if let Some(run) = sides.run_along(outline, side) {
+            insert(outline, triangles, &mut sides, &run, most);
         }
-        if run.len() > 2 {
-            insert(outline, triangles, &mut owners, &run);
-        }
-        run = vec![corner];
     }
 }
 
+/// The directed sides of triangles, with those of the outline backwards, as they belong to what lies around it. Where
+/// nothing is missing, each side is there both ways.
+struct Sides {
+    /// The triangle of each side; `None` around the outline.
+    owners: HashMap<[u32; 2], Option<usize>>,
+    /// Where sides that are there in one direction alone lead to.
+    open: HashMap<u32, Vec<u32>>,
+}
+
+impl Sides {
+    fn of(corners: u32, triangles: &[[u32; 3]]) -> Self {
+        let around = (0..corners).map(|corner| ([(corner + 1) % corners, corner], None));
+        let of_triangles = triangles.iter().enumerate();
+        let of_triangles = of_triangles.flat_map(|(number, t)| sides_of(*t).map(|side| (side, Some(number))));
+        let owners: HashMap<_, _> = around.chain(of_triangles).collect();
+        let mut open: HashMap<u32, Vec<u32>> = HashMap::new();
+        for &[from, to] in owners.keys().filter(|[from, to]| !owners.contains_key(&[*to, *from])) {
+            open.entry(from).or_default().push(to);
+        }
+        open.values_mut().for_each(|ends| ends.sort_unstable());
+        Self { owners, open }
+    }
+
+    /// The sides of triangles that are there in one direction alone.
+    fn open_of_triangles(&self, triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+        let is_open = |[from, to]: &[u32; 2]| self.open.get(from).is_some_and(|ends| ends.contains(to));
+        triangles.iter().flat_map(|triangle| sides_of(*triangle)).filter(is_open).collect()
+    }
+
+    /// The corners on a side, from its beginning to its end, that open sides lead along the other way.
+    fn run_along(&self, outline: &[DVec2], [begin, end]: [u32; 2]) -> Option<Vec<u32>> {
+        let [a, b] = [begin, end].map(|corner| outline[corner as usize]);
+        let along = |corner: u32| (outline[corner as usize] - a).dot(b - a);
+        let mut run = vec![end];
+        while let Some(&last) = run.last().filter(|last| **last != begin) {
+            let is_next = |&&corner: &&u32| {
+                let on_line = corner == begin || area(outline, [begin, end, corner]) == 0.0;
+                on_line && along(corner) >= 0.0 && along(corner) < along(last)
+            };
+            run.push(
+                *self
+                    .open
+                    .get(&last)?
+                    .iter()
+                    .filter(is_next)
+                    .max_by(|x, y| along(**x).total_cmp(&along(**y)))?,
+            );
+        }
+        run.reverse();
+        (run.len() > 2).then_some(run)
+    }
+}
+
+fn sides_of([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
 /// Replaces the triangle on the side from the first to the last of these corners by one for each part of it.
-fn insert(
-    outline: &[DVec2],
-    triangles: &mut Vec<[u32; 3]>,
-    owners: &mut HashMap<[u32; 2], usize>,
-    run: &[u32],
-) {
+fn insert(outline: &[DVec2], triangles: &mut Vec<[u32; 3]>, sides: &mut Sides, run: &[u32], most: usize) {
     let (Some(&begin), Some(&end)) = (run.first(), run.last()) else { return };
-    let Some(&owner) = owners.get(&[begin, end]) else { return };
-    let Some(&apex) = triangles[owner].iter().find(|corner| **corner != begin && **corner != end) else {
-        return;
-    };
+    let Some(&Some(owner)) = sides.owners.get(&[begin, end]) else { return };
+    let apex = triangles[owner].into_iter().find(|corner| *corner != begin && *corner != end);
+    let Some(apex) = apex.filter(|_| triangles.len() + run.len() - 2 <= most) else { return };
     let parts: Vec<[u32; 3]> = run.windows(2).map(|pair| [pair[0], pair[1], apex]).collect();
-    // A spike leads away from the side: nothing of it can be seen.
+    // Of outlines that cross themselves, parts may lead away from the side.
     if parts.iter().any(|part| area(outline, *part) < 0.0) {
         return;
     }
@@ -186,8 +221,7 @@ fn insert(
             0 => triangles[owner] = part,
             _ => triangles.push(part),
         }
-        let [a, b, c] = part;
-        owners.extend([[a, b], [b, c], [c, a]].map(|side| (side, place)));
+        sides.owners.extend(sides_of(part).map(|side| (side, Some(place))));
     }
 }
 
@@ -326,11 +360,14 @@ mod tests {
     fn faces_without_area_and_long_lists_are_fans() {
         assert!(face(&[[0.0; 3]; 5]).is_fan(0));
         assert!(face(&[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]).is_fan(0));
+        let corner = |i: usize| [i as f32, if i.is_multiple_of(2) { 1.0 } else { 0.0 }, 0.0];
+        let zigzag: Vec<[f32; 3]> = (0..=MOST_CORNERS).map(corner).collect();
+        assert!(face(&zigzag).is_fan(0) && !face(&zigzag[..99]).is_fan(0));
     }
 
     #[test]
-    fn a_comb_of_many_teeth_takes_no_time() {
-        let teeth = 50_000;
+    fn a_comb_of_as_many_corners_as_are_cut_takes_a_second() {
+        let teeth = 8000;
         let tooth = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, -10.0, 0.0]];
         let mut corners: Vec<[f32; 3]> = (0..teeth).flat_map(tooth).collect();
         corners.extend([[teeth as f32, 1.0, 0.0], [0.0, 1.0, 0.0]]);

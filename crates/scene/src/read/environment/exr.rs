@@ -12,10 +12,16 @@ pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
     let (index, channels) = choose(&opened, source)?;
     let part = opened.parts()[index].clone();
     source.check_size(part.width, part.height)?;
-    let planes = opened.planes(index, &channels).map_err(|error| failed(source, error))?;
+    // A plane of luminance is asked for once.
+    let is_gray = channels[0] == channels[1];
+    let asked = if is_gray { &channels[..1] } else { &channels[..] };
+    let planes = opened.planes(index, asked).map_err(|error| failed(source, error))?;
     let mut pixels = vec![[0.0; 3]; part.width * part.height];
     for (channel, plane) in planes.into_iter().enumerate() {
-        pixels.iter_mut().zip(plane).for_each(|(pixel, value)| pixel[channel] = value);
+        pixels.iter_mut().zip(plane).for_each(|(pixel, value)| match is_gray {
+            true => *pixel = [value; 3],
+            false => pixel[channel] = value,
+        });
     }
     if !part.is_whole {
         source.notes.add("the data window is taken as the whole picture, which is not the display window");

@@ -144,14 +144,15 @@ fn openexr_is_read_as_it_is() {
 }
 
 #[test]
-fn unusable_pixels_are_made_black_and_told() {
+fn unusable_pixels_are_replaced_and_told() {
     let values = [f32::NAN, f32::INFINITY, -2.0, 3.0];
     let (map, notes) = read(&exr(4, 2, |x, _| [values[x], 1.0, -0.0]));
-    assert_eq!(map.pixels[..4], [[0.0; 3], [0.0; 3], [0.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
+    assert_eq!(map.pixels[..4], [[0.0; 3], [65504.0, 1.0, 0.0], [0.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
     assert_eq!(
         notes,
         [
-            "a pixel that is not finite is taken as black (4 times)",
+            "an infinite value is taken as 65504 (2 times)",
+            "a pixel that is not finite is taken as black (2 times)",
             "a pixel below 0 is taken as 0 in that channel (2 times)"
         ]
     );

@@ -205,6 +205,9 @@ impl Reader<'_> {
         if let Some(known) = self.known.get(&(index, srgb)) {
             return Ok(*known);
         }
+        if self.known.get(&(index, !srgb)) == Some(&None) {
+            return Ok(None);
+        }
         let source = self.source;
         let texture = source.root.textures.get(index);
         let picture = match texture {
@@ -301,6 +304,8 @@ impl Reader<'_> {
                 return Ok(None);
             }
         };
+        let number = format!("images[{index}]");
+        let name = if name.is_empty() { &number } else { name };
         let picture = context.decode_picture(bytes, name, &place, &mut self.left)?;
         Ok(picture.map(|picture| Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture }))
     }

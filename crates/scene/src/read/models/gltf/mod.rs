@@ -144,9 +144,9 @@ fn json_error(error: &serde_json::Error, file: &str) -> ReadError {
     ReadError::malformed(file, place, "glTF 2.0 as JSON", found)
 }
 
-/// Looks at the version before all else: in glTF 1.0 lists are objects. What is no JSON passes.
+/// Looks at the version before all else: in glTF 1.0 lists are objects.
 fn check_version(json: &[u8], file: &str) -> Result<(), ReadError> {
-    let Ok(head) = serde_json::from_slice::<Head>(json) else { return Ok(()) };
+    let head: Head = serde_json::from_slice(json).map_err(|error| json_error(&error, file))?;
     let Some(version) = head.asset.unwrap_or_default().version else {
         let (place, expected) = (Place::Path("asset".to_owned()), "the version of glTF");
         return Err(ReadError::malformed(file, place, expected, "none (files of glTF 1.0 may leave it out)"));

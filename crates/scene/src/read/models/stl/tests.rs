@@ -235,7 +235,7 @@ fn large_flat_faces_stay_flat_to_their_rims() {
 fn facets_at_exactly_the_crease_have_an_edge_and_finer_ones_none() {
     let drum = |sides: usize| {
         let at = |i: usize, y: f64| {
-            let (sin, cos) = libm::sincos(2.0 * core::f64::consts::PI * i as f64 / sides as f64);
+            let (sin, cos) = libm::sincos(2.0 * core::f64::consts::PI * (i % sides) as f64 / sides as f64);
             format!("vertex {cos} {y} {sin}\n")
         };
         let mut text = "solid\n".to_owned();
