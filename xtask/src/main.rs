@@ -1,8 +1,9 @@
-//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `gallery`, `bench`, `data`, `licenses`.
+//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `cases`, `gallery`, `bench`, `data`, `licenses`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
 mod bench;
+mod cases;
 mod data;
 mod failure;
 mod features;
@@ -21,6 +22,7 @@ mod wasm;
 mod workspace;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use failure::{Failure, Result};
@@ -40,6 +42,8 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --renew        write the pictures anew; target/golden/diff.png shows what changed
   renew     Write anew what follows from the code: docs/MODELS.md, docs/COMMANDS.md, snapshots of the command's output
               --pictures     the gold pictures too, of models and of tests/golden/; look at them before you commit
+  cases FOLDER
+            Run the command on every input in FOLDER, beside the answers in each expectation.txt
   gallery   Draw all examples at full size into target/gallery/, and those of the documents
               --readme       only the README's pictures
   bench     Measure drawing and print the table of docs/BENCHMARKS.md
@@ -61,6 +65,7 @@ enum Task {
     Test(test::Options),
     Golden { renew: bool },
     Renew { pictures: bool },
+    Cases { folder: PathBuf },
     Gallery { only_readme: bool },
     Bench(bench::Options),
     Data { check: bool },
@@ -92,6 +97,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Golden { renew: true } => golden::renew(&workspace),
         Task::Golden { renew: false } => golden::run(&workspace),
         Task::Renew { pictures } => renew::run_all(&workspace, *pictures),
+        Task::Cases { folder } => cases::run(&workspace, folder),
         Task::Gallery { only_readme } => gallery::run(&workspace, *only_readme),
         Task::Bench(options) => bench::run_all(&workspace, options),
         Task::Data { check: true } => data::check(&workspace),
@@ -109,6 +115,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
     let mut parser = lexopt::Parser::from_args(args);
     let mut name = None;
     let mut only = None;
+    let mut folder = None;
     let mut flags = Vec::new();
     while let Some(arg) = parser.next()? {
         match arg {
@@ -116,8 +123,15 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
             Long("only") => only = Some(parser.value()?.string()?),
             Long(flag) => flags.push(flag.to_owned()),
             Value(value) if name.is_none() => name = Some(value.string()?),
+            Value(value) if name.as_deref() == Some("cases") && folder.is_none() => {
+                folder = Some(PathBuf::from(value));
+            }
             other => return Err(other.unexpected()),
         }
+    }
+    if name.as_deref() == Some("cases") && flags.is_empty() && only.is_none() {
+        let folder = folder.ok_or("this task needs a folder with cases")?;
+        return Ok(Task::Cases { folder });
     }
     let task = task(name.as_deref(), &mut only, &mut flags)?;
     if only.is_some() {
@@ -189,6 +203,13 @@ mod tests {
     fn an_unknown_task_is_named_in_the_error() {
         assert_eq!(parsed("tset"), Err("there is no task 'tset'".to_owned()));
         assert!(parsed("test golden").is_err());
+    }
+
+    #[test]
+    fn cases_have_a_folder() {
+        assert_eq!(parsed("cases some/where"), Ok(Task::Cases { folder: "some/where".into() }));
+        assert!(parsed("cases").is_err() && parsed("cases a b").is_err());
+        assert!(parsed("golden some/where").is_err());
     }
 
     #[test]

@@ -20,6 +20,7 @@ mod another_scale;
 pub mod builtin;
 mod camera;
 mod color_mode;
+mod exposure;
 pub mod file;
 pub mod library;
 mod light;

@@ -8,7 +8,7 @@ use thiserror::Error;
 use crate::builtin::MAX_TRIANGLES;
 use crate::file::{self, FileError, LoadOptions, Loaded};
 use crate::read::{Model, Place, ReadError, ReadOptions, read_model};
-use crate::{Camera, Scene, add_default_lights};
+use crate::{Camera, Scene, add_default_lights, exposure};
 
 /// The material that values set for a bare model: the one of objects that name none.
 const MODEL_MATERIAL: &str =
@@ -46,7 +46,8 @@ pub fn is_scene_file(path: &Path) -> bool {
 /// Reads a scene file, or a model of any known format.
 ///
 /// A model is put into an empty scene, on which the values of the options work as on any other; setting
-/// `materials.default` gives it that material in place of its own. A model without lights gets some.
+/// `materials.default` gives it that material in place of its own. A model without lights gets some; one with lamps is
+/// exposed by them (`render.ev`), unless the options set an exposure or lights.
 ///
 /// ```
 /// let path = std::env::temp_dir().join("glanz-doc-open.obj");
@@ -88,11 +89,14 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
         opened.scene.camera = opened.cameras.first().map(|(_, camera)| *camera);
     }
     let material = sets_material.then_some(0);
-    let own_lights = !opened.scene.lights.is_empty() || !model.lights.is_empty();
+    let set_lights = !opened.scene.lights.is_empty();
+    let own_lights = set_lights || !model.lights.is_empty();
     model.append_to(&mut opened.scene, DMat4::IDENTITY, material, true);
     if !own_lights {
         add_default_lights(&mut opened.scene);
         opened.default_lights = true;
+    } else if !set_lights && !options.sets.iter().any(|(path, _)| path == "render.ev") {
+        opened.expose();
     }
     Ok(opened)
 }
@@ -113,6 +117,15 @@ fn check_budget(model: &Model, path: &Path) -> Result<(), ReadError> {
 }
 
 impl Opened {
+    /// Exposes a model by its own lamps, whose units say nothing of how bright a picture is to be.
+    fn expose(&mut self) {
+        let Some(stops) = exposure::of_lamps(&self.scene) else { return };
+        self.scene.render.ev = stops;
+        self.notes.push(format!(
+            "the lights of the file ask for an exposure of {stops:+.1} stops, which is taken; --ev sets another one"
+        ));
+    }
+
     fn of_loaded(loaded: Loaded) -> Self {
         let (scene, notes) = (loaded.scene, loaded.notes);
         Self { scene, cameras: Vec::new(), notes, default_lights: false }

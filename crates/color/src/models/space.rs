@@ -15,6 +15,11 @@ const fn xyz_of([x, y]: [f64; 2]) -> [f64; 3] {
     [x / y, 1.0, (1.0 - x - y) / y]
 }
 
+/// XYZ of a primary, as large as may be: a space scales it. Those of CIE XYZ itself have y = 0.
+const fn column([x, y]: [f64; 2]) -> [f64; 3] {
+    if y == 0.0 { [x, 0.0, 1.0 - x] } else { xyz_of([x, y]) }
+}
+
 /// An RGB space: everything that tells it from the others.
 ///
 /// ```
@@ -58,7 +63,7 @@ impl RgbSpace {
     /// The space of these primaries and this white; a white other than D65 is adapted by Bradford.
     pub const fn new(primaries: [[f64; 2]; 3], white: [f64; 2], transfer: Transfer) -> Self {
         let [r, g, b] = primaries;
-        let unscaled = Matrix3::from_columns([xyz_of(r), xyz_of(g), xyz_of(b)]);
+        let unscaled = Matrix3::from_columns([column(r), column(g), column(b)]);
         let luminances = unscaled.inverse().apply(xyz_of(white));
         let own = unscaled.times(&Matrix3::diagonal(luminances));
         let same_white = white[0] == D65_XY[0] && white[1] == D65_XY[1];
@@ -117,6 +122,16 @@ mod tests {
             RgbSpace::SRGB.to_xyz_matrix().0.iter().flatten().zip(expected.iter().flatten())
         {
             assert!((found - expected).abs() < 1e-8, "{found} is not {expected}");
+        }
+    }
+
+    #[test]
+    fn cie_xyz_is_a_space_of_primaries_without_luminance() {
+        let xyz = RgbSpace::new([[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]], D65_XY, Transfer::Linear);
+        for color in [[0.2, 0.3, 0.4], D65_XYZ] {
+            let scaled = [color[0] / D65_XYZ[0], color[1], color[2] / D65_XYZ[2]];
+            let found = xyz.decode(scaled);
+            assert!((0..3).all(|i| (found[i] - color[i]).abs() < 1e-14), "{found:?} {color:?}");
         }
     }
 

@@ -11,6 +11,7 @@ mod program_remarks;
 mod remarks;
 mod sight;
 mod spectrum;
+mod unseen;
 mod xray;
 
 pub use draw::{Shot, Step};

@@ -5,7 +5,7 @@ use glanz_picture::output::PictureData;
 use glanz_picture::{Frame, ToneMap};
 use glanz_scene::{Background, DebugView, Light, LightKind, Material, Scene, Tint};
 
-use super::{Shot, ShotError};
+use super::{Shot, ShotError, unseen};
 use crate::view::{Aovs, DrawOptions, Samples, View};
 use crate::{draw_observed, takes_several_frames};
 
@@ -188,6 +188,9 @@ impl Shot {
     }
 
     fn nothing_in_view(&self, scene: &Scene) -> String {
+        if let Some(why) = unseen::reason(scene, &self.sight.camera) {
+            return why.to_owned();
+        }
         let (camera, bounds) = (&self.sight.camera, scene.bounds());
         let point = |v: glam::DVec3| format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z);
         format!(

@@ -5,6 +5,7 @@ mod polygon_mesh;
 mod subdivide;
 mod tangents;
 pub(crate) mod topology;
+pub(crate) mod triangulate;
 
 pub use normals::Normals;
 pub use polygon_mesh::{Bounds, Mesh, MeshError};

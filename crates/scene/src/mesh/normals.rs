@@ -59,6 +59,11 @@ impl Mesh {
     /// The unit normal of a face by Newell's method, in `f64`; zero where the face has no area. The
     /// face's indices must be valid.
     pub fn face_normal(&self, face: usize) -> DVec3 {
+        self.face_area_normal(face).try_normalize().unwrap_or(DVec3::ZERO)
+    }
+
+    /// The same, as long as twice the area.
+    fn face_area_normal(&self, face: usize) -> DVec3 {
         let corners = self.face(face);
         let Some(&last) = corners.last() else { return DVec3::ZERO };
         let at = |index: u32| self.positions[index as usize].as_dvec3();
@@ -70,7 +75,7 @@ impl Mesh {
             sum += before.cross(here);
             before = here;
         }
-        sum.try_normalize().unwrap_or(DVec3::ZERO)
+        sum
     }
 
     /// The mesh whose vertices are those of this one named by `sources`, without tangents and faces.
@@ -109,6 +114,108 @@ fn with_smooth_normals(mesh: Mesh, crease: f64) -> Mesh {
     assign(mesh, &groups, &facets, &sums)
 }
 
+impl Mesh {
+    /// The mesh with normals by the smoothing group that each face is in: those of one group are smooth over all edges
+    /// that they share, those of group 0 are flat, those of none are smooth up to [`Normals::DEFAULT_CREASE`].
+    pub(crate) fn with_smoothing_groups(self, smoothing: &[Option<u32>]) -> Self {
+        let points = Welded::of(&self.positions).point_of;
+        let facets: Vec<DVec3> = (0..self.face_count()).map(|face| self.face_normal(face)).collect();
+        let mut groups = Groups::new(self.corners.len());
+        let point_count = points.iter().max().map_or(0, |&p| p as usize + 1);
+        let is_smooth = is_within(&facets, Normals::DEFAULT_CREASE);
+        join_over_edges(&self, &points, point_count, &mut groups, |face, other| {
+            match (smoothing[face], smoothing[other]) {
+                (None, None) => is_smooth(face, other),
+                (Some(group), Some(other)) => group == other && group > 0,
+                _ => false,
+            }
+        });
+        let groups = groups.into_roots();
+        let sums = group_sums(&self, &groups, &facets);
+        assign(self, &groups, &facets, &sums)
+    }
+}
+
+/// Facets that meet at less than this, in radians (0.1°), are parts of one flat face.
+const FLAT: f64 = PI / 1800.0;
+
+/// So many times as large as any other face at a point is one that keeps its normal there.
+const MUCH_LARGER: f64 = 4.0;
+
+impl Mesh {
+    /// The mesh with smooth normals for facets that come from flat and curved faces, such as those of construction
+    /// programs. Edges at `crease` radians or more are sharp. At a point where one face of several facets in a plane is
+    /// much larger than all others that it is smooth with, its normal is taken: a plate is flat up to its rounded rim.
+    pub(crate) fn with_normals_of_flat_faces(self, crease: f64) -> Self {
+        let points = Welded::of(&self.positions).point_of;
+        let facets: Vec<DVec3> = (0..self.face_count()).map(|face| self.face_normal(face)).collect();
+        // Less than the crease by as much as `is_within` gives in.
+        let crease = crease - 2.0 * CREASE_SLACK;
+        let groups = corner_groups(&self, &points, &facets, crease);
+        let mut sums = group_sums(&self, &groups, &facets);
+        keep_flat_faces(&self, &groups, &flat_faces(&self, &points, &facets), &mut sums);
+        assign(self, &groups, &facets, &sums)
+    }
+}
+
+/// For each face the first one of the flat face that it is a part of.
+fn flat_faces(mesh: &Mesh, points: &[u32], facets: &[DVec3]) -> Vec<u32> {
+    let mut flat = Groups::new(mesh.face_count());
+    let is_flat = is_within(facets, FLAT - CREASE_SLACK);
+    let point_count = points.iter().max().map_or(0, |&p| p as usize + 1);
+    let (sides, owners) = sides(mesh, points);
+    for_each_edge(&sides, point_count, |_, members| {
+        for pair in members.windows(2) {
+            let [(face, _), (other, _)] = [pair[0], pair[1]].map(|side| owners[side as usize]);
+            if is_flat(face as usize, other as usize) {
+                flat.join(face, other);
+            }
+        }
+    });
+    flat.into_roots()
+}
+
+/// Gives groups the normal of a flat face that is much larger than the others in them.
+fn keep_flat_faces(mesh: &Mesh, groups: &[u32], flat: &[u32], sums: &mut [DVec3]) {
+    // By the first facet of each flat face: twice its area along its normal, and of how many facets it is.
+    let mut faces = vec![(DVec3::ZERO, 0_u32); flat.len()];
+    for (face, &first) in flat.iter().enumerate() {
+        let (sum, count) = &mut faces[first as usize];
+        *sum += mesh.face_area_normal(face);
+        *count += 1;
+    }
+    // By the first corner of each group: the largest flat face in it, and the area of the next one.
+    let mut largest = vec![(u32::MAX, 0.0_f64, 0.0_f64); groups.len()];
+    let owners =
+        mesh.faces().enumerate().flat_map(|(face, corners)| core::iter::repeat_n(face, corners.len()));
+    for (&group, face) in groups.iter().zip(owners) {
+        let (first, area) = (flat[face], faces[flat[face] as usize].0.length());
+        let (known, most, next) = &mut largest[group as usize];
+        if first == *known {
+            continue;
+        }
+        if area > *most {
+            (*known, *most, *next) = (first, area, *most);
+        } else {
+            *next = next.max(area);
+        }
+    }
+    for (sum, (first, area, next)) in sums.iter_mut().zip(largest) {
+        if first != u32::MAX && faces[first as usize].1 > 1 && area >= MUCH_LARGER * next {
+            *sum = faces[first as usize].0.normalize_or(*sum);
+        }
+    }
+}
+
+/// Whether facets meet at no more than the crease; those without area never.
+fn is_within(facets: &[DVec3], crease: f64) -> impl Fn(usize, usize) -> bool {
+    let least_cos = libm::cos((crease.max(0.0) + CREASE_SLACK).min(PI));
+    move |face, other| {
+        let (one, two) = (facets[face], facets[other]);
+        one != DVec3::ZERO && two != DVec3::ZERO && one.dot(two) >= least_cos
+    }
+}
+
 /// For each corner the first corner (in file order) of the group that it shares its normal with.
 fn corner_groups(mesh: &Mesh, points: &[u32], facets: &[DVec3], crease: f64) -> Vec<u32> {
     let mut groups = Groups::new(mesh.corners.len());
@@ -116,7 +223,7 @@ fn corner_groups(mesh: &Mesh, points: &[u32], facets: &[DVec3], crease: f64) -> 
     if crease >= PI {
         join_all_at_points(mesh, points, point_count, &mut groups);
     } else {
-        join_over_edges(mesh, points, point_count, facets, crease, &mut groups);
+        join_over_edges(mesh, points, point_count, &mut groups, is_within(facets, crease));
     }
     groups.into_roots()
 }
@@ -136,11 +243,9 @@ fn join_over_edges(
     mesh: &Mesh,
     points: &[u32],
     point_count: usize,
-    facets: &[DVec3],
-    crease: f64,
     groups: &mut Groups,
+    is_smooth: impl Fn(usize, usize) -> bool,
 ) {
-    let least_cos = libm::cos((crease.max(0.0) + CREASE_SLACK).min(PI));
     let (sides, owners) = sides(mesh, points);
     for_each_edge(&sides, point_count, |[a, b], members| {
         if a == b {
@@ -150,9 +255,7 @@ fn join_over_edges(
         for pair in members.windows(2) {
             let [one, two] = [pair[0] as usize, pair[1] as usize];
             let [(face, end), (other, other_end)] = [owners[one], owners[two]];
-            let cos = facets[face as usize].dot(facets[other as usize]);
-            let degenerate = facets[face as usize] == DVec3::ZERO || facets[other as usize] == DVec3::ZERO;
-            if degenerate || cos < least_cos {
+            if !is_smooth(face as usize, other as usize) {
                 continue;
             }
             if sides[one][0] == sides[two][0] {

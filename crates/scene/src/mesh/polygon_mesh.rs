@@ -140,7 +140,7 @@ impl Mesh {
         (0..self.face_count()).map(|face| self.face(face))
     }
 
-    /// The number of triangles after each face is cut into a fan around its first corner.
+    /// The most triangles that all faces are cut into: two fewer than it has corners of each.
     pub fn triangle_count(&self) -> usize {
         if self.face_starts.is_empty() {
             self.corners.len() / 3
@@ -149,9 +149,12 @@ impl Mesh {
         }
     }
 
-    /// The triangles of all faces, each face cut into a fan around its first corner.
+    /// The triangles of all faces: [`Mesh::triangles_of`] each.
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
-        self.faces().flat_map(|face| (2..face.len()).map(move |i| [face[0], face[i - 1], face[i]]))
+        (0..self.face_count()).flat_map(|face| {
+            let corners = self.face(face);
+            self.triangles_of(face).map(move |triangle| triangle.map(|place| corners[place as usize]))
+        })
     }
 
     /// The box around the vertices that faces use.

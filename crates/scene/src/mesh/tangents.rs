@@ -58,9 +58,9 @@ impl Mesh {
 fn fans(mesh: &Mesh) -> Vec<[u32; 3]> {
     let mut triangles = Vec::with_capacity(mesh.triangle_count());
     let mut start = 0;
-    for face in mesh.faces() {
-        triangles.extend((2..face.len() as u32).map(|i| [start, start + i - 1, start + i]));
-        start += face.len() as u32;
+    for face in 0..mesh.face_count() {
+        triangles.extend(mesh.triangles_of(face).map(|triangle| triangle.map(|place| start + place)));
+        start += mesh.face(face).len() as u32;
     }
     triangles
 }

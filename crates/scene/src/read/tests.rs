@@ -285,29 +285,44 @@ fn files_are_read_with_what_they_refer_to() {
 }
 
 #[test]
-fn references_out_of_the_folder_are_refused_in_every_format() {
-    let obj = b"mtllib ../m.mtl\nv 0 0 0\n";
+fn references_out_of_the_folder_are_remarks_but_of_buffers_errors() {
+    let obj = b"mtllib ../m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
     let gltf = br#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"..%2Fm.mtl"}]}"#;
-    let mtl = b"newmtl a\nmap_Kd /etc/hostname\n";
+    let mtl = b"newmtl a\nmap_Kd ../wood.png\n";
     let uses = b"mtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
-    let files: [(&str, &[u8]); 5] = [
-        ("m.mtl", b"newmtl a\n"),
+    let wood = texture::tests::png(1, 1, &[200; 4]);
+    let files: [(&str, &[u8]); 6] = [
+        ("m.mtl", b"newmtl a\nKd 1 0 0\n"),
+        ("wood.png", &wood),
         ("inner/a.obj", obj),
         ("inner/a.gltf", gltf),
         ("inner/b.mtl", mtl),
         ("inner/b.obj", uses),
     ];
     let scratch = Scratch::new("outside", &files);
-    for (file, place) in [("a.obj", "line 1"), ("a.gltf", "buffers[0]"), ("b.obj", "line 2")] {
-        let error = read_model(&scratch.0.join("inner").join(file), &ReadOptions::default()).unwrap_err();
-        assert!(matches!(error, ReadError::Outside { .. }), "{file}: {error}");
-        assert_eq!(error.place().to_string(), place);
+    let read = |file: &str, options: &ReadOptions| read_model(&scratch.0.join("inner").join(file), options);
+    let strict = ReadOptions::default();
+    for (file, what) in [
+        ("a.obj", "the material file '../m.mtl' lies outside"),
+        ("b.obj", "the picture '../wood.png' lies outside"),
+    ] {
+        let model = read(file, &strict).unwrap();
+        let is_told = |note: &String| note.contains(what) && note.contains("--allow-outside permits");
+        assert!(model.notes.iter().any(is_told), "{:?}", model.notes);
+        assert!(model.textures.is_empty() && model.triangle_count() == 1);
     }
+    let error = read("a.gltf", &strict).unwrap_err();
+    assert!(
+        matches!(error, ReadError::Outside { .. }) && error.to_string().contains("--allow-outside"),
+        "{error}"
+    );
+    assert_eq!(error.place().to_string(), "buffers[0]");
     let free = ReadOptions { allow_outside: true, ..ReadOptions::default() };
-    let error = read_model(&scratch.0.join("inner/a.obj"), &free).map(|model| model.objects.len());
-    assert_eq!(error.ok(), Some(0));
     let wider = ReadOptions { root: Some(scratch.0.clone()), ..ReadOptions::default() };
-    assert!(read_model(&scratch.0.join("inner/a.obj"), &wider).is_ok());
+    for options in [free, wider] {
+        assert_eq!(read("a.obj", &options).unwrap().materials[0].name, "a");
+        assert_eq!(read("b.obj", &options).unwrap().textures.len(), 1);
+    }
     let elsewhere = ReadOptions { root: Some(scratch.0.join("inner")), ..ReadOptions::default() };
     assert!(matches!(read_model(&scratch.0.join("m.mtl"), &elsewhere), Err(ReadError::Outside { .. })));
 }

@@ -1,4 +1,4 @@
-//! PNG and JPEG pictures.
+//! PNG, JPEG and WebP pictures.
 
 use std::io::Cursor;
 
@@ -15,7 +15,7 @@ const TEXELS_PER_BYTE: u64 = 8 * 1032;
 /// Small pictures are never refused for what they claim.
 const ALWAYS_ALLOWED_TEXELS: u64 = 1 << 16;
 
-/// Decodes a PNG or JPEG picture, taken as a colour texture (`srgb`) that repeats.
+/// Decodes a PNG, JPEG or WebP picture, taken as a colour texture (`srgb`) that repeats.
 ///
 /// The sides and the memory are limited by `options`; `name` is the file's name in messages.
 pub fn read_texture(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Texture, ReadError> {
@@ -32,7 +32,7 @@ pub(super) fn decode(
 ) -> Result<Texture, ReadError> {
     let format = format_of(bytes).ok_or_else(|| {
         let start = excerpt(&bytes[..bytes.len().min(8)]);
-        ReadError::unsupported(file, place.clone(), "a PNG or JPEG picture", start)
+        ReadError::unsupported(file, place.clone(), "a PNG, JPEG or WebP picture", start)
     })?;
     let picture = |error: image::ImageError| {
         ReadError::malformed(file, place.clone(), "a complete picture", error.to_string())
@@ -71,6 +71,8 @@ fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
         Some(ImageFormat::Png)
     } else if bytes.starts_with(b"\xff\xd8\xff") {
         Some(ImageFormat::Jpeg)
+    } else if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") {
+        Some(ImageFormat::WebP)
     } else {
         None
     }
@@ -129,10 +131,17 @@ pub(super) mod tests {
         bytes.into_inner()
     }
 
-    /// The same picture in both formats.
-    pub(crate) fn samples() -> [Vec<u8>; 2] {
+    /// The same picture in all formats.
+    pub(crate) fn samples() -> [Vec<u8>; 3] {
         let rgba: Vec<u8> = (0..16 * 8 * 4).map(|i| (i * 37 % 251) as u8).collect();
-        [encode(16, 8, &rgba, ImageFormat::Png), encode(16, 8, &rgba, ImageFormat::Jpeg)]
+        [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::WebP].map(|format| encode(16, 8, &rgba, format))
+    }
+
+    #[test]
+    fn a_webp_is_decoded_to_its_bytes() {
+        let [png, _, webp] =
+            samples().map(|bytes| read_texture(&bytes, "p", &ReadOptions::default()).unwrap());
+        assert_eq!(webp, png);
     }
 
     #[test]
@@ -187,7 +196,7 @@ pub(super) mod tests {
 
         #[test]
         fn damaged_pictures_do_no_harm(
-            which in 0usize..2,
+            which in 0usize..3,
             keep in 0usize..400,
             flips in proptest::collection::vec((0usize..400, 0u8..8), 0..4),
         ) {

@@ -7,7 +7,7 @@ use ::exr::block::UncompressedBlock;
 use ::exr::block::reader::{ChunksReader, Reader};
 use ::exr::compression::Compression;
 use ::exr::error::Error as ExrError;
-use ::exr::meta::attribute::{AttributeValue, Chromaticities, SampleType};
+use ::exr::meta::attribute::{AttributeValue, Chromaticities, EnvironmentMap, SampleType};
 use ::exr::meta::header::Header;
 use ::exr::prelude::{Vec2, f16};
 
@@ -142,6 +142,7 @@ impl ExrPart {
             height: size.1,
             channels: channels.collect(),
             attributes,
+            is_cube_map: header.own_attributes.environment_map == Some(EnvironmentMap::Cube),
             is_whole: window.position == position && window.size == size,
             space: header.shared_attributes.chromaticities.map(space),
         }

@@ -56,6 +56,8 @@ pub struct ExrPart {
     pub attributes: Vec<(String, Attribute)>,
     /// Whether the data window is the display window.
     pub is_whole: bool,
+    /// Whether it is a picture of surroundings as the six sides of a cube.
+    pub is_cube_map: bool,
     /// Primaries and white, if the file has them.
     pub space: Option<RgbSpace>,
 }

@@ -112,7 +112,9 @@ pub enum ReadError {
         found: u64,
     },
     /// A reference leaves the folder that references must stay in.
-    #[error("{file}: {place}: expected a path inside {root}, found '{reference}', which leaves it")]
+    #[error(
+        "{file}: {place}: expected a path inside {root}, found '{reference}', which leaves it (--allow-outside permits that)"
+    )]
     Outside {
         /// The file being read.
         file: String,

@@ -24,8 +24,8 @@ const MAX_VALUE: f32 = 1e12;
 /// for messages. Sides and memory are limited by `max_texture_side` and `max_texture_bytes` of `options`,
 /// and to 16384×8192 pixels.
 ///
-/// Of OpenEXR the half or float channels R, G and B of the first part that has them are taken. Primaries
-/// other than those of sRGB are converted. The answer has what was left out or changed, in words.
+/// Of OpenEXR the half or float channels R, G and B of the first part that has them are taken, else those of a layer,
+/// else Y as grey. Primaries other than those of sRGB are converted, CIE XYZ too. The answer has what was left out or changed, in words.
 ///
 /// # Errors
 ///

@@ -7,13 +7,16 @@
 use glanz_color::models::{RgbSpace, Transfer};
 use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::source::Source;
+use super::source::{Source, conversion};
 use crate::EnvironmentMap;
 
 /// The most bytes of a header: more is no header.
 const MOST_HEADER: usize = 1 << 16;
 /// The widths that the new encoding is for.
 const NEW_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
+
+/// The primaries of CIE XYZ with the white E, which the format takes.
+const XYZ: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0], [1.0 / 3.0, 1.0 / 3.0]];
 
 /// Mantissas and exponent.
 type Rgbe = [u8; 4];
@@ -41,9 +44,12 @@ pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
     if header.factor != [1.0; 3] {
         source.notes.add("the exposure or colour correction that the file tells of is undone");
     }
-    if let Some([red, green, blue, white]) = header.primaries {
-        let space = RgbSpace::new([red, green, blue], white, Transfer::Linear);
-        source.convert_to_srgb(&mut pixels, &space)?;
+    let primaries = match header.is_xyz {
+        true => Some(XYZ),
+        false => header.primaries,
+    };
+    if let Some([red, green, blue, white]) = primaries {
+        source.convert_to_srgb(&mut pixels, &RgbSpace::new([red, green, blue], white, Transfer::Linear));
     }
     Ok(EnvironmentMap { width, height, pixels })
 }
@@ -63,11 +69,13 @@ struct Header {
     factor: [f64; 3],
     /// x, y of red, green, blue and white.
     primaries: Option<[[f64; 2]; 4]>,
+    /// Whether the pixels are CIE XYZ.
+    is_xyz: bool,
 }
 
 impl Header {
-    fn read(bytes: &mut Bytes, source: &Source) -> Result<Self, ReadError> {
-        let mut header = Self { factor: [1.0; 3], primaries: None };
+    fn read(bytes: &mut Bytes, source: &mut Source) -> Result<Self, ReadError> {
+        let mut header = Self { factor: [1.0; 3], primaries: None, is_xyz: false };
         loop {
             let line = bytes.line().ok_or_else(|| {
                 source.malformed(Place::Byte(bytes.at as u64), "a header that an empty line ends", "none")
@@ -81,32 +89,39 @@ impl Header {
         }
     }
 
-    fn take(&mut self, key: &str, value: &str, source: &Source) -> Result<(), ReadError> {
-        let wrong = |expected: &str| {
-            let (place, found) = (Place::Path(key.to_owned()), excerpt(value));
-            source.malformed(place, expected, found)
-        };
+    /// Takes a line in. One that says nothing that can be meant is as if it were absent, but for a remark.
+    fn take(&mut self, key: &str, value: &str, source: &mut Source) -> Result<(), ReadError> {
         let positive = |values: &[f64]| values.iter().all(|v| (1e-30..=1e30).contains(v));
-        match key {
-            "FORMAT" if value == "32-bit_rle_rgbe" => {}
-            "FORMAT" => return Err(source.unsupported("32-bit_rle_rgbe", excerpt(value))),
+        let is_meant = match key {
+            "FORMAT" if value == "32-bit_rle_rgbe" => true,
+            "FORMAT" if value == "32-bit_rle_xyze" => {
+                self.is_xyz = true;
+                true
+            }
+            "FORMAT" => {
+                return Err(source.unsupported("32-bit_rle_rgbe or 32-bit_rle_xyze", excerpt(value)));
+            }
             // Both are cumulative.
-            "EXPOSURE" => {
-                let values = numbers::<1>(value).filter(|values| positive(values));
-                let [by] = values.ok_or_else(|| wrong("a number greater than 0"))?;
+            "EXPOSURE" => numbers::<1>(value).filter(|values| positive(values)).is_some_and(|[by]| {
                 self.factor = self.factor.map(|factor| factor / by);
-            }
-            "COLORCORR" => {
-                let values = numbers::<3>(value).filter(|values| positive(values));
-                let by = values.ok_or_else(|| wrong("three numbers greater than 0"))?;
+                true
+            }),
+            "COLORCORR" => numbers::<3>(value).filter(|values| positive(values)).is_some_and(|by| {
                 self.factor.iter_mut().zip(by).for_each(|(factor, by)| *factor /= by);
-            }
-            "PRIMARIES" => {
-                let [rx, ry, gx, gy, bx, by, wx, wy] =
-                    numbers::<8>(value).ok_or_else(|| wrong("x and y of red, green, blue and white"))?;
-                self.primaries = Some([[rx, ry], [gx, gy], [bx, by], [wx, wy]]);
-            }
-            _ => {}
+                true
+            }),
+            "PRIMARIES" => numbers::<8>(value).is_some_and(|[rx, ry, gx, gy, bx, by, wx, wy]| {
+                let primaries = [[rx, ry], [gx, gy], [bx, by], [wx, wy]];
+                let space =
+                    RgbSpace::new([primaries[0], primaries[1], primaries[2]], primaries[3], Transfer::Linear);
+                let spans = conversion(&space).is_some();
+                self.primaries = spans.then_some(primaries).or(self.primaries);
+                spans
+            }),
+            _ => true,
+        };
+        if !is_meant {
+            source.notes.add(&format!("the line {key} says nothing ({}) and is ignored", excerpt(value)));
         }
         Ok(())
     }

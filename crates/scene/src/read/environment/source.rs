@@ -1,5 +1,6 @@
 //! What both readers share.
 
+use glanz_color::Matrix3;
 use glanz_color::models::RgbSpace;
 use glanz_color::read::{Place, ReadError};
 
@@ -8,6 +9,8 @@ use crate::read::notes::Notes;
 
 /// Bytes of a pixel in memory.
 pub(super) const PIXEL: u64 = 12;
+/// Twice the least area of a triangle of primaries.
+const LEAST_AREA: f64 = 1e-4;
 /// The most bytes of pixels: those of 16384×8192.
 const MAX_BYTES: u64 = 16_384 * 8192 * PIXEL;
 
@@ -50,22 +53,36 @@ impl Source<'_> {
         Ok(())
     }
 
-    /// Brings pixels of other primaries to those of sRGB; their white becomes D65.
-    pub(super) fn convert_to_srgb(
-        &mut self,
-        pixels: &mut [[f32; 3]],
-        space: &RgbSpace,
-    ) -> Result<(), ReadError> {
-        let Some(matrix) = space.to_linear_srgb_matrix() else { return Ok(()) };
-        if !matrix.0.iter().flatten().all(|value| value.is_finite()) {
-            let expected = "chromaticities of three primaries and a white";
-            let found = format!("{:?} and {:?}", space.primaries, space.white);
-            return Err(self.malformed(Place::File, expected, found));
+    /// Brings pixels of other primaries to those of sRGB; their white becomes D65. Primaries that span no colours are
+    /// ignored, with a remark.
+    pub(super) fn convert_to_srgb(&mut self, pixels: &mut [[f32; 3]], space: &RgbSpace) {
+        if space.to_linear_srgb_matrix().is_none() {
+            return;
         }
+        let Some(matrix) = conversion(space) else {
+            self.notes.add("the chromaticities of primaries and white span no colours and are ignored");
+            return;
+        };
         for pixel in pixels {
             *pixel = matrix.apply(pixel.map(f64::from)).map(|value| value as f32);
         }
         self.notes.add("the primaries are not those of sRGB; the colours are converted");
-        Ok(())
     }
+}
+
+/// The most that a chromaticity of a primary is from 0: those of cameras are beyond the spectral locus.
+const MOST_CHROMATICITY: f64 = 3.0;
+
+/// Linear components of a space to those of linear sRGB; `None` where its primaries span no colours.
+pub(super) fn conversion(space: &RgbSpace) -> Option<Matrix3> {
+    let [x, y] = space.white;
+    let is_white = x >= 0.0 && y > 0.0 && x + y <= 1.0;
+    let is_near = space.primaries.as_flattened().iter().all(|value| value.abs() <= MOST_CHROMATICITY);
+    let [[rx, ry], [gx, gy], [bx, by]] = space.primaries;
+    let area = (gx - rx) * (by - ry) - (bx - rx) * (gy - ry);
+    if !is_white || !is_near || area.abs() < LEAST_AREA {
+        return None;
+    }
+    let matrix = space.to_linear_srgb_matrix().unwrap_or(Matrix3::IDENTITY);
+    matrix.0.iter().flatten().all(|value| value.is_finite()).then_some(matrix)
 }

@@ -144,14 +144,15 @@ fn openexr_is_read_as_it_is() {
 }
 
 #[test]
-fn unusable_pixels_are_made_black_and_told() {
+fn unusable_pixels_are_replaced_and_told() {
     let values = [f32::NAN, f32::INFINITY, -2.0, 3.0];
     let (map, notes) = read(&exr(4, 2, |x, _| [values[x], 1.0, -0.0]));
-    assert_eq!(map.pixels[..4], [[0.0; 3], [0.0; 3], [0.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
+    assert_eq!(map.pixels[..4], [[0.0; 3], [65504.0, 1.0, 0.0], [0.0, 1.0, 0.0], [3.0, 1.0, 0.0]]);
     assert_eq!(
         notes,
         [
-            "a pixel that is not finite is taken as black (4 times)",
+            "an infinite value is taken as 65504 (2 times)",
+            "a pixel that is not finite is taken as black (2 times)",
             "a pixel below 0 is taken as 0 in that channel (2 times)"
         ]
     );
@@ -168,6 +169,112 @@ fn a_picture_of_another_shape_is_read_with_a_remark() {
 }
 
 #[test]
+fn lines_of_radiance_that_say_nothing_are_as_if_absent() {
+    let plain = read(&radiance("", "-Y 1 +X 2", &flat(&FOUR))).0;
+    let lines = [
+        "PRIMARIES=0 0 0 0 0 0 0 0",
+        "PRIMARIES= 1 2",
+        "PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0 0",
+        "PRIMARIES=0.3 0.3 0.3 0.3 0.3 0.3 0.3127 0.329",
+        "PRIMARIES=64 33 30 60 15 6 31 33",
+        "PRIMARIES=nan 0 0 0 0 0 0 0",
+        "EXPOSURE=0",
+        "EXPOSURE=-1",
+        "EXPOSURE=much",
+        "COLORCORR=0 0 0",
+        "COLORCORR=1 1",
+    ];
+    for line in lines {
+        let (map, notes) = read(&radiance(&format!("{line}\n"), "-Y 1 +X 2", &flat(&FOUR)));
+        assert_eq!(map, plain, "{line}");
+        assert!(notes.len() == 1 && notes[0].contains("says nothing"), "{line}: {notes:?}");
+    }
+}
+
+#[test]
+fn pixels_of_cie_xyz_are_converted_with_their_white() {
+    let xyz = String::from_utf8_lossy(&radiance("", "-Y 1 +X 2", &[])).replace("rgbe", "xyze");
+    let bytes = [xyz.as_bytes(), &flat(&[[128, 128, 128, 129], [128, 0, 0, 129]])].concat();
+    let (map, notes) = read(&bytes);
+    assert!(notes[0].contains("are converted"), "{notes:?}");
+    // The white E becomes that of sRGB; the factors are those of a matrix in f64.
+    assert!(map.pixels[0].iter().all(|value| (value - 1.0).abs() < 1e-6), "{:?}", map.pixels);
+    assert!(map.pixels[1][0] > 1.0, "{:?}", map.pixels);
+    let header = "PRIMARIES=1 0 0 1 0 0 0.33333333 0.33333333\n";
+    let (same, _) = read(&radiance(header, "-Y 1 +X 2", &flat(&[[128, 128, 128, 129], [128, 0, 0, 129]])));
+    let pairs = map.pixels.as_flattened().iter().zip(same.pixels.as_flattened());
+    assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-5), "{map:?} {same:?}");
+}
+
+/// An OpenEXR file of these 32-bit channels, each of which has the value of each pixel.
+fn exr_of(
+    channels: &[(&str, f32)],
+    change: impl Fn(&mut ::exr::meta::header::ImageAttributes, &mut ::exr::meta::header::LayerAttributes),
+) -> Vec<u8> {
+    use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes};
+    let size = (4, 2);
+    let all = channels.iter().map(|(name, value)| AnyChannel::new(*name, FlatSamples::F32(vec![*value; 8])));
+    let mut layer =
+        Layer::new(size, LayerAttributes::default(), Encoding::default(), AnyChannels::sort(all.collect()));
+    let mut attributes = ::exr::meta::header::ImageAttributes::with_size(size);
+    change(&mut attributes, &mut layer.attributes);
+    let mut image = Image::from_layer(layer);
+    image.attributes = attributes;
+    let mut bytes = Cursor::new(Vec::new());
+    image.write().non_parallel().to_buffered(&mut bytes).unwrap();
+    bytes.into_inner()
+}
+
+#[test]
+fn layers_and_luminance_of_exr_are_pictures() {
+    let (map, notes) =
+        read(&exr_of(&[("sky.R", 1.0), ("sky.G", 2.0), ("sky.B", 3.0), ("depth.Z", 9.0)], |_, _| ()));
+    assert_eq!(
+        (map.pixels[0], &notes[0][..]),
+        ([1.0, 2.0, 3.0], "the channels R, G and B of the layer 'sky' are taken")
+    );
+    let (map, notes) = read(&exr_of(&[("Y", 0.5)], |_, _| ()));
+    assert_eq!((map.pixels[7], notes.len()), ([0.5; 3], 1));
+    let error = error(&exr_of(&[("Z", 0.5)], |_, _| ()));
+    assert!(error.contains("expected channels R, G and B, or Y, found Z"), "{error}");
+}
+
+#[test]
+fn infinite_light_of_exr_is_the_largest_and_a_cube_is_told() {
+    let channels = [("R", f32::INFINITY), ("G", 2.0), ("B", 1e6)];
+    let (map, notes) = read(&exr_of(&channels, |_, _| ()));
+    assert_eq!(
+        (map.pixels[0], &notes[0][..]),
+        ([1e6, 2.0, 1e6], "an infinite value is taken as 1000000 (8 times)")
+    );
+    let bytes = exr_of(&[("R", 1.0), ("G", 1.0), ("B", 1.0)], |_, layer| {
+        layer.environment_map = Some(::exr::meta::attribute::EnvironmentMap::Cube);
+    });
+    assert!(error(&bytes).contains("found the six sides of a cube (envmap)"), "{}", error(&bytes));
+}
+
+#[test]
+fn chromaticities_of_exr_may_be_those_of_xyz_or_none() {
+    let pixel = [("R", 1.0), ("G", 1.0), ("B", 1.0)];
+    let with = |blue: (f32, f32), white: (f32, f32)| {
+        read(&exr_of(&pixel, |image, _| {
+            image.chromaticities = Some(::exr::meta::attribute::Chromaticities {
+                red: ::exr::prelude::Vec2(1.0, 0.0),
+                green: ::exr::prelude::Vec2(0.0, 1.0),
+                blue: ::exr::prelude::Vec2(blue.0, blue.1),
+                white: ::exr::prelude::Vec2(white.0, white.1),
+            });
+        }))
+    };
+    let (map, notes) = with((0.0, 0.0), (1.0 / 3.0, 1.0 / 3.0));
+    assert!(notes[0].contains("are converted"), "{notes:?}");
+    assert!(map.pixels[0].iter().all(|value| (value - 1.0).abs() < 1e-6), "{:?}", map.pixels[0]);
+    let (map, notes) = with((0.0, 1.0), (0.0, 0.0));
+    assert_eq!(map.pixels[0], [1.0; 3]);
+    assert!(notes[0].contains("span no colours and are ignored"), "{notes:?}");
+}
+
+#[test]
 fn errors_say_where_and_what_was_expected() {
     let good = radiance("", "-Y 2 +X 4", &flat(&[[1, 2, 3, 128]; 8]));
     let text = |from: &str, to: &str| {
@@ -177,12 +284,10 @@ fn errors_say_where_and_what_was_expected() {
     let cases = [
         (b"PNG".to_vec(), "sky: the file: expected a Radiance HDR or OpenEXR picture, found 'PNG'"),
         (good[..good.len() - 1].to_vec(), "scan line 1: expected 4 pixels, found damage or the end"),
-        (text("rgbe", "xyze"), "expected 32-bit_rle_rgbe, found '32-bit_rle_xyze', which is not supported"),
+        (text("rgbe", "luve"), "or 32-bit_rle_xyze, found '32-bit_rle_luve', which is not supported"),
         (text("-Y 2 +X 4", "-Y 2 +Y 4"), "byte 35: expected a size such as '-Y 512 +X 1024', found"),
         (text("-Y 2", "-Y 0"), "expected a picture of 1 to 16384 pixels along each side, found 4×0"),
         (text("+X 4", "+X 99999"), "along each side, found 99999×2"),
-        (text("FORMAT", "EXPOSURE=0\nFORMAT"), "EXPOSURE: expected a number greater than 0, found '0'"),
-        (text("FORMAT", "PRIMARIES=1 2\nFORMAT"), "PRIMARIES: expected x and y of red, green, blue"),
         (text("\n\n", "\n"), "an empty line ends, found none"),
     ];
     for (bytes, expected) in cases {

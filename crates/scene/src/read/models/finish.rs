@@ -2,8 +2,32 @@
 
 use glam::{DVec3, Vec3, Vec4};
 
+use super::faces::close_face;
 use crate::Mesh;
+use crate::mesh::triangulate::MOST_CORNERS;
 use crate::read::notes::Notes;
+
+/// Leaves faces out that use a position which is no finite number. Such positions become 0: nothing uses them then.
+pub(super) fn drop_faces_without_positions(mesh: &mut Mesh, notes: &mut Notes) {
+    if mesh.positions.iter().all(|position| position.is_finite()) {
+        return;
+    }
+    let mut kept = Mesh::default();
+    for face in mesh.faces() {
+        if face.iter().all(|&corner| mesh.positions[corner as usize].is_finite()) {
+            let first = kept.corners.len();
+            kept.corners.extend(face);
+            close_face(&mut kept, first);
+        }
+    }
+    let dropped = mesh.face_count() - kept.face_count();
+    notes.add_times("faces with positions that are no finite numbers are left out", dropped as u64);
+    (mesh.corners, mesh.face_starts) = (kept.corners, kept.face_starts);
+    mesh.positions
+        .iter_mut()
+        .filter(|position| !position.is_finite())
+        .for_each(|position| *position = Vec3::ZERO);
+}
 
 /// Makes normals and tangents unit vectors.
 ///
@@ -30,6 +54,9 @@ pub(super) fn finish_mesh(mesh: &mut Mesh, notes: &mut Notes) {
         fill_normals(mesh);
     }
     finish_tangents(mesh, notes);
+    let long = mesh.face_starts.windows(2).filter(|pair| (pair[1] - pair[0]) as usize > MOST_CORNERS).count();
+    let note = format!("faces of more than {MOST_CORNERS} corners are drawn as fans, as if they were convex");
+    notes.add_times(&note, long as u64);
     mesh.positions.shrink_to_fit();
     mesh.corners.shrink_to_fit();
 }
@@ -95,6 +122,20 @@ mod tests {
         let mut mesh = triangle(vec![Vec3::ZERO; 3]);
         finish_mesh(&mut mesh, &mut Notes::default());
         assert!(mesh.normals.is_empty());
+    }
+
+    #[test]
+    fn faces_that_are_too_long_to_be_cut_are_told() {
+        let corners = MOST_CORNERS as u32 + 1;
+        let mut mesh = triangle(Vec::new());
+        mesh.corners = (0..corners).map(|corner| corner % 3).collect();
+        mesh.face_starts = vec![0, corners];
+        let mut notes = Notes::default();
+        finish_mesh(&mut mesh, &mut notes);
+        assert_eq!(
+            notes.into_strings(),
+            ["faces of more than 16384 corners are drawn as fans, as if they were convex"]
+        );
     }
 
     #[test]

@@ -25,6 +25,7 @@ impl Format {
         if head.starts_with(b"glTF") {
             return Some(Self::Gltf);
         }
+        let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
         if head.starts_with(b"ply\n") || head.starts_with(b"ply\r") {
             return Some(Self::Ply);
         }
@@ -35,7 +36,7 @@ impl Format {
             Some("ply") => Some(Self::Ply),
             Some("stl") => Some(Self::Stl),
             _ if head.trim_ascii_start().starts_with(b"{") => Some(Self::Gltf),
-            _ if head.starts_with(b"solid") => Some(Self::Stl),
+            _ if head.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) => Some(Self::Stl),
             _ => None,
         }
     }

@@ -39,6 +39,9 @@ pub fn read_profile(bytes: &[u8], file: &str) -> Result<(Profile, Vec<String>), 
     }
     // Names in these files are in whatever code page; they are not needed.
     let text = String::from_utf8_lossy(bytes);
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    // Lines end with LF, CR LF, or CR alone.
+    let text = if text.contains('\n') { text.to_owned() } else { text.replace('\r', "\n") };
     let mut source = Source { file, notes: Notes::default() };
     let profile = match is_lm63(&text, file) {
         true => lm63::read(&text, &mut source)?,

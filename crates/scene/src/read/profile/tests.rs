@@ -69,6 +69,17 @@ fn first_row(profile: &Profile) -> Vec<(f64, f64)> {
 type Expanded<'a> = (&'a [f64], &'a [(f64, f64)]);
 
 #[test]
+fn byte_order_marks_and_lines_that_end_with_cr_do_no_harm() {
+    for (text, file) in [(ies(HEAD, &[0.0, 90.0], &[0.0]), "l.ies"), (ldt(0, 4, 4), "l.ldt")] {
+        let plain = read_profile(text.as_bytes(), file).unwrap();
+        let cr = text.replace("\r\n", "\r").replace('\n', "\r");
+        for text in [format!("\u{feff}{text}"), cr.clone(), format!("\u{feff}{cr}")] {
+            assert_eq!(read_profile(text.as_bytes(), file).unwrap(), plain, "{file}");
+        }
+    }
+}
+
+#[test]
 fn every_symmetry_of_lm63_is_expanded_to_the_whole_circle() {
     let gamma = [0.0, 45.0, 90.0];
     let cases: [Expanded; 5] = [

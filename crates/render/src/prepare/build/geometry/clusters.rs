@@ -14,11 +14,13 @@ pub(crate) fn append(geometry: &mut Geometry, mesh: &Mesh, placed: &Placed, obje
     let mut builder = Builder::new(&mut *geometry, mesh, placed, object);
     for face in 0..mesh.face_count() {
         let corners = mesh.face(face);
-        for i in 2..corners.len() {
-            // Edges opposite to corners 0, 1, 2 of the fan triangle: the outer one always is an
-            // edge of the facet, the others only at the ends of the fan.
-            let edges = 1 | u8::from(i == corners.len() - 1) << 1 | u8::from(i == 2) << 2;
-            builder.triangle([corners[0], corners[i - 1], corners[i]], face as u32, edges);
+        for triangle in mesh.triangles_of(face) {
+            // Sides opposite to the corners 0, 1, 2 of the triangle that are sides of the facet, too.
+            let is_side = |from: usize, to: usize| {
+                u8::from((triangle[from] as usize + 1) % corners.len() == triangle[to] as usize)
+            };
+            let edges = is_side(1, 2) | is_side(2, 0) << 1 | is_side(0, 1) << 2;
+            builder.triangle(triangle.map(|place| corners[place as usize]), face as u32, edges);
         }
     }
     builder.finish_cluster();

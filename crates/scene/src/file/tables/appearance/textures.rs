@@ -16,7 +16,7 @@ use crate::{TextureFilter, Wrap};
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TextureTable {
-    /// A PNG or JPEG file, relative to the scene file.
+    /// A PNG, JPEG or WebP file, relative to the scene file.
     pub file: Option<String>,
     /// In place of a file, the name of one of the scene's `textures`.
     pub texture: Option<String>,
@@ -38,7 +38,7 @@ pub(crate) struct TextureTable {
 pub(crate) struct NamedTextureTable {
     /// A name for people; that of the table by default.
     pub name: Option<String>,
-    /// A PNG or JPEG file, relative to the scene file.
+    /// A PNG, JPEG or WebP file, relative to the scene file.
     pub file: At<String>,
     /// Whether its colours are sRGB codes; plain numbers if not, as in pictures of normals. They are by default.
     #[serde(default = "table::yes")]
@@ -116,6 +116,6 @@ impl JsonSchema for TextureValue {
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let table = generator.subschema_for::<TextureTable>();
-        json_schema!({ "anyOf": [{ "type": "string", "description": "A PNG or JPEG file." }, table] })
+        json_schema!({ "anyOf": [{ "type": "string", "description": "A PNG, JPEG or WebP file." }, table] })
     }
 }

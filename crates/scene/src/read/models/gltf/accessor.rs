@@ -129,6 +129,7 @@ impl Source<'_> {
             "SCALAR" => 1,
             "VEC2" => 2,
             "VEC3" => 3,
+            "MAT4" => 16,
             _ => 4,
         };
         if !kinds.contains(&accessor.kind.as_str()) {
@@ -229,7 +230,7 @@ impl Source<'_> {
     }
 
     /// Items of `N` floats: all, or those that `pick` names. Items of the file may be shorter, where
-    /// `kinds` allows it; the rest is filled with ones. Every number is finite.
+    /// `kinds` allows it; the rest is filled with ones.
     pub(super) fn floats<const N: usize>(
         &self,
         index: usize,
@@ -252,18 +253,10 @@ impl Source<'_> {
             }
             values
         };
-        let values: Vec<[f32; N]> = match pick {
+        Ok(match pick {
             Some(pick) => pick.iter().map(|&item| read(item as usize)).collect(),
             None => (0..items.count).map(read).collect(),
-        };
-        match values.iter().position(|item| !item.iter().all(|value| value.is_finite())) {
-            Some(bad) => {
-                let item = pick.map_or(bad, |pick| pick[bad] as usize);
-                let found = format!("{:?} in item {item}", values[bad]);
-                Err(self.malformed(place(index), "finite numbers", found))
-            }
-            None => Ok(values),
-        }
+        })
     }
 
     /// Indices of vertices, each below `vertices`.

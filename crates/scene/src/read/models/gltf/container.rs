@@ -17,7 +17,7 @@ pub(super) fn split<'a>(bytes: &'a [u8], file: &str) -> Result<(&'a [u8], Option
     }
     let version = word(bytes, 4, file)?;
     if version != 2 {
-        let found = format!("version {version}");
+        let found = format!("glTF {version}");
         return Err(ReadError::unsupported(file, Place::Byte(4), "version 2 of glTF", found));
     }
     let length = word(bytes, 8, file)? as usize;
@@ -82,6 +82,10 @@ impl<'a> Buffers<'a> {
         let mut total = 0u64;
         for (index, buffer) in root.buffers.iter().enumerate() {
             let path = || Place::Path(format!("buffers[{index}]"));
+            if buffer.is_placeholder() {
+                buffers.push(Cow::Borrowed(&[][..]));
+                continue;
+            }
             let mut bytes = match &buffer.uri {
                 Some(uri) => Cow::Owned(load_uri(uri, path(), context)?),
                 // Only the first buffer may be the binary chunk.
@@ -193,7 +197,7 @@ fn decode_base64(text: &[u8]) -> Option<Vec<u8>> {
 }
 
 /// A URI's path with its `%XX` replaced by the bytes that they mean.
-fn decode_percent(uri: &str) -> String {
+pub(super) fn decode_percent(uri: &str) -> String {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut left = uri.as_bytes();
     while let [first, tail @ ..] = left {

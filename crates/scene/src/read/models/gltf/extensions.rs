@@ -4,6 +4,8 @@
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use super::json::TextureInfo;
+
 #[derive(Deserialize, Default)]
 #[serde(default)]
 pub(super) struct MaterialExtensions {
@@ -27,6 +29,34 @@ pub(super) struct MaterialExtensions {
     pub anisotropy: Anisotropy,
     #[serde(rename = "KHR_materials_iridescence")]
     pub iridescence: Iridescence,
+    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    pub specular_glossiness: Option<SpecularGlossiness>,
+}
+
+/// An older model of materials, in place of metalness and roughness.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct SpecularGlossiness {
+    pub diffuse_factor: [f64; 4],
+    pub diffuse_texture: Option<TextureInfo>,
+    /// Reflectance at normal incidence.
+    pub specular_factor: [f64; 3],
+    /// 1 less the roughness.
+    pub glossiness_factor: f64,
+    /// Factors of both, in its colours and in its alpha.
+    pub specular_glossiness_texture: Option<TextureInfo>,
+}
+
+impl Default for SpecularGlossiness {
+    fn default() -> Self {
+        Self {
+            diffuse_factor: [1.0; 4],
+            diffuse_texture: None,
+            specular_factor: [1.0; 3],
+            glossiness_factor: 1.0,
+            specular_glossiness_texture: None,
+        }
+    }
 }
 
 #[derive(Deserialize)]

@@ -10,7 +10,6 @@ use super::extensions::MaterialExtensions;
 #[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Root {
-    pub asset: Asset,
     pub extensions_used: Vec<String>,
     pub extensions_required: Vec<String>,
     pub accessors: Vec<Accessor>,
@@ -26,6 +25,7 @@ pub(super) struct Root {
     pub scene: Option<usize>,
     pub cameras: Vec<Camera>,
     pub animations: Vec<IgnoredAny>,
+    pub skins: Vec<Skin>,
     pub extensions: RootExtensions,
 }
 
@@ -40,12 +40,6 @@ pub(super) struct RootExtensions {
 #[serde(default)]
 pub(super) struct Lights {
     pub lights: Vec<Light>,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(default)]
-pub(super) struct Asset {
-    pub version: String,
 }
 
 #[derive(Deserialize)]
@@ -86,6 +80,16 @@ pub(super) struct SparsePart {
 pub(super) struct Buffer {
     pub byte_length: u64,
     pub uri: Option<String>,
+    #[serde(default)]
+    pub extensions: MeshoptExtensions,
+}
+
+/// Of buffers and views that hold compressed data.
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct MeshoptExtensions {
+    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+    pub meshopt: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -96,6 +100,8 @@ pub(super) struct View {
     pub byte_offset: u64,
     pub byte_length: u64,
     pub byte_stride: Option<u64>,
+    #[serde(default)]
+    pub extensions: MeshoptExtensions,
 }
 
 #[derive(Deserialize)]
@@ -111,6 +117,23 @@ pub(super) struct Image {
 pub(super) struct Texture {
     pub sampler: Option<usize>,
     pub source: Option<usize>,
+    #[serde(default)]
+    pub extensions: TextureSources,
+}
+
+/// Other pictures of a texture.
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct TextureSources {
+    #[serde(rename = "EXT_texture_webp")]
+    pub webp: Option<TextureSource>,
+    #[serde(rename = "KHR_texture_basisu")]
+    pub basisu: Option<TextureSource>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct TextureSource {
+    pub source: usize,
 }
 
 #[derive(Deserialize, Default, Clone, Copy)]
@@ -197,6 +220,9 @@ pub(super) struct Mesh {
     #[serde(default)]
     pub name: String,
     pub primitives: Vec<Primitive>,
+    /// Of morph targets.
+    #[serde(default)]
+    pub weights: Vec<f64>,
 }
 
 #[derive(Deserialize)]
@@ -206,7 +232,23 @@ pub(super) struct Primitive {
     pub material: Option<usize>,
     pub mode: Option<u32>,
     #[serde(default)]
-    pub targets: Vec<IgnoredAny>,
+    pub targets: Vec<BTreeMap<String, usize>>,
+    #[serde(default)]
+    pub extensions: PrimitiveExtensions,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct PrimitiveExtensions {
+    #[serde(rename = "KHR_draco_mesh_compression")]
+    pub draco: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub joints: Vec<usize>,
+    pub inverse_bind_matrices: Option<usize>,
 }
 
 #[derive(Deserialize, Default)]
@@ -221,6 +263,8 @@ pub(super) struct Node {
     pub mesh: Option<usize>,
     pub camera: Option<usize>,
     pub skin: Option<usize>,
+    /// Of morph targets, in place of those of the mesh.
+    pub weights: Option<Vec<f64>>,
     pub extensions: NodeExtensions,
 }
 
@@ -229,6 +273,13 @@ pub(super) struct Node {
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub light: Option<NodeLight>,
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub instancing: Option<Instancing>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Instancing {
+    pub attributes: BTreeMap<String, usize>,
 }
 
 #[derive(Deserialize)]

@@ -8,11 +8,13 @@ use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::context::Context;
 use super::super::model::Model;
-use super::container::load_uri;
+use super::container::{decode_percent, load_uri};
 use super::json::{self, TextureInfo};
 use super::layers;
 use super::pbr::{self, PbrMaterial};
 use super::source::Source;
+use super::specular_glossiness;
+use crate::read::notes::Notes;
 use crate::read::texture;
 use crate::{AlphaMode, Lobe, Material, Texture, TextureFilter, TextureUse, Wrap};
 
@@ -64,8 +66,8 @@ pub(super) fn read(
 struct Reader<'a> {
     source: &'a Source<'a>,
     textures: Vec<Texture>,
-    /// By number in the file and whether it is a colour.
-    known: HashMap<(usize, bool), usize>,
+    /// By number in the file and whether it is a colour; `None` for those that cannot be read.
+    known: HashMap<(usize, bool), Option<usize>>,
     /// The first texture here of each image of the file.
     decoded: HashMap<usize, usize>,
     /// Bytes that textures may still take.
@@ -79,11 +81,9 @@ impl Reader<'_> {
         path: &str,
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
-        self.check(json, path)?;
+        let ([r, g, b, alpha], cutoff) = checked(json, path, &mut context.notes);
         let unlit = json.extensions.unlit.is_some();
-        let pbr = &json.pbr_metallic_roughness;
         let mut material = if unlit {
-            let [r, g, b, _] = pbr.base_color_factor.map(|channel| channel as f32);
             let shape = Shape::named("emission", &[]).expect("the shape exists");
             Material::of_lobes(json.name.clone(), vec![Lobe::new(shape, Rgb([r, g, b])).textured()])
         } else {
@@ -92,32 +92,18 @@ impl Reader<'_> {
         self.textures_of(json, unlit, &mut material, path, context)?;
         material.two_sided = json.double_sided;
         material.cull_back = !json.double_sided;
-        material.opacity = pbr.base_color_factor[3].min(1.0) as f32;
+        material.opacity = alpha.min(1.0);
         material.alpha_mode = match json.alpha_mode.as_deref() {
             None | Some("OPAQUE") => AlphaMode::Opaque,
-            Some("MASK") => AlphaMode::Mask { cutoff: json.alpha_cutoff.unwrap_or(0.5) as f32 },
+            Some("MASK") => AlphaMode::Mask { cutoff },
             Some("BLEND") => AlphaMode::Blend,
             Some(other) => {
-                let place = Place::Path(format!("{path}.alphaMode"));
-                let found = excerpt(other);
-                return Err(self.source.malformed(place, "OPAQUE, MASK or BLEND", found));
+                let note = format!("glTF: the alphaMode {} is taken as OPAQUE", excerpt(other));
+                context.notes.add_at(&note, Place::Path(format!("{path}.alphaMode")));
+                AlphaMode::Opaque
             }
         };
         Ok(material)
-    }
-
-    /// Checks what lit and unlit materials have.
-    fn check(&self, json: &json::Material, path: &str) -> Result<(), ReadError> {
-        let color =
-            ("pbrMetallicRoughness.baseColorFactor", &json.pbr_metallic_roughness.base_color_factor[..]);
-        let cutoff = json.alpha_cutoff.unwrap_or(0.5);
-        for (name, values) in [color, ("alphaCutoff", &[cutoff])] {
-            if !values.iter().all(|value| (0.0..=1e30).contains(value)) {
-                let place = Place::Path(format!("{path}.{name}"));
-                return Err(self.source.malformed(place, "numbers from 0 on", format!("{values:?}")));
-            }
-        }
-        Ok(())
     }
 
     /// A lit material, without its textures.
@@ -128,7 +114,17 @@ impl Reader<'_> {
         context: &mut Context<'_>,
     ) -> Result<Material, ReadError> {
         let metal = self.mean_metal(json, path, context)?;
-        let pbr = pbr::check(self.source, json, metal, path, context)?;
+        let mut pbr = pbr::check(json, metal, path, &mut context.notes);
+        if let Some(old) = &json.extensions.specular_glossiness {
+            context.notes.add("glTF: specular and glossiness are taken as a dielectric of that reflectance");
+            let info = old.specular_glossiness_texture.as_ref();
+            if let Some(texture) =
+                info.map_or(Ok(None), |info| self.texture(info.index, true, path, context))?
+            {
+                context.notes.add("glTF: textures of specular and glossiness count by their mean");
+                specular_glossiness::apply_mean(&mut pbr, &self.textures[texture]);
+            }
+        }
         let mut material = Material::of_lobes(json.name.clone(), layers::lobes(&pbr));
         material.aniso = json.extensions.anisotropy.anisotropy_rotation;
         material.transmittance = layers::transmittance(&pbr);
@@ -169,62 +165,66 @@ impl Reader<'_> {
         &mut self,
         json: &json::Material,
         path: &str,
-        context: &Context<'_>,
+        context: &mut Context<'_>,
     ) -> Result<Option<f64>, ReadError> {
         let Some(info) = &json.pbr_metallic_roughness.metallic_roughness_texture else { return Ok(None) };
-        let texture = self.texture(info.index, false, path, context)?;
+        let Some(texture) = self.texture(info.index, false, path, context)? else { return Ok(None) };
         let rgba = &self.textures[texture].rgba;
         let sum: u64 = rgba.chunks_exact(4).map(|texel| u64::from(texel[2])).sum();
         Ok(Some(sum as f64 * 4.0 / (255.0 * rgba.len() as f64)))
     }
 
-    /// A texture and how it is applied.
+    /// A texture and how it is applied, if it can be read.
     fn map(
         &mut self,
         info: Option<&TextureInfo>,
         srgb: bool,
         path: &str,
-        context: &Context<'_>,
+        context: &mut Context<'_>,
     ) -> Result<Option<TextureUse>, ReadError> {
         let Some(info) = info else { return Ok(None) };
-        let texture = self.texture(info.index, srgb, path, context)?;
+        let Some(texture) = self.texture(info.index, srgb, path, context)? else { return Ok(None) };
         let transform = uv_transform(info);
         let scale = info.scale.unwrap_or(1.0) as f32;
         if !transform.as_flattened().iter().chain([&scale]).all(|value| value.is_finite()) {
-            let place = Place::Path(format!("{path}.KHR_texture_transform"));
-            return Err(self.source.malformed(place, "finite numbers", "others"));
+            let note = "glTF: textures that are placed by no finite numbers lie as if they were not moved";
+            context.notes.add_at(note, Place::Path(path.to_owned()));
+            return Ok(Some(TextureUse::plain(texture)));
         }
         Ok(Some(TextureUse { texture, transform, scale }))
     }
 
-    /// The number here of a texture of the file.
+    /// The number here of a texture of the file; `None` with a remark where it cannot be read.
     fn texture(
         &mut self,
         index: usize,
         srgb: bool,
         path: &str,
-        context: &Context<'_>,
-    ) -> Result<usize, ReadError> {
+        context: &mut Context<'_>,
+    ) -> Result<Option<usize>, ReadError> {
         if let Some(known) = self.known.get(&(index, srgb)) {
             return Ok(*known);
         }
+        if self.known.get(&(index, !srgb)) == Some(&None) {
+            return Ok(None);
+        }
         let source = self.source;
-        let textures = &source.root.textures;
-        let texture = textures.get(index).ok_or_else(|| {
-            let expected = format!("one of {} textures", textures.len());
-            source.malformed(Place::Path(path.to_owned()), expected, format!("texture {index}"))
-        })?;
-        let place = || Place::Path(format!("textures[{index}]"));
-        let image =
-            texture.source.ok_or_else(|| source.malformed(place(), "a source in PNG or JPEG", "none"))?;
-        let picture = self.picture(image, place(), context)?;
-        let sampler = match texture.sampler {
-            Some(sampler) => *source.root.samplers.get(sampler).ok_or_else(|| {
-                let expected = format!("one of {} samplers", source.root.samplers.len());
-                source.malformed(place(), expected, format!("sampler {sampler}"))
-            })?,
-            None => json::Sampler::default(),
+        let texture = source.root.textures.get(index);
+        let picture = match texture {
+            Some(texture) => self.picture(texture, Place::Path(format!("textures[{index}]")), context)?,
+            None => {
+                let place = Place::Path(path.to_owned());
+                context.notes.add_at("glTF: textures that are not there are left out", place);
+                None
+            }
         };
+        let (Some(texture), Some((image, picture))) = (texture, picture) else {
+            self.known.insert((index, srgb), None);
+            return Ok(None);
+        };
+        // A sampler that is not there is as none.
+        let sampler = texture.sampler.and_then(|sampler| source.root.samplers.get(sampler));
+        let sampler = sampler.copied().unwrap_or_default();
         let wrap = [wrap(sampler.wrap_s), wrap(sampler.wrap_t)];
         const NEAREST: u32 = 9728;
         let filter = match sampler.mag_filter {
@@ -233,40 +233,107 @@ impl Reader<'_> {
         };
         self.textures.push(Texture { srgb, wrap, filter, ..picture });
         let number = self.textures.len() - 1;
-        self.known.insert((index, srgb), number);
+        self.known.insert((index, srgb), Some(number));
         self.decoded.entry(image).or_insert(number);
-        Ok(number)
+        Ok(Some(number))
     }
 
-    /// The picture of an image of the file, which is decoded only once.
-    fn picture(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
-        let Some(known) = self.decoded.get(&index).map(|known| &self.textures[*known]) else {
-            return self.image(index, user, context);
-        };
-        let size = known.rgba.len() as u64;
-        texture::spend(size, self.source.file, &user, context.options, &mut self.left)?;
-        Ok(known.clone())
-    }
-
-    fn image(&mut self, index: usize, user: Place, context: &Context<'_>) -> Result<Texture, ReadError> {
-        let source = self.source;
-        let images = &source.root.images;
-        let image = images.get(index).ok_or_else(|| {
-            source.malformed(user, format!("one of {} images", images.len()), format!("image {index}"))
-        })?;
-        let place = Place::Path(format!("images[{index}]"));
-        let loaded;
-        let bytes = match (&image.uri, image.buffer_view) {
-            (Some(uri), _) => {
-                loaded = load_uri(uri, place.clone(), context)?;
-                &loaded[..]
+    /// The first picture of a texture that can be read, and its number in the file. It is decoded only once.
+    fn picture(
+        &mut self,
+        texture: &json::Texture,
+        user: Place,
+        context: &mut Context<'_>,
+    ) -> Result<Option<(usize, Texture)>, ReadError> {
+        let extensions = &texture.extensions;
+        let webp = extensions.webp.as_ref().map(|webp| webp.source);
+        for index in [webp, texture.source].into_iter().flatten() {
+            if let Some(known) = self.decoded.get(&index).map(|known| &self.textures[*known]) {
+                let size = known.rgba.len() as u64;
+                texture::spend(size, self.source.file, &user, context.options, &mut self.left)?;
+                return Ok(Some((index, known.clone())));
             }
-            (None, Some(view)) => source.buffers.view(source.root, view, source.file)?.0,
-            (None, None) => return Err(source.malformed(place, "a uri or a bufferView", "neither")),
-        };
-        let picture = texture::decode(bytes, source.file, place, context.options, &mut self.left)?;
-        Ok(Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture })
+            if let Some(picture) = self.image(index, &user, context)? {
+                return Ok(Some((index, picture)));
+            }
+        }
+        if webp.or(texture.source).is_none() {
+            let what = if extensions.basisu.is_some() {
+                "in KTX2 alone (KHR_texture_basisu)"
+            } else {
+                "without a picture"
+            };
+            context.notes.add_at(&format!("glTF: a texture {what} is left out"), user);
+        }
+        Ok(None)
     }
+
+    fn image(
+        &mut self,
+        index: usize,
+        user: &Place,
+        context: &mut Context<'_>,
+    ) -> Result<Option<Texture>, ReadError> {
+        let source = self.source;
+        let Some(image) = source.root.images.get(index) else {
+            context.notes.add_at("glTF: pictures that are not there are left out", user.clone());
+            return Ok(None);
+        };
+        let place = Place::Path(format!("images[{index}]"));
+        let (loaded, bytes);
+        let name = match (&image.uri, image.buffer_view) {
+            (Some(uri), _) => {
+                loaded = self.load(uri, &place, context);
+                let Some(loaded) = &loaded else { return Ok(None) };
+                bytes = Ok(&loaded[..]);
+                if uri.starts_with("data:") { &image.name } else { uri }
+            }
+            (None, Some(view)) => {
+                bytes = source.buffers.view(source.root, view, source.file).map(|(bytes, _)| bytes);
+                &image.name
+            }
+            (None, None) => {
+                context.notes.add_at("glTF: pictures without a uri or a bufferView are left out", place);
+                return Ok(None);
+            }
+        };
+        let bytes = match bytes {
+            Ok(bytes) => bytes,
+            Err(error) => {
+                context.notes.add_at(&format!("glTF: a picture is left out ({error})"), place);
+                return Ok(None);
+            }
+        };
+        let number = format!("images[{index}]");
+        let name = if name.is_empty() { &number } else { name };
+        let picture = context.decode_picture(bytes, name, &place, &mut self.left)?;
+        Ok(picture.map(|picture| Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture }))
+    }
+
+    /// The bytes of a picture that a URI holds or names.
+    fn load(&self, uri: &str, place: &Place, context: &mut Context<'_>) -> Option<Vec<u8>> {
+        if uri.starts_with("data:") || uri.contains("://") {
+            return match load_uri(uri, place.clone(), context) {
+                Ok(bytes) => Some(bytes),
+                Err(error) => {
+                    context.notes.add_at(&format!("glTF: a picture is left out ({error})"), place.clone());
+                    None
+                }
+            };
+        }
+        context.find_picture(&[decode_percent(uri)], place)
+    }
+}
+
+/// The base colour and the least alpha that is drawn, of lit and unlit materials.
+fn checked(json: &json::Material, path: &str, notes: &mut Notes) -> ([f32; 4], f32) {
+    let (color, cutoff) = (json.pbr_metallic_roughness.base_color_factor, json.alpha_cutoff.unwrap_or(0.5));
+    if !color.iter().chain([&cutoff]).all(|value| (0.0..=1e30).contains(value)) {
+        let note = "glTF: base colours and alphaCutoff beyond 0 to 1e30 are taken as the nearest within";
+        notes.add_at(note, Place::Path(path.to_owned()));
+    }
+    let near = |value: f64| value.clamp(0.0, 1e30) as f32;
+    (color.map(near), near(cutoff))
 }
 
 /// Notes what of a lit material is left out or cannot be had together.

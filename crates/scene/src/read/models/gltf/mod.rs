@@ -4,9 +4,10 @@
 //! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
 //! `KHR_texture_transform`, `KHR_mesh_quantization` and of `KHR_materials_…`: `unlit`,
 //! `emissive_strength`, `ior`, `specular`, `clearcoat`, `sheen`, `transmission`, `volume`,
-//! `anisotropy` and `iridescence`. Other extensions are ignored with a note, or refused where the file
-//! requires them. Skins, animations and morph targets are ignored: meshes are drawn as they are
-//! bound.
+//! `anisotropy`, `iridescence` and `pbrSpecularGlossiness`; `EXT_mesh_gpu_instancing`, `EXT_texture_webp`. Other
+//! extensions are ignored with a note, also where the file requires them if they are about materials and pictures alone,
+//! else refused there. Skins are in the pose of the nodes, morph targets have the weights of the file; animations are
+//! ignored.
 //!
 //! # Materials
 //! As Appendix B of the specification (Khronos Group, glTF 2.0, 2021) and the extensions have them.
@@ -34,7 +35,8 @@
 //!   not bend light.
 //! - A roughness texture multiplies the widths of the clear coat too, and both widths where they differ.
 //! - A clear coat does not dim light of the surface itself.
-//! - Textures of the extensions and occlusion textures are ignored.
+//! - Specular and glossiness are a dielectric of that reflectance; a texture of both counts by its mean.
+//! - Textures of the other extensions and occlusion textures are ignored.
 //!
 //! All of these but the first are noted where they matter. Ambient light, which glTF does not have, finds the
 //! base colour less what passes through, of metals nothing; a texture of metal counts by its mean. An unlit
@@ -57,20 +59,24 @@ mod layers;
 mod material;
 mod nodes;
 mod pbr;
+mod pose;
 mod primitive;
 mod source;
+mod specular_glossiness;
 
 use glanz_color::read::{Place, ReadError, excerpt};
+use serde::Deserialize;
+use serde_json::Value;
 
 use super::context::Context;
 use super::model::Model;
 use budget::Budget;
 use container::Buffers;
 use json::Root;
-use source::Source;
+use source::{Source, compressed_error};
 
 /// Extensions that are read.
-const SUPPORTED: [&str; 13] = [
+const SUPPORTED: [&str; 16] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_materials_emissive_strength",
@@ -84,14 +90,35 @@ const SUPPORTED: [&str; 13] = [
     "KHR_materials_iridescence",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
+    "KHR_materials_pbrSpecularGlossiness",
+    "EXT_mesh_gpu_instancing",
+    "EXT_texture_webp",
+];
+
+/// Extensions that compress geometry.
+const COMPRESSION: [&str; 3] =
+    ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+
+/// How the names of extensions begin without which the geometry is what it is: they are of materials, pictures, facts.
+const OF_APPEARANCE: [&str; 8] = [
+    "KHR_materials_",
+    "EXT_materials_",
+    "MSFT_texture_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "KHR_xmp",
+    "KHR_animation",
+    "EXT_lights_",
 ];
 
 /// Reads a file.
 pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, ReadError> {
     let (json, binary) = container::split(bytes, context.file)?;
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    let root: Root = serde_json::from_slice(json).map_err(|error| json_error(&error, context.file))?;
-    check_version(&root, context)?;
+    check_version(json, context.file)?;
+    let mut root: Root = serde_json::from_slice(json).map_err(|error| json_error(&error, context.file))?;
+    check_extensions(&root, context)?;
+    root.materials.iter_mut().for_each(specular_glossiness::convert);
     let buffers = Buffers::load(&root, binary, context)?;
     let source = Source { file: context.file, root: &root, buffers: &buffers };
     let mut budget = Budget::new(bytes.len() as u64 + buffers.total());
@@ -117,18 +144,53 @@ fn json_error(error: &serde_json::Error, file: &str) -> ReadError {
     ReadError::malformed(file, place, "glTF 2.0 as JSON", found)
 }
 
-fn check_version(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError> {
-    let version = &root.asset.version;
-    let path = |path: &str| Place::Path(path.to_owned());
-    if version != "2" && !version.starts_with("2.") {
-        let found = excerpt(version);
-        return Err(ReadError::unsupported(context.file, path("asset.version"), "version 2 of glTF", found));
+/// Looks at the version before all else: in glTF 1.0 lists are objects.
+fn check_version(json: &[u8], file: &str) -> Result<(), ReadError> {
+    let head: Head = serde_json::from_slice(json).map_err(|error| json_error(&error, file))?;
+    let Some(version) = head.asset.unwrap_or_default().version else {
+        let (place, expected) = (Place::Path("asset".to_owned()), "the version of glTF");
+        return Err(ReadError::malformed(file, place, expected, "none (files of glTF 1.0 may leave it out)"));
+    };
+    let version = match version {
+        Value::String(version) => version,
+        other => other.to_string(),
+    };
+    match version == "2" || version.starts_with("2.") {
+        true => Ok(()),
+        false => {
+            let (place, found) = (Place::Path("asset.version".to_owned()), format!("glTF {version}"));
+            Err(ReadError::unsupported(file, place, "version 2 of glTF", clean(&found)))
+        }
     }
+}
+
+/// The version of a file of any version.
+#[derive(Deserialize)]
+struct Head {
+    asset: Option<HeadAsset>,
+}
+
+#[derive(Deserialize, Default)]
+struct HeadAsset {
+    version: Option<Value>,
+}
+
+/// A text of a file, fit for a message.
+fn clean(text: &str) -> String {
+    excerpt(text).trim_matches('\'').to_owned()
+}
+
+fn check_extensions(root: &Root, context: &mut Context<'_>) -> Result<(), ReadError> {
     let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
-    if let Some(name) = root.extensions_required.iter().find(unknown) {
-        let expected = format!("only extensions of {}", SUPPORTED.join(", "));
-        let found = excerpt(name);
-        return Err(ReadError::unsupported(context.file, path("extensionsRequired"), expected, found));
+    for name in root.extensions_required.iter().filter(unknown) {
+        let place = Place::Path("extensionsRequired".to_owned());
+        if COMPRESSION.contains(&name.as_str()) {
+            return Err(compressed_error(context.file, place, name));
+        }
+        if !OF_APPEARANCE.iter().any(|start| name.starts_with(start)) {
+            let expected = format!("only extensions of {}", SUPPORTED.join(", "));
+            return Err(ReadError::unsupported(context.file, place, expected, excerpt(name)));
+        }
     }
     for name in root.extensions_used.iter().filter(unknown) {
         context.notes.add(&format!("glTF: the extension {name} is ignored"));

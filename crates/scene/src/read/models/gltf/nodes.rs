@@ -6,6 +6,7 @@ use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::model::Model;
 use super::json::{self, Node};
+use super::pose::Pose;
 use super::primitive::Builder;
 use super::source::Source;
 use crate::read::notes::Notes;
@@ -21,6 +22,7 @@ pub(super) fn read(
     let nodes = &source.root.nodes;
     // Nodes are a forest: one that is met twice is its own ancestor or has two parents.
     let mut seen = vec![false; nodes.len()];
+    let globals = globals(nodes);
     let roots = roots(source, notes)?;
     let mut stack: Vec<(usize, DMat4, Option<usize>)> =
         roots.into_iter().rev().map(|root| (root, DMat4::IDENTITY, None)).collect();
@@ -42,7 +44,7 @@ pub(super) fn read(
             return Err(source.malformed(place, "a finite transform", "one that is not"));
         }
         stack.extend(node.children.iter().rev().map(|&child| (child, transform, Some(index))));
-        Visit { source, index, node, transform }.add(builder, model, notes)?;
+        Visit { source, index, node, transform, globals: &globals }.add(builder, model, notes)?;
     }
     Ok(())
 }
@@ -67,6 +69,27 @@ fn roots(source: &Source<'_>, notes: &mut Notes) -> Result<Vec<usize>, ReadError
     })
 }
 
+/// The transforms of all nodes to the world, also of those that the scene does not show. Those of nodes that are
+/// their own ancestors are of no use.
+fn globals(nodes: &[Node]) -> Vec<DMat4> {
+    let mut is_child = vec![false; nodes.len()];
+    for &child in nodes.iter().flat_map(|node| &node.children) {
+        if let Some(flag) = is_child.get_mut(child) {
+            *flag = true;
+        }
+    }
+    let mut globals = vec![None; nodes.len()];
+    let mut stack: Vec<(usize, DMat4)> =
+        (0..nodes.len()).filter(|&node| !is_child[node]).map(|node| (node, DMat4::IDENTITY)).collect();
+    while let Some((index, parent)) = stack.pop() {
+        let Some(node) = nodes.get(index).filter(|_| globals[index].is_none()) else { continue };
+        let global = parent * local(node);
+        globals[index] = Some(global);
+        stack.extend(node.children.iter().map(|&child| (child, global)));
+    }
+    globals.into_iter().map(|global| global.unwrap_or(DMat4::IDENTITY)).collect()
+}
+
 /// The transform of a node to its parent.
 fn local(node: &Node) -> DMat4 {
     if let Some(matrix) = &node.matrix {
@@ -75,15 +98,18 @@ fn local(node: &Node) -> DMat4 {
         (matrix.x_axis.w, matrix.y_axis.w, matrix.z_axis.w, matrix.w_axis.w) = (0.0, 0.0, 0.0, 1.0);
         return matrix;
     }
-    let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
+    placed(
+        node.scale.map_or(DVec3::ONE, DVec3::from),
+        node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array),
+        node.translation.map_or(DVec3::ZERO, DVec3::from),
+    )
+}
+
+fn placed(scale: DVec3, rotation: DQuat, translation: DVec3) -> DMat4 {
     // A quaternion of length zero rotates nothing.
     let length = rotation.length();
     let rotation = if length > 0.0 { rotation * (1.0 / length) } else { DQuat::IDENTITY };
-    DMat4::from_scale_rotation_translation(
-        node.scale.map_or(DVec3::ONE, DVec3::from),
-        rotation,
-        node.translation.map_or(DVec3::ZERO, DVec3::from),
-    )
+    DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }
 
 /// A node on the way through the scene.
@@ -93,6 +119,8 @@ struct Visit<'a> {
     node: &'a Node,
     /// To the world.
     transform: DMat4,
+    /// The same of all nodes.
+    globals: &'a [DMat4],
 }
 
 impl Visit<'_> {
@@ -106,12 +134,23 @@ impl Visit<'_> {
             self.add_objects(mesh, builder, model, notes)?;
         }
         if let Some(camera) = self.node.camera {
-            self.add_camera(camera, builder, model)?;
+            match self.camera(camera) {
+                Ok(camera) => self.add_camera(camera, builder, model)?,
+                Err(error) => {
+                    let note = format!("glTF: a camera is left out ({error})");
+                    notes.add_at(&note, Place::Path(self.path("camera")));
+                }
+            }
         }
         if let Some(light) = &self.node.extensions.light {
-            self.add_light(light.light, builder, model, notes)?;
+            match self.light(light.light, notes) {
+                Ok(light) => self.add_light(light, builder, model)?,
+                Err(error) => {
+                    let note = format!("glTF: a light is left out ({error})");
+                    notes.add_at(&note, Place::Path(self.path("extensions.KHR_lights_punctual")));
+                }
+            }
         }
-        notes.add_times("glTF: skins are ignored", u64::from(self.node.skin.is_some()));
         Ok(())
     }
 
@@ -123,22 +162,93 @@ impl Visit<'_> {
         notes: &mut Notes,
     ) -> Result<(), ReadError> {
         let path = self.path("mesh");
-        let count = builder.mesh(mesh, &path, notes)?.len() as u64;
+        let pose = self.pose(mesh, notes);
+        let is_skinned = pose.as_ref().is_some_and(|pose| pose.joints.is_some());
+        let pose = pose.as_ref().map(|pose| (self.index, pose));
+        let count = builder.mesh(mesh, pose, &path, notes)?.len() as u64;
         let name = match self.node.name.is_empty() {
             true => &self.source.root.meshes[mesh].name,
             false => &self.node.name,
         };
-        builder.spend(count * (size_of::<Object>() + name.len()) as u64, || path.clone())?;
-        model.objects.extend(builder.mesh(mesh, &path, notes)?.iter().map(|&(mesh, material)| Object {
-            name: name.clone(),
-            mesh,
-            material,
-            transform: self.transform,
-            shading: None,
-            interpolation: None,
-            program: None,
-        }));
+        let instances = self.instances(notes)?;
+        let size = (size_of::<Object>() + name.len()) as u64;
+        builder.spend(count * instances.len() as u64 * size, || path.clone())?;
+        // Joints bring a mesh to the world by themselves.
+        let transform = if is_skinned { DMat4::IDENTITY } else { self.transform };
+        for instance in instances {
+            model.objects.extend(builder.mesh(mesh, pose, &path, notes)?.iter().map(|&(mesh, material)| {
+                Object {
+                    name: name.clone(),
+                    mesh,
+                    material,
+                    transform: transform * instance,
+                    shading: None,
+                    interpolation: None,
+                    program: None,
+                }
+            }));
+        }
         Ok(())
+    }
+
+    /// How the node poses its mesh, if it does so differently from others. A skin that cannot be read is left out.
+    fn pose(&self, mesh: usize, notes: &mut Notes) -> Option<Pose> {
+        let source = self.source;
+        let joints = self.node.skin.and_then(|skin| {
+            let path = self.path("skin");
+            let skins = &source.root.skins;
+            let joints = match skins.get(skin) {
+                Some(skin) => Pose::joints(source, skin, self.globals, &path),
+                None => {
+                    let expected = format!("one of {} skins", skins.len());
+                    Err(source.malformed(Place::Path(path.clone()), expected, format!("skin {skin}")))
+                }
+            };
+            joints
+                .map_err(|error| {
+                    notes.add_at(&format!("glTF: a skin is left out ({error})"), Place::Path(path))
+                })
+                .ok()
+        });
+        let own = &self.node.weights;
+        let weights = || source.root.meshes.get(mesh).map(|mesh| mesh.weights.clone()).unwrap_or_default();
+        (joints.is_some() || own.is_some())
+            .then(|| Pose { weights: own.clone().unwrap_or_else(weights), joints })
+    }
+
+    /// From each instance of the node's mesh to the node: one, or as many as `EXT_mesh_gpu_instancing` has.
+    fn instances(&self, notes: &mut Notes) -> Result<Vec<DMat4>, ReadError> {
+        let Some(instancing) = &self.node.extensions.instancing else { return Ok(vec![DMat4::IDENTITY]) };
+        let path = self.path("extensions.EXT_mesh_gpu_instancing");
+        let (attributes, source) = (&instancing.attributes, self.source);
+        let count = match attributes.values().next() {
+            Some(&accessor) => source.count(accessor, &path)?,
+            None => return Ok(vec![DMat4::IDENTITY]),
+        };
+        let missing = |name| attributes.get(name).is_none();
+        let translations = match missing("TRANSLATION") {
+            true => vec![[0.0; 3]; count],
+            false => source.floats::<3>(attributes["TRANSLATION"], &["VEC3"], None, &path)?,
+        };
+        let rotations = match missing("ROTATION") {
+            true => vec![[0.0, 0.0, 0.0, 1.0]; count],
+            false => source.floats::<4>(attributes["ROTATION"], &["VEC4"], None, &path)?,
+        };
+        let scales = match missing("SCALE") {
+            true => vec![[1.0; 3]; count],
+            false => source.floats::<3>(attributes["SCALE"], &["VEC3"], None, &path)?,
+        };
+        let instances =
+            translations.into_iter().zip(rotations).zip(scales).map(|((move_by, turn), scale)| {
+                let turn = DQuat::from_array(turn.map(f64::from));
+                placed(scale.map(f64::from).into(), turn, move_by.map(f64::from).into())
+            });
+        let (finite, odd): (Vec<_>, Vec<_>) = instances.partition(DMat4::is_finite);
+        notes.add_times(
+            "glTF: instances that are not placed by finite numbers are left out",
+            odd.len() as u64,
+        );
+        Ok(finite)
     }
 
     /// The direction in the world that the node looks along.
@@ -151,10 +261,17 @@ impl Visit<'_> {
 
     fn add_camera(
         &self,
-        index: usize,
+        camera: (String, Camera),
         builder: &mut Builder<'_>,
         model: &mut Model,
     ) -> Result<(), ReadError> {
+        builder.spend((size_of::<Camera>() + camera.0.len()) as u64, || self.path("camera"))?;
+        model.cameras.push(camera);
+        Ok(())
+    }
+
+    /// The camera at the node, with its name.
+    fn camera(&self, index: usize) -> Result<(String, Camera), ReadError> {
         let source = self.source;
         let camera = source.root.cameras.get(index).ok_or_else(|| {
             let expected = format!("one of {} cameras", source.root.cameras.len());
@@ -168,18 +285,17 @@ impl Visit<'_> {
         let target = eye + self.forward("camera")?;
         let up = self.transform.transform_vector3(DVec3::Y).try_normalize().unwrap_or(DVec3::Y);
         let name = if camera.name.is_empty() { &self.node.name } else { &camera.name };
-        builder.spend((size_of::<Camera>() + name.len()) as u64, || self.path("camera"))?;
-        model.cameras.push((name.clone(), Camera { eye, target, up, projection }));
+        Ok((name.clone(), Camera { eye, target, up, projection }))
+    }
+
+    fn add_light(&self, light: Light, builder: &mut Builder<'_>, model: &mut Model) -> Result<(), ReadError> {
+        builder.spend((size_of::<Light>() + light.name.len()) as u64, || self.path("extensions"))?;
+        model.lights.push(light);
         Ok(())
     }
 
-    fn add_light(
-        &self,
-        index: usize,
-        builder: &mut Builder<'_>,
-        model: &mut Model,
-        notes: &mut Notes,
-    ) -> Result<(), ReadError> {
+    /// The light at the node.
+    fn light(&self, index: usize, notes: &mut Notes) -> Result<Light, ReadError> {
         let source = self.source;
         let lights = &source.root.extensions.lights.lights;
         let light = lights.get(index).ok_or_else(|| {
@@ -199,10 +315,8 @@ impl Visit<'_> {
         }
         notes.add_times("glTF: ranges of lights are ignored", u64::from(light.range.is_some()));
         let name = if light.name.is_empty() { &self.node.name } else { &light.name };
-        builder.spend((size_of::<Light>() + name.len()) as u64, || self.path("extensions"))?;
         let colors = LightColors::direct(Rgb(color));
-        model.lights.push(Light { name: name.clone(), ..Light::new(kind, colors) });
-        Ok(())
+        Ok(Light { name: name.clone(), ..Light::new(kind, colors) })
     }
 
     /// The geometry of a light at the node.

@@ -1,10 +1,9 @@
 //! What a lit material is made of: its numbers, checked and brought into their ranges.
 
-use glanz_color::read::{Place, ReadError};
+use glanz_color::read::Place;
 
-use super::super::context::Context;
 use super::json;
-use super::source::Source;
+use crate::read::notes::Notes;
 
 /// The thickest film in nm whose fringes the wavelengths, 5 nm apart, still show.
 const MAX_FILM_NM: f64 = 1e4;
@@ -64,122 +63,136 @@ pub(super) fn greatest(rgb: [f64; 3]) -> f64 {
     rgb.into_iter().fold(0.0, f64::max)
 }
 
-/// Checks the numbers of a lit material; `mean_metal` is the mean of its metal texture, if it has one.
+/// The numbers of a lit material, brought into their ranges with a remark; `mean_metal` is the mean of its metal texture, if it has one.
 pub(super) fn check(
-    source: &Source<'_>,
     json: &json::Material,
     mean_metal: Option<f64>,
     path: &str,
-    context: &mut Context<'_>,
-) -> Result<PbrMaterial, ReadError> {
-    let mut numbers = Numbers { source, path, beyond: 0 };
+    notes: &mut Notes,
+) -> PbrMaterial {
+    let mut numbers = Numbers { path, beyond: 0, notes };
     let (pbr, more) = (&json.pbr_metallic_roughness, &json.extensions);
     let [r, g, b, _] = pbr.base_color_factor;
     let strength = more.emissive.emissive_strength;
-    numbers.least("extensions.KHR_materials_emissive_strength", 0.0, [strength])?;
-    let emission = numbers.least("emissiveFactor", 0.0, json.emissive_factor)?.map(|c| c * strength);
+    let [strength] = numbers.least("extensions.KHR_materials_emissive_strength", 0.0, [strength]);
+    let emission = numbers.least("emissiveFactor", 0.0, json.emissive_factor).map(|c| c * strength);
     let pbr = PbrMaterial {
-        base: numbers.factors("pbrMetallicRoughness.baseColorFactor", [r, g, b])?,
-        metallic: numbers.factor("pbrMetallicRoughness.metallicFactor", pbr.metallic_factor)?,
+        base: numbers.factors("pbrMetallicRoughness.baseColorFactor", [r, g, b]),
+        metallic: numbers.factor("pbrMetallicRoughness.metallicFactor", pbr.metallic_factor),
         metal_varies: mean_metal.is_some(),
         mean_metal: mean_metal.unwrap_or(1.0),
-        roughness: numbers.factor("pbrMetallicRoughness.roughnessFactor", pbr.roughness_factor)?,
-        emission: numbers.least("emissiveFactor times its strength", 0.0, emission)?,
-        f0: numbers.f0(json)?,
-        specular: numbers.extension("specular", more.specular.specular_factor)?,
-        transmission: numbers.extension("transmission", more.transmission.transmission_factor)?,
-        left: numbers.left(json)?,
-        coat: numbers.extension("clearcoat", more.clearcoat.clearcoat_factor)?,
-        coat_roughness: numbers.extension("clearcoat", more.clearcoat.clearcoat_roughness_factor)?,
-        sheen: numbers.factors("extensions.KHR_materials_sheen", more.sheen.sheen_color_factor)?,
-        sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor)?,
-        anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength)?,
-        iridescence: numbers.extension("iridescence", more.iridescence.iridescence_factor)?,
-        film_ior: numbers.film_ior(json)?,
-        film_nm: numbers.film_nm(json)?,
+        roughness: numbers.factor("pbrMetallicRoughness.roughnessFactor", pbr.roughness_factor),
+        emission: numbers.least("emissiveFactor times its strength", 0.0, emission),
+        f0: numbers.f0(json),
+        specular: numbers.extension("specular", more.specular.specular_factor),
+        transmission: numbers.extension("transmission", more.transmission.transmission_factor),
+        left: numbers.left(json),
+        coat: numbers.extension("clearcoat", more.clearcoat.clearcoat_factor),
+        coat_roughness: numbers.extension("clearcoat", more.clearcoat.clearcoat_roughness_factor),
+        sheen: numbers.factors("extensions.KHR_materials_sheen", more.sheen.sheen_color_factor),
+        sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor),
+        anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength),
+        iridescence: numbers.extension("iridescence", more.iridescence.iridescence_factor),
+        film_ior: numbers.film_ior(json),
+        film_nm: numbers.film_nm(json),
     };
-    context.notes.add_times("glTF: factors above 1 count as 1", numbers.beyond);
-    Ok(pbr)
+    let beyond = numbers.beyond;
+    notes.add_times("glTF: factors above 1 count as 1", beyond);
+    pbr
 }
 
 /// The greatest number that is taken: far beyond all that means something, and safe to multiply.
 const MAX_NUMBER: f64 = 1e30;
 
 struct Numbers<'a> {
-    source: &'a Source<'a>,
     path: &'a str,
     /// How many factors were above 1.
     beyond: u64,
+    notes: &'a mut Notes,
 }
 
 impl Numbers<'_> {
-    /// The values, if they are at least this.
-    fn least<const N: usize>(&self, name: &str, least: f64, values: [f64; N]) -> Result<[f64; N], ReadError> {
+    /// The values, each of them the nearest that is at least this and can be multiplied.
+    fn least<const N: usize>(&mut self, name: &str, least: f64, values: [f64; N]) -> [f64; N] {
         let fine = values.iter().all(|value| (least..=MAX_NUMBER).contains(value));
-        fine.then_some(values).ok_or_else(|| self.wrong(name, format!("numbers from {least} on"), &values))
+        if !fine {
+            self.tell(
+                name,
+                format!("expected numbers from {least} on, found {values:?}: the nearest are taken"),
+            );
+        }
+        values.map(|value| if value > least { value.min(MAX_NUMBER) } else { least })
     }
 
-    fn wrong(&self, name: &str, expected: impl Into<String>, found: &[f64]) -> ReadError {
+    /// A remark on a value; of several kinds of a material each is told.
+    fn tell(&mut self, name: &str, what: String) {
         let place = Place::Path(format!("{}.{name}", self.path));
-        self.source.malformed(place, expected, format!("{found:?}"))
+        self.notes.add_kind_at(&format!("glTF: {name}"), place, || format!("glTF: {what}"));
     }
 
-    fn factors<const N: usize>(&mut self, name: &str, values: [f64; N]) -> Result<[f64; N], ReadError> {
-        let values = self.least(name, 0.0, values)?;
+    fn factors<const N: usize>(&mut self, name: &str, values: [f64; N]) -> [f64; N] {
+        let values = self.least(name, 0.0, values);
         self.beyond += values.iter().filter(|value| **value > 1.0).count() as u64;
-        Ok(values.map(|value| value.min(1.0)))
+        values.map(|value| value.min(1.0))
     }
 
-    fn factor(&mut self, name: &str, value: f64) -> Result<f64, ReadError> {
-        self.factors(name, [value]).map(|[value]| value)
+    fn factor(&mut self, name: &str, value: f64) -> f64 {
+        let [value] = self.factors(name, [value]);
+        value
     }
 
     /// A factor of the extension of that name.
-    fn extension(&mut self, name: &str, value: f64) -> Result<f64, ReadError> {
+    fn extension(&mut self, name: &str, value: f64) -> f64 {
         self.factor(&format!("extensions.KHR_materials_{name}"), value)
     }
 
     /// ((ior − 1) / (ior + 1))² · specular colour. An index of 0 mirrors everything, as the extension has it for
     /// materials that come from an older model.
-    fn f0(&self, json: &json::Material) -> Result<[f64; 3], ReadError> {
+    fn f0(&mut self, json: &json::Material) -> [f64; 3] {
         let more = &json.extensions;
-        let ior = more.ior.ior;
+        let mut ior = more.ior.ior;
         if ior != 0.0 && !(1.0..=MAX_NUMBER).contains(&ior) {
-            return Err(self.wrong("extensions.KHR_materials_ior", "0 or an index from 1 on", &[ior]));
+            let what = format!("expected 0 or an index from 1 on, found {ior}: 1.5 is taken");
+            self.tell("extensions.KHR_materials_ior", what);
+            ior = 1.5;
         }
         let root = (ior - 1.0) / (ior + 1.0);
         let color = more.specular.specular_color_factor;
-        let color = self.least("extensions.KHR_materials_specular", 0.0, color)?;
-        Ok(color.map(|channel| (root * root * channel).min(1.0)))
+        let color = self.least("extensions.KHR_materials_specular", 0.0, color);
+        color.map(|channel| (root * root * channel).min(1.0))
     }
 
     /// Beer and Lambert: colour^(thickness / distance). Of a surface that is drawn on both sides, light passes two
     /// faces.
-    fn left(&mut self, json: &json::Material) -> Result<[f64; 3], ReadError> {
+    fn left(&mut self, json: &json::Material) -> [f64; 3] {
         const NAME: &str = "extensions.KHR_materials_volume";
         let volume = &json.extensions.volume;
-        let [thickness] = self.least(NAME, 0.0, [volume.thickness_factor])?;
-        let color = self.factors(NAME, volume.attenuation_color)?;
-        let Some(distance) = volume.attenuation_distance else { return Ok([1.0; 3]) };
+        let [thickness] = self.least(NAME, 0.0, [volume.thickness_factor]);
+        let color = self.factors(NAME, volume.attenuation_color);
+        let Some(distance) = volume.attenuation_distance else { return [1.0; 3] };
         if distance <= 0.0 || distance.is_nan() {
-            return Err(self.wrong(NAME, "an attenuationDistance above 0", &[distance]));
+            let what =
+                format!("expected an attenuationDistance above 0, found {distance}: nothing is absorbed");
+            self.tell(NAME, what);
+            return [1.0; 3];
         }
         let faces = if json.double_sided { 2.0 } else { 1.0 };
-        Ok(color.map(|channel| libm::pow(channel, thickness / (faces * distance))))
+        color.map(|channel| libm::pow(channel, thickness / (faces * distance)))
     }
 
-    fn film_ior(&self, json: &json::Material) -> Result<f64, ReadError> {
+    fn film_ior(&mut self, json: &json::Material) -> f64 {
         let ior = json.extensions.iridescence.iridescence_ior;
-        self.least("extensions.KHR_materials_iridescence", 1.0, [ior]).map(|[ior]| ior)
+        let [ior] = self.least("extensions.KHR_materials_iridescence", 1.0, [ior]);
+        ior
     }
 
     /// The thickness of the film: where a texture would say it, the middle of its range.
-    fn film_nm(&self, json: &json::Material) -> Result<f64, ReadError> {
+    fn film_nm(&mut self, json: &json::Material) -> f64 {
         let film = &json.extensions.iridescence;
         let range = [film.iridescence_thickness_minimum, film.iridescence_thickness_maximum];
-        let [least, most] = self.least("extensions.KHR_materials_iridescence", 0.0, range)?;
+        let [least, most] = self.least("extensions.KHR_materials_iridescence", 0.0, range);
         let thickness =
             if film.iridescence_thickness_texture.is_some() { 0.5 * (least + most) } else { most };
-        Ok(thickness.min(MAX_FILM_NM))
+        thickness.min(MAX_FILM_NM)
     }
 }

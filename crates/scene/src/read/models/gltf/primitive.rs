@@ -5,10 +5,11 @@ use std::collections::HashMap;
 use glam::{Vec2, Vec3, Vec4};
 use glanz_color::read::{Place, ReadError};
 
-use super::super::finish::finish_mesh;
+use super::super::finish::{drop_faces_without_positions, finish_mesh};
 use super::super::model::Model;
 use super::budget::Budget;
 use super::json::Primitive;
+use super::pose::Pose;
 use super::source::Source;
 use crate::Mesh;
 use crate::read::notes::Notes;
@@ -21,8 +22,8 @@ pub(super) struct Builder<'a> {
     source: &'a Source<'a>,
     budget: &'a mut Budget,
     meshes: Vec<Mesh>,
-    /// For each mesh of the file, its meshes and their materials here.
-    built: HashMap<usize, Vec<(usize, usize)>>,
+    /// For each mesh of the file, and the node that poses it if one does, its meshes and their materials here.
+    built: HashMap<(usize, Option<usize>), Vec<(usize, usize)>>,
     /// The numbers here of the file's materials; `None` for the default one.
     materials: HashMap<Option<usize>, usize>,
     /// The other way round.
@@ -46,46 +47,50 @@ impl<'a> Builder<'a> {
         self.used
     }
 
-    /// The meshes, with their materials, that a mesh of the file consists of.
+    /// The meshes, with their materials, that a mesh of the file consists of, in the pose that a node gives it.
     pub(super) fn mesh(
         &mut self,
         index: usize,
+        pose: Option<(usize, &Pose)>,
         user: &str,
         notes: &mut Notes,
     ) -> Result<&[(usize, usize)], ReadError> {
         let source = self.source;
-        if !self.built.contains_key(&index) {
+        let key = (index, pose.map(|(node, _)| node));
+        if !self.built.contains_key(&key) {
             let mesh = source.root.meshes.get(index).ok_or_else(|| {
                 let expected = format!("one of {} meshes", source.root.meshes.len());
                 source.malformed(Place::Path(user.to_owned()), expected, format!("mesh {index}"))
             })?;
+            let standard = Pose { weights: mesh.weights.clone(), joints: None };
+            let pose = pose.map_or(&standard, |(_, pose)| pose);
             let mut parts = Vec::new();
             for (number, primitive) in mesh.primitives.iter().enumerate() {
                 let path = format!("meshes[{index}].primitives[{number}]");
                 self.spend(mesh.name.len() as u64, || path.clone())?;
-                if let Some(mut built) = build(source, self.budget, primitive, &path, notes)? {
+                if let Some(mut built) = build(source, self.budget, primitive, pose, &path, notes)? {
                     built.name.clone_from(&mesh.name);
-                    parts.push((self.meshes.len(), self.material(primitive.material, &path)?));
+                    parts.push((self.meshes.len(), self.material(primitive.material, &path, notes)));
                     self.meshes.push(built);
                 }
             }
-            self.built.insert(index, parts);
+            self.built.insert(key, parts);
         }
-        Ok(&self.built[&index])
+        Ok(&self.built[&key])
     }
 
     /// The number here of a material of the file.
-    fn material(&mut self, material: Option<usize>, path: &str) -> Result<usize, ReadError> {
+    fn material(&mut self, material: Option<usize>, path: &str, notes: &mut Notes) -> usize {
         let count = self.source.root.materials.len();
-        if let Some(index) = material.filter(|&index| index >= count) {
+        let known = material.filter(|&index| index < count);
+        if known != material {
             let place = Place::Path(format!("{path}.material"));
-            let expected = format!("one of {count} materials");
-            return Err(self.source.malformed(place, expected, format!("material {index}")));
+            notes.add_at("glTF: materials that are not there are the default one", place);
         }
-        Ok(*self.materials.entry(material).or_insert_with(|| {
-            self.used.push(material);
+        *self.materials.entry(known).or_insert_with(|| {
+            self.used.push(known);
             self.used.len() - 1
-        }))
+        })
     }
 }
 
@@ -94,6 +99,7 @@ fn build(
     source: &Source<'_>,
     budget: &mut Budget,
     primitive: &Primitive,
+    pose: &Pose,
     path: &str,
     notes: &mut Notes,
 ) -> Result<Option<Mesh>, ReadError> {
@@ -110,7 +116,7 @@ fn build(
         notes.add("glTF: primitives without positions are ignored");
         return Ok(None);
     };
-    notes.add_times("glTF: morph targets are ignored", u64::from(!primitive.targets.is_empty()));
+    source.check_compression(primitive, position, path)?;
     let vertices = source.count(position, path)?;
     let mut corners = triangles(corners(source, budget, primitive, vertices, path)?, mode, notes);
     if corners.is_empty() {
@@ -120,6 +126,13 @@ fn build(
     let pick = (corners.len() < vertices).then(|| compact(&mut corners));
     let mut mesh = attributes(source, primitive, position, pick.as_deref(), path, notes)?;
     mesh.corners = corners;
+    if let Err(error) = pose.apply(source, primitive, pick.as_deref(), path, &mut mesh) {
+        notes.add_at(
+            &format!("glTF: a mesh is drawn as it was bound, since its pose cannot be read ({error})"),
+            Place::Path(path.to_owned()),
+        );
+    }
+    drop_faces_without_positions(&mut mesh, notes);
     finish_mesh(&mut mesh, notes);
     Ok(Some(mesh))
 }
@@ -175,25 +188,6 @@ fn compact(corners: &mut [u32]) -> Vec<u32> {
     used
 }
 
-/// The accessor of an attribute and the place that names it, if there is one; it has a value for each of the
-/// `count` positions.
-fn attribute(
-    source: &Source<'_>,
-    primitive: &Primitive,
-    name: &str,
-    count: usize,
-    path: &str,
-) -> Result<Option<(usize, String)>, ReadError> {
-    let Some(&index) = primitive.attributes.get(name) else { return Ok(None) };
-    let user = format!("{path}.attributes.{name}");
-    let found = source.count(index, &user)?;
-    if found == count {
-        return Ok(Some((index, user)));
-    }
-    let expected = format!("{count} items, as there are positions");
-    Err(source.malformed(Place::Path(user), expected, found.to_string()))
-}
-
 /// The vertices of a primitive: all, or those that `pick` names.
 fn attributes(
     source: &Source<'_>,
@@ -206,31 +200,80 @@ fn attributes(
     let uv_set = primitive.material.map_or(0, |material| source.uv_set(material));
     let uv_name = format!("TEXCOORD_{uv_set}");
     let count = source.count(position, path)?;
-    let find = |name: &str| attribute(source, primitive, name, count, path);
     let user = format!("{path}.attributes.POSITION");
     let positions = source.floats::<3>(position, &["VEC3"], pick, &user)?;
     let mut mesh = Mesh { positions: positions.into_iter().map(Vec3::from).collect(), ..Mesh::default() };
-    if let Some((index, user)) = find("NORMAL")? {
-        let normals = source.floats::<3>(index, &["VEC3"], pick, &user)?;
-        mesh.normals = normals.into_iter().map(Vec3::from).collect();
-    }
-    if let Some((index, user)) = find("TANGENT")? {
-        let tangents = source.floats::<4>(index, &["VEC4"], pick, &user)?;
-        mesh.tangents = tangents.into_iter().map(Vec4::from).collect();
-    }
-    if let Some((index, user)) = find(&uv_name)? {
-        let uvs = source.floats::<2>(index, &["VEC2"], pick, &user)?;
-        mesh.uvs = uvs.into_iter().map(Vec2::from).collect();
-    }
-    if let Some((index, user)) = find("COLOR_0")? {
-        let colors = source.floats::<4>(index, &["VEC3", "VEC4"], pick, &user)?;
-        mesh.colors = colors.into_iter().map(Vec4::from).collect();
-    }
+    let mut reader = Attributes { source, primitive, pick, count, path, notes };
+    let normal = "is computed from the faces where it is no finite number";
+    mesh.normals = reader.read("NORMAL", &["VEC3"], Vec3::ZERO, normal);
+    mesh.tangents =
+        reader.read("TANGENT", &["VEC4"], Vec4::ZERO, "is computed anew, since some is no finite number");
+    mesh.uvs = reader.read(&uv_name, &["VEC2"], Vec2::ZERO, "is taken as 0 where it is no finite number");
+    let white = "is taken as white where it is no finite number";
+    mesh.colors = reader.read("COLOR_0", &["VEC3", "VEC4"], Vec4::ONE, white);
     for name in primitive.attributes.keys() {
         let known = ["POSITION", "NORMAL", "TANGENT", "COLOR_0", uv_name.as_str()];
-        if !known.contains(&name.as_str()) {
+        let is_pose = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+        if !known.contains(&name.as_str()) && !is_pose {
             notes.add(&format!("glTF: the attribute {name} is ignored"));
         }
     }
     Ok(mesh)
+}
+
+/// A reader of attributes that may be left out.
+struct Attributes<'a> {
+    source: &'a Source<'a>,
+    primitive: &'a Primitive,
+    pick: Option<&'a [u32]>,
+    /// As many as there are positions.
+    count: usize,
+    path: &'a str,
+    notes: &'a mut Notes,
+}
+
+impl Attributes<'_> {
+    /// An attribute, empty with a remark where it cannot be read; values that are no numbers are replaced.
+    fn read<const N: usize, T: From<[f32; N]> + Copy>(
+        &mut self,
+        name: &str,
+        kinds: &[&str],
+        replacement: T,
+        why: &str,
+    ) -> Vec<T> {
+        let Some(&index) = self.primitive.attributes.get(name) else { return Vec::new() };
+        let user = format!("{}.attributes.{name}", self.path);
+        let values = self
+            .checked_count(index, &user)
+            .and_then(|()| self.source.floats::<N>(index, kinds, self.pick, &user));
+        let values = match values {
+            Ok(values) => values,
+            Err(error) => {
+                let note = format!("glTF: the attribute {name} is left out ({error})");
+                self.notes.add_kind_at(&format!("glTF: {name} is left out"), Place::Path(user), || note);
+                return Vec::new();
+            }
+        };
+        let mut odd = 0;
+        let values = values.into_iter().map(|value| match value.iter().all(|number| number.is_finite()) {
+            true => T::from(value),
+            false => {
+                odd += 1;
+                replacement
+            }
+        });
+        let values = values.collect();
+        self.notes.add_times(&format!("glTF: the attribute {name} {why}"), odd);
+        values
+    }
+
+    /// That there is a value for each position.
+    fn checked_count(&self, index: usize, user: &str) -> Result<(), ReadError> {
+        let found = self.source.count(index, user)?;
+        let expected = format!("{} items, as there are positions", self.count);
+        match found == self.count {
+            true => Ok(()),
+            false => Err(self.source.malformed(Place::Path(user.to_owned()), expected, found.to_string())),
+        }
+    }
 }

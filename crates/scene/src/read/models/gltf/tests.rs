@@ -332,8 +332,13 @@ fn lights_are_in_classic_units_and_look_along_minus_z() {
     assert_eq!(sun.lights[0].kind, LightKind::Directional { direction: DVec3::NEG_Z });
     assert_eq!(sun.lights[0].colors.diffuse, Rgb::gray((1.0 / PI) as f32).into());
     let wrong = json!({ "type": "spot", "spot": { "innerConeAngle": 0.5, "outerConeAngle": 0.5 } });
-    assert!(error(&light(wrong)).contains("lights[0]: expected cone angles"));
-    assert!(error(&light(json!({ "type": "area" }))).contains("lights[0]: expected the type"));
+    for (odd, what) in [
+        (wrong, "lights[0]: expected cone angles"),
+        (json!({ "type": "area" }), "lights[0]: expected the type"),
+    ] {
+        let model = read(&light(odd));
+        assert!(model.lights.is_empty() && has_note(&model, "a light is left out") && has_note(&model, what));
+    }
 }
 
 #[test]
@@ -355,7 +360,12 @@ fn cameras_stand_at_their_node() {
     let model = read(&with_camera(json!({ "type": "orthographic", "orthographic": { "ymag": 3 } })));
     assert_eq!(model.cameras[0].1.projection, Projection::Orthographic { height: 6.0 });
     let wide = json!({ "type": "perspective", "perspective": { "yfov": 4 } });
-    assert!(error(&with_camera(wide)).contains("cameras[0]: expected a perspective"));
+    let model = read(&with_camera(wide));
+    assert!(
+        model.cameras.is_empty() && has_note(&model, "cameras[0]: expected a perspective"),
+        "{:?}",
+        model.notes
+    );
 }
 
 /// The tints and exponents of a material, by shape.
@@ -402,7 +412,7 @@ fn light_of_its_own_is_multiplied_by_its_strength() {
 }
 
 #[test]
-fn numbers_out_of_range_are_refused_or_cut_with_a_note() {
+fn numbers_out_of_range_are_cut_with_a_note() {
     let with = |name: &str, value: Value| material(json!({ "extensions": { name: value } }));
     for (name, value, expected) in [
         ("KHR_materials_ior", json!({ "ior": 0.5 }), "0 or an index from 1 on"),
@@ -412,9 +422,22 @@ fn numbers_out_of_range_are_refused_or_cut_with_a_note() {
         ("KHR_materials_volume", json!({ "attenuationDistance": 0 }), "an attenuationDistance above 0"),
         ("KHR_materials_iridescence", json!({ "iridescenceIor": 0.9 }), "numbers from 1 on"),
     ] {
-        let error = error(&with(name, value));
-        assert!(error.contains(&format!("materials[0].extensions.{name}: expected {expected}")), "{error}");
+        let model = read(&with(name, value));
+        let place = format!("(materials[0].extensions.{name})");
+        let is_told =
+            |note: &String| note.contains(&format!("expected {expected}")) && note.ends_with(&place);
+        assert!(model.notes.iter().any(is_told), "{:?}", model.notes);
+        let plain = read(&material(json!({})));
+        let is_plain = model.materials == plain.materials;
+        assert!(is_plain || name == "KHR_materials_specular", "{name}");
     }
+    let bright = read(&material(json!({ "emissiveFactor": [1e300, 0, 0], "alphaMode": "GLASS" })));
+    assert!(has_note(&bright, "the nearest are taken (materials[0].emissiveFactor)"), "{:?}", bright.notes);
+    assert!(has_note(&bright, "the alphaMode 'GLASS' is taken as OPAQUE (materials[0].alphaMode)"));
+    let dark = read(&material(
+        json!({ "pbrMetallicRoughness": { "baseColorFactor": [-1, 0.5, 0, -2] }, "alphaMode": "BLEND" }),
+    ));
+    assert!(has_note(&dark, "base colours and alphaCutoff") && dark.materials[0].opacity == 0.0);
     let model = read(&with("KHR_materials_clearcoat", json!({ "clearcoatFactor": 7 })));
     assert_eq!(model.notes, ["glTF: factors above 1 count as 1"]);
     let full = read(&with("KHR_materials_clearcoat", json!({ "clearcoatFactor": 1 })));
@@ -497,7 +520,25 @@ fn required_extensions_that_are_unknown_are_refused_and_others_noted() {
     assert!(error.contains(name) && error.contains("not supported"), "{error}");
     let notes = read(&[("/extensionsUsed", json!([name]))]).notes;
     assert!(notes.iter().any(|note| note.contains(name)), "{notes:?}");
-    assert!(self::error(&[("/asset/version", json!("1.0"))]).contains("asset.version: expected version 2"));
+    let other = self::error(&[("/extensionsRequired", json!(["EXT_other"]))]);
+    assert!(other.contains("only extensions of") && other.contains("'EXT_other'"), "{other}");
+    // Materials and pictures change no geometry.
+    for name in ["KHR_materials_variants", "KHR_texture_basisu", "EXT_texture_webp"] {
+        assert_eq!(read(&[("/extensionsRequired", json!([name]))]).objects.len(), 1);
+    }
+}
+
+#[test]
+fn the_version_is_looked_at_before_the_types_of_that_version() {
+    let old = json!({ "asset": { "version": "1.0" }, "accessors": { "a": {} }, "scene": "s", "buffers": {} });
+    let error = |document: &Value| error_of(document.to_string().as_bytes(), Format::Gltf);
+    let found = error(&old);
+    assert!(
+        found.contains("asset.version: expected version 2 of glTF, found glTF 1.0, which is not supported"),
+        "{found}"
+    );
+    assert!(error(&json!({ "asset": { "version": 1 } })).contains("found glTF 1,"));
+    assert!(error(&json!({ "accessors": {} })).contains("files of glTF 1.0 may leave it out"));
 }
 
 #[test]
@@ -508,10 +549,8 @@ fn indices_out_of_range_are_errors_that_name_them() {
             "meshes[0].primitives[0]: expected one of 3 accessors",
         ),
         ("/meshes/0/primitives/0/indices", "meshes[0].primitives[0]: expected one of 3 accessors"),
-        ("/meshes/0/primitives/0/material", "meshes[0].primitives[0].material: expected one of 0 materials"),
         ("/meshes/0/primitives/0/mode", "meshes[0].primitives[0].mode: expected a mode of 0 to 6"),
         ("/nodes/0/mesh", "nodes[0].mesh: expected one of 1 meshes"),
-        ("/nodes/0/camera", "nodes[0].camera: expected one of 0 cameras"),
         ("/scenes/0/nodes/0", "scenes: expected one of 1 nodes"),
         ("/scene", "scene: expected one of 1 scenes"),
         ("/accessors/0/bufferView", "bufferViews[99]: expected one of 3 bufferViews"),
@@ -552,17 +591,259 @@ fn small_files_cannot_grow_without_limit() {
     assert!(error.contains("bytes of memory for a file of this size"), "{error}");
 }
 
+fn has_note(model: &Model, text: &str) -> bool {
+    model.notes.iter().any(|note| note.contains(text))
+}
+
+/// The quad with these bytes behind its own, for which there is view 3.
+fn with_bytes(bytes: &[u8], changes: &[(&str, Value)]) -> Model {
+    let (mut document, mut binary) = quad();
+    let view = json!({ "buffer": 0, "byteOffset": binary.len(), "byteLength": bytes.len() });
+    binary.extend(bytes);
+    change(&mut document, &[("/buffers/0/byteLength", json!(binary.len())), ("/bufferViews/3", view)]);
+    change(&mut document, changes);
+    let model = read_bytes(&glb(&document, &binary), Format::Gltf).unwrap();
+    check(&model);
+    model
+}
+
+fn floats(values: &[f32]) -> Vec<u8> {
+    values.iter().flat_map(|value| value.to_le_bytes()).collect()
+}
+
 #[test]
-fn numbers_that_are_not_finite_are_errors() {
+fn positions_that_are_no_numbers_take_their_triangles_along() {
     let (document, mut binary) = quad();
     binary[16..20].copy_from_slice(&f32::NAN.to_le_bytes());
-    let error = error_of(&glb(&document, &binary), Format::Gltf);
-    assert!(error.contains("accessors[0]: expected finite numbers") && error.contains("item 1"), "{error}");
+    let model = read_bytes(&glb(&document, &binary), Format::Gltf).unwrap();
+    check(&model);
+    assert_eq!(model.triangle_count(), 1);
+    assert!(
+        has_note(&model, "faces with positions that are no finite numbers are left out"),
+        "{:?}",
+        model.notes
+    );
     let huge = json!([1e300, 0, 0]);
     let chain = [("/nodes", json!([{ "scale": huge, "children": [1] }, { "scale": huge, "mesh": 0 }]))];
-    assert!(self::error(&chain).contains("nodes[1]: expected a finite transform"));
-    let big = material(json!({ "emissiveFactor": [1e300, 0, 0] }));
-    assert!(self::error(&big).contains("materials[0].emissiveFactor"));
+    assert!(error(&chain).contains("nodes[1]: expected a finite transform"));
+}
+
+#[test]
+fn attributes_that_are_no_numbers_are_replaced_and_broken_ones_left_out() {
+    let odd = floats(&[0.0, 0.0, 1.0, f32::NAN, 0.0, 0.0, 0.0, f32::INFINITY, 1.0, 0.0, 0.0, 2.0]);
+    let accessor = json!({ "bufferView": 3, "componentType": 5126, "count": 4, "type": "VEC3" });
+    let attribute = |name: &str| format!("/meshes/0/primitives/0/attributes/{name}");
+    let model = with_bytes(&odd, &[("/accessors/3", accessor.clone()), (&attribute("NORMAL"), json!(3))]);
+    assert_eq!(model.meshes[0].normals, [Vec3::Z; 4]);
+    assert!(
+        has_note(&model, "NORMAL is computed from the faces where it is no finite number (2 times)"),
+        "{:?}",
+        model.notes
+    );
+    let model = with_bytes(&odd, &[("/accessors/3", accessor), (&attribute("COLOR_0"), json!(3))]);
+    assert_eq!(model.meshes[0].colors[1], Vec4::ONE);
+    for (index, why) in
+        [(99, "expected one of 3 accessors"), (1, "expected 4 items"), (2, "expected 4 items")]
+    {
+        let model = read(&[(&attribute("NORMAL"), json!(index)), (&attribute("TEXCOORD_0"), json!(index))]);
+        assert!(model.meshes[0].normals.is_empty() && model.meshes[0].uvs.is_empty());
+        assert!(
+            has_note(&model, "the attribute NORMAL is left out") && has_note(&model, why),
+            "{:?}",
+            model.notes
+        );
+    }
+    let model = read(&[("/meshes/0/primitives/0/material", json!(9))]);
+    assert!(has_note(
+        &model,
+        "materials that are not there are the default one (meshes[0].primitives[0].material)"
+    ));
+}
+
+#[test]
+fn pictures_that_cannot_be_read_are_left_out() {
+    let textured = json!([{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 }, "metallicRoughnessTexture": { "index": 0 } } }]);
+    let read = |texture: Value, images: Value| {
+        read(&[
+            ("/materials", textured.clone()),
+            ("/meshes/0/primitives/0/material", json!(0)),
+            ("/textures", json!([texture])),
+            ("/images", images),
+        ])
+    };
+    let data = |bytes: &[u8]| json!([{ "uri": format!("data:;base64,{}", base64(bytes)) }]);
+    let plain = json!({ "source": 0 });
+    let cases = [
+        (
+            plain.clone(),
+            json!([{ "uri": "none%20.png" }]),
+            "the picture 'none .png' is missing: it is left out (images[0])",
+        ),
+        (
+            plain.clone(),
+            data(b"no picture at all"),
+            "is not a PNG, JPEG or WebP picture, but begins with 'no pictu'",
+        ),
+        (plain.clone(), data(&texture::tests::png(2, 2, &[7; 16])[..50]), "cannot be decoded"),
+        (plain.clone(), json!([{ "bufferView": 77 }]), "a picture is left out (file: bufferViews[77]"),
+        (
+            plain.clone(),
+            json!([{ "uri": "http://somewhere/a.png" }]),
+            "a picture is left out (file: images[0]: expected data",
+        ),
+        (plain.clone(), json!([{}]), "pictures without a uri or a bufferView are left out (images[0])"),
+        (plain, json!([]), "pictures that are not there are left out (textures[0])"),
+        (json!({}), json!([]), "a texture without a picture is left out (textures[0])"),
+        (
+            json!({ "extensions": { "KHR_texture_basisu": { "source": 0 } } }),
+            json!([{ "uri": "a.ktx2" }]),
+            "a texture in KTX2 alone (KHR_texture_basisu) is left out (textures[0])",
+        ),
+    ];
+    for (texture, images, note) in cases {
+        let model = read(texture, images);
+        let material = &model.materials[0];
+        assert!(
+            material.base_color.is_none() && material.metal_rough_map.is_none() && model.textures.is_empty()
+        );
+        assert!(has_note(&model, note), "{note}: {:?}", model.notes);
+    }
+    let [_, _, webp] = texture::tests::samples();
+    let both = json!({ "source": 1, "extensions": { "EXT_texture_webp": { "source": 0 } } });
+    assert_eq!(read(both, data(&webp)).textures[0].width, 16);
+}
+
+#[test]
+fn skins_are_in_the_pose_of_their_joints() {
+    // Two joints, the second moved by (1.5, 1, 0); the upper two vertices follow it.
+    let joints = [[0u8, 0, 0, 0], [0; 4], [1, 0, 0, 0], [1, 0, 0, 0]].concat();
+    let weights = floats(&[2.0, 0.0, 0.0, 0.0].repeat(4));
+    let skinned = |skin: Value| {
+        with_bytes(
+            &[joints.clone(), weights.clone()].concat(),
+            &[
+                (
+                    "/accessors/3",
+                    json!({ "bufferView": 3, "componentType": 5121, "count": 4, "type": "VEC4" }),
+                ),
+                (
+                    "/accessors/4",
+                    json!({ "bufferView": 3, "byteOffset": 16, "componentType": 5126, "count": 4, "type": "VEC4" }),
+                ),
+                (
+                    "/meshes/0/primitives/0/attributes",
+                    json!({ "POSITION": 0, "JOINTS_0": 3, "WEIGHTS_0": 4 }),
+                ),
+                ("/skins", json!([skin])),
+                (
+                    "/nodes",
+                    json!([
+                        { "mesh": 0, "skin": 0, "translation": [5, 5, 5] },
+                        { "children": [2] },
+                        { "translation": [1.5, 1, 0] },
+                        { "mesh": 0 },
+                    ]),
+                ),
+                ("/scenes/0/nodes", json!([0, 1, 3])),
+            ],
+        )
+    };
+    let model = skinned(json!({ "joints": [1, 2] }));
+    let expected = [Vec3::ZERO, Vec3::X, Vec3::new(2.5, 2.0, 0.0), Vec3::new(1.5, 2.0, 0.0)];
+    assert_eq!(model.meshes[0].positions, expected);
+    assert_eq!(model.objects[0].transform, glam::DMat4::IDENTITY);
+    // Another node without the skin shows the mesh as it is bound.
+    assert_eq!(model.meshes[model.objects[1].mesh].positions[2], Vec3::new(1.0, 1.0, 0.0));
+    assert!(model.notes.is_empty(), "{:?}", model.notes);
+    for (skin, why) in [(json!({ "joints": [1, 9] }), "node 9"), (json!({ "joints": [1] }), "joint 1")] {
+        let model = skinned(skin);
+        assert_eq!(model.meshes[0].positions[2], Vec3::new(1.0, 1.0, 0.0), "{why}");
+        assert!(has_note(&model, why), "{:?}", model.notes);
+    }
+}
+
+#[test]
+fn morph_targets_have_the_weights_of_the_file() {
+    let moves = floats(&[0.0, 0.0, 2.0].repeat(4));
+    let posed = |mesh: Value, node: Value| {
+        let model = with_bytes(
+            &moves,
+            &[
+                (
+                    "/accessors/3",
+                    json!({ "bufferView": 3, "componentType": 5126, "count": 4, "type": "VEC3" }),
+                ),
+                ("/meshes/0/primitives/0/targets", json!([{ "POSITION": 3 }, { "POSITION": 3 }])),
+                ("/meshes/0/weights", mesh),
+                ("/nodes/0/weights", node),
+            ],
+        );
+        assert!(model.notes.is_empty(), "{:?}", model.notes);
+        model.meshes[0].positions[1]
+    };
+    assert_eq!(posed(json!([0.5, 0.25]), Value::Null), Vec3::new(1.0, 0.0, 1.5));
+    assert_eq!(posed(json!([0.5, 0.25]), json!([0, 1])), Vec3::new(1.0, 0.0, 2.0));
+    assert_eq!(posed(json!([]), Value::Null), Vec3::X);
+}
+
+#[test]
+fn instances_are_objects_of_one_mesh() {
+    let places = floats(&[1.0, 0.0, 0.0, 0.0, 3.0, 0.0, f32::NAN, 0.0, 0.0]);
+    let extension = |attributes: Value| json!({ "EXT_mesh_gpu_instancing": { "attributes": attributes } });
+    let model = with_bytes(
+        &places,
+        &[
+            ("/accessors/3", json!({ "bufferView": 3, "componentType": 5126, "count": 3, "type": "VEC3" })),
+            ("/nodes/0/translation", json!([0, 0, 7])),
+            ("/nodes/0/extensions", extension(json!({ "TRANSLATION": 3 }))),
+        ],
+    );
+    let places: Vec<DVec3> = model.objects.iter().map(|object| object.transform.w_axis.truncate()).collect();
+    assert_eq!((model.meshes.len(), places), (1, vec![DVec3::new(1.0, 0.0, 7.0), DVec3::new(0.0, 3.0, 7.0)]));
+    assert!(has_note(&model, "instances that are not placed by finite numbers"), "{:?}", model.notes);
+}
+
+#[test]
+fn specular_and_glossiness_become_a_dielectric_of_that_reflectance() {
+    let old = json!({ "extensions": { "KHR_materials_pbrSpecularGlossiness": {
+        "diffuseFactor": [0.5, 0.25, 0, 0.5], "specularFactor": [0.1, 0.1, 0.1], "glossinessFactor": 0.5 } } });
+    let new = json!({ "pbrMetallicRoughness": { "baseColorFactor": [0.5, 0.25, 0, 0.5], "metallicFactor": 0,
+        "roughnessFactor": 0.5 }, "extensions": { "KHR_materials_specular": { "specularColorFactor": [2.5, 2.5, 2.5] } } });
+    let (old, new) = (read(&material(old)), read(&material(new)));
+    assert_eq!(old.materials, new.materials);
+    assert!(has_note(&old, "as a dielectric of that reflectance"));
+    let picture = base64(&texture::tests::png(1, 1, &[255, 255, 255, 51]));
+    let [materials, uses] = material(json!({ "extensions": { "KHR_materials_pbrSpecularGlossiness": {
+        "diffuseTexture": { "index": 0 }, "specularGlossinessTexture": { "index": 0 } } } }));
+    let textured = read(&[
+        materials,
+        uses,
+        ("/images", json!([{ "uri": format!("data:image/png;base64,{picture}") }])),
+        ("/textures", json!([{ "source": 0 }])),
+    ]);
+    assert!(textured.materials[0].base_color.is_some() && has_note(&textured, "count by their mean"));
+    let gloss = textured.materials[0].lobes.iter().find(|lobe| lobe.shape.info().name == "ggx").unwrap();
+    assert!((gloss.shape.params()[0] - 0.64).abs() < 1e-7, "{:?}", gloss.shape.params());
+}
+
+#[test]
+fn compressed_geometry_is_one_error_and_never_zeros() {
+    let draco = json!({ "KHR_draco_mesh_compression": { "bufferView": 0, "attributes": { "POSITION": 0 } } });
+    let extensions = ("/meshes/0/primitives/0/extensions", draco);
+    let placeholder = ("/accessors/0", json!({ "componentType": 5126, "count": 4, "type": "VEC3" }));
+    let found = error(&[extensions.clone(), placeholder]);
+    let what = "meshes[0].primitives[0]: expected geometry that is not compressed, found geometry compressed by KHR_draco";
+    assert!(found.contains(what), "{found}");
+    // With what the file has for readers that do not know the extension, it is read.
+    assert_eq!(read(&[extensions]).triangle_count(), 2);
+    let meshopt = json!({ "EXT_meshopt_compression": {} });
+    let found = error(&[
+        ("/buffers/1", json!({ "byteLength": 99, "extensions": meshopt })),
+        ("/bufferViews/0", json!({ "buffer": 1, "byteLength": 48, "extensions": meshopt })),
+    ]);
+    assert!(found.contains("compressed by EXT_meshopt_compression"), "{found}");
+    let found = error(&[("/extensionsRequired", json!(["EXT_meshopt_compression"]))]);
+    assert!(found.contains("extensionsRequired: expected geometry that is not compressed"), "{found}");
 }
 
 #[test]
@@ -573,7 +854,7 @@ fn broken_containers_and_json_name_the_byte_or_line() {
     assert!(cut(100).contains("byte 8: expected a file of"));
     let mut version = bytes.clone();
     version[4] = 1;
-    assert!(error_of(&version, Format::Gltf).contains("version 2 of glTF, found version 1"));
+    assert!(error_of(&version, Format::Gltf).contains("version 2 of glTF, found glTF 1"));
     let mut chunk = bytes.clone();
     chunk[15] = 0x7f;
     assert!(error_of(&chunk, Format::Gltf).contains("byte 12: expected a chunk of at most"));

@@ -6,22 +6,10 @@ use glam::{DMat4, Vec2, Vec3};
 
 use super::super::faces::{close_face, corners_fit};
 use super::super::finish::finish_mesh;
+use super::corner::{Corner, NONE};
 use super::data::Data;
 use crate::read::notes::Notes;
 use crate::{Mesh, Object};
-
-/// No texture coordinate, or no normal.
-pub(super) const NONE: u32 = u32::MAX;
-
-/// What a corner of a face names, with indices from zero.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) struct Corner {
-    pub position: u32,
-    /// Or `NONE`.
-    pub uv: u32,
-    /// Or `NONE`.
-    pub normal: u32,
-}
 
 /// The vertex made last from a position: nearly every corner finds its vertex here.
 #[derive(Clone, Copy)]
@@ -45,7 +33,11 @@ pub(super) struct Parts {
     materials: Names,
     /// Numbers of the object and the material that faces go to; 0 for none.
     current: (u32, u32),
+    /// The smoothing group that faces are in; `None` before the first statement.
+    smoothing: Option<u32>,
     slots: Vec<Slot>,
+    /// The corners of a face while it is read.
+    face: Vec<Corner>,
     /// Vertices that were pushed out of their slot.
     others: HashMap<(u32, Corner), u32>,
 }
@@ -53,6 +45,19 @@ pub(super) struct Parts {
 struct Part {
     mesh: Mesh,
     material: u32,
+    /// The smoothing group of each face; missing ones at the end are `None`.
+    smoothing: Vec<Option<u32>>,
+}
+
+/// What became of a face.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Added {
+    /// It was added.
+    Face,
+    /// It has too few corners to be one.
+    TooFew,
+    /// A position is no number.
+    NotFinite,
 }
 
 /// Names with numbers from 1.
@@ -84,24 +89,52 @@ impl Parts {
         self.current.1 = self.materials.number(name);
     }
 
-    /// Adds a face; `false` if it has too few corners to be one. Errors say what was expected.
+    /// Faces are in this smoothing group from here on: a number, or `off`.
+    pub(super) fn use_smoothing(&mut self, group: &[u8]) {
+        let number = core::str::from_utf8(group).ok().and_then(|group| group.parse().ok());
+        self.smoothing = Some(number.unwrap_or(u32::from(group == b"on")));
+    }
+
+    /// Adds a face. Errors say what was expected.
     pub(super) fn add_face(
         &mut self,
         corners: impl Iterator<Item = Result<Corner, String>>,
         data: &Data,
-    ) -> Result<bool, String> {
+    ) -> Result<Added, String> {
+        let mut face = std::mem::take(&mut self.face);
+        face.clear();
+        for corner in corners {
+            face.push(corner?);
+        }
+        let added = self.add_corners(&face, data);
+        self.face = face;
+        added
+    }
+
+    fn add_corners(&mut self, face: &[Corner], data: &Data) -> Result<Added, String> {
+        if !face.iter().all(|corner| data.positions[corner.position as usize].is_finite()) {
+            return Ok(Added::NotFinite);
+        }
         let part = self.current_part();
         self.slots.resize(data.positions.len(), FREE);
         let first = self.parts[part as usize].mesh.corners.len();
-        for corner in corners {
-            let vertex = self.vertex(part, corner?, data);
+        for &corner in face {
+            let vertex = self.vertex(part, corner, data);
             let mesh = &mut self.parts[part as usize].mesh;
             if !corners_fit(mesh, 1) {
                 return Err("at most 2^32 corners in a mesh".to_owned());
             }
             mesh.corners.push(vertex);
         }
-        Ok(close_face(&mut self.parts[part as usize].mesh, first))
+        let part = &mut self.parts[part as usize];
+        if !close_face(&mut part.mesh, first) {
+            return Ok(Added::TooFew);
+        }
+        if self.smoothing.is_some() {
+            part.smoothing.resize(part.mesh.face_count() - 1, None);
+            part.smoothing.push(self.smoothing);
+        }
+        Ok(Added::Face)
     }
 
     fn current_part(&mut self) -> u32 {
@@ -111,7 +144,7 @@ impl Parts {
             let (object, material) = self.current;
             let name = object.checked_sub(1).map(|i| self.objects.names[i as usize].clone());
             let mesh = Mesh { name: name.unwrap_or_default(), ..Mesh::default() };
-            self.parts.push(Part { mesh, material });
+            self.parts.push(Part { mesh, material, smoothing: Vec::new() });
         }
         part
     }
@@ -139,12 +172,16 @@ impl Parts {
     pub(super) fn finish(self, notes: &mut Notes) -> (Vec<Mesh>, Vec<Object>, Vec<Option<String>>) {
         let (mut meshes, mut objects) = (Vec::new(), Vec::new());
         let (mut names, mut used) = (Vec::new(), HashMap::new());
-        for Part { mut mesh, material } in self.parts {
+        for Part { mut mesh, material, mut smoothing } in self.parts {
             if mesh.corners.is_empty() {
                 continue;
             }
             complete(&mut mesh);
             finish_mesh(&mut mesh, notes);
+            if mesh.normals.is_empty() && !smoothing.is_empty() {
+                smoothing.resize(mesh.face_count(), None);
+                mesh = mesh.with_smoothing_groups(&smoothing);
+            }
             let material = *used.entry(material).or_insert_with(|| {
                 names.push(material.checked_sub(1).map(|i| self.materials.names[i as usize].clone()));
                 names.len() - 1

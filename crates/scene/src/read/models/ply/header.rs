@@ -2,9 +2,10 @@
 
 use std::io::BufRead;
 
-use glanz_color::read::ReadError;
+use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::super::lines::{Lines, words};
+use super::super::lines::{Lines, rest, words};
+use crate::read::notes::Notes;
 
 /// The most elements of a file, and properties of an element.
 const MAX_PARTS: usize = 1024;
@@ -95,6 +96,8 @@ pub(super) enum Role {
     Color(usize),
     Uv(usize),
     Corners,
+    /// Of faces: u and v of each corner.
+    CornerUvs,
 }
 
 /// A property: a number, or a list of numbers with its length before it.
@@ -144,17 +147,18 @@ impl Element {
     fn role(&self, name: &[u8], list: bool) -> Option<Role> {
         let role = match (self.kind, name) {
             (Kind::Face | Kind::Strips, b"vertex_indices" | b"vertex_index") if list => Role::Corners,
-            (Kind::Vertex, _) if list => return None,
+            (Kind::Face, b"texcoord") if list => Role::CornerUvs,
+            (Kind::Vertex | Kind::Face, _) if list => return None,
             (Kind::Vertex, b"x") => Role::Position(0),
             (Kind::Vertex, b"y") => Role::Position(1),
             (Kind::Vertex, b"z") => Role::Position(2),
             (Kind::Vertex, b"nx") => Role::Normal(0),
             (Kind::Vertex, b"ny") => Role::Normal(1),
             (Kind::Vertex, b"nz") => Role::Normal(2),
-            (Kind::Vertex, b"red" | b"r" | b"diffuse_red") => Role::Color(0),
-            (Kind::Vertex, b"green" | b"g" | b"diffuse_green") => Role::Color(1),
-            (Kind::Vertex, b"blue" | b"b" | b"diffuse_blue") => Role::Color(2),
-            (Kind::Vertex, b"alpha" | b"a") => Role::Color(3),
+            (Kind::Vertex | Kind::Face, b"red" | b"r" | b"diffuse_red") => Role::Color(0),
+            (Kind::Vertex | Kind::Face, b"green" | b"g" | b"diffuse_green") => Role::Color(1),
+            (Kind::Vertex | Kind::Face, b"blue" | b"b" | b"diffuse_blue") => Role::Color(2),
+            (Kind::Vertex | Kind::Face, b"alpha" | b"a") => Role::Color(3),
             (Kind::Vertex, b"s" | b"u" | b"texture_u") => Role::Uv(0),
             (Kind::Vertex, b"t" | b"v" | b"texture_v") => Role::Uv(1),
             _ => return None,
@@ -169,11 +173,17 @@ impl Element {
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
+    /// The pictures that comments name (`comment TextureFile name`), with their places.
+    pub textures: Vec<(String, Place)>,
 }
 
 impl Header {
     /// Reads it, and returns it with the reader behind it and the number of lines that it has.
-    pub(super) fn read<R: BufRead>(reader: R, file: &str) -> Result<(Self, R, u64), ReadError> {
+    pub(super) fn read<R: BufRead>(
+        reader: R,
+        file: &str,
+        notes: &mut Notes,
+    ) -> Result<(Self, R, u64), ReadError> {
         let mut lines = Lines::new(reader, file);
         if !lines.advance()? || lines.line().trim_ascii() != b"ply" {
             return Err(lines.expected("'ply'"));
@@ -187,14 +197,27 @@ impl Header {
             if words == [b"end_header"] {
                 break;
             }
-            draft.statement(&words).map_err(|expected| lines.expected(expected))?;
+            match words[..] {
+                [b"comment", key, ..] if key.eq_ignore_ascii_case(b"TextureFile") => {
+                    let text = rest(lines.line());
+                    let name = text[key.len()..].trim().to_owned();
+                    draft.textures.push((name, lines.place()));
+                }
+                [b"format" | b"element" | b"property" | b"comment" | b"obj_info", ..] | [] => {
+                    draft.statement(&words).map_err(|expected| lines.expected(expected))?;
+                }
+                _ => {
+                    let line = excerpt(lines.line());
+                    notes.add_at(&format!("PLY: {line} is not understood and passed over"), lines.place());
+                }
+            }
         }
-        let Draft { encoding, elements } = draft;
+        let Draft { encoding, elements, textures } = draft;
         let place = lines.place();
         let encoding = encoding.ok_or_else(|| lines.expected("a line 'format' before the end"))?;
         check(&elements).map_err(|what| ReadError::malformed(file, place, what, "none"))?;
         let line = lines.count();
-        Ok((Self { encoding, elements }, lines.into_inner(), line))
+        Ok((Self { encoding, elements, textures }, lines.into_inner(), line))
     }
 }
 
@@ -203,6 +226,7 @@ impl Header {
 struct Draft {
     encoding: Option<Encoding>,
     elements: Vec<Element>,
+    textures: Vec<(String, Place)>,
 }
 
 impl Draft {
@@ -210,7 +234,7 @@ impl Draft {
     fn statement(&mut self, words: &[&[u8]]) -> Result<(), &'static str> {
         match words {
             [] | [b"comment" | b"obj_info", ..] => {}
-            [b"format", name, _version] => {
+            [b"format", name, ..] => {
                 self.encoding = Some(match *name {
                     b"ascii" => Encoding::Text,
                     b"binary_little_endian" => Encoding::Little,

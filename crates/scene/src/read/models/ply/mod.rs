@@ -1,36 +1,42 @@
 //! PLY, the Stanford polygon format, as text or binary of either byte order.
 //!
 //! Read of the element `vertex`: `x y z`, `nx ny nz`, `red green blue alpha`, and `s t`, `u v` or
-//! `texture_u texture_v`; of `face`: `vertex_indices` (or `vertex_index`); of `tristrips` the same.
+//! `texture_u texture_v`; of `face`: `vertex_indices` (or `vertex_index`), `red green blue alpha`, and `texcoord`, the
+//! texture coordinates of its corners; of `tristrips` the indices. A comment `TextureFile` names the picture.
 //! All number types are taken. Colours in whole numbers are sRGB codes, those in floats linear.
 //! Texture coordinates are turned, since PLY counts v upwards. Faces stay polygons. Everything else
 //! is skipped, with a note.
 
 mod body;
+mod faces;
 mod header;
+mod texture;
+mod vertex;
 
 use std::io::BufRead;
 
-use glam::{DMat4, Vec2, Vec3, Vec4};
+use glam::DMat4;
 use glanz_color::read::{Place, ReadError};
 
 use super::context::Context;
-use super::faces::{close_face, corners_fit};
-use super::finish::finish_mesh;
+use super::faces::close_face;
+use super::finish::{drop_faces_without_positions, finish_mesh};
 use super::model::Model;
-use crate::{Material, Mesh, Object};
+use crate::{Mesh, Object};
 use body::Body;
-use header::{Element, Header, Kind, Role, Scalar};
+use faces::{FaceData, push_corner};
+use header::{Element, Header, Kind, Role};
+use vertex::Vertex;
 
 /// Reads a file of `len` bytes.
 pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) -> Result<Model, ReadError> {
-    let (header, reader, line) = Header::read(reader, context.file)?;
+    let (header, reader, line) = Header::read(reader, context.file, &mut context.notes)?;
     let mut body = Body::new(reader, header.encoding, context.file, line);
-    let mut mesh = Mesh::default();
+    let (mut mesh, mut data) = (Mesh::default(), FaceData::default());
     for element in &header.elements {
         match element.kind {
             Kind::Vertex => read_vertices(element, len, &mut body, &mut mesh, context)?,
-            Kind::Face => read_faces(element, &mut body, &mut mesh, context)?,
+            Kind::Face => data.read(element, &mut body, &mut mesh, context)?,
             Kind::Strips => read_strips(element, &mut body, &mut mesh, context)?,
             Kind::Other => {
                 context.notes.add(&format!("PLY: the element '{}' is ignored", element.name));
@@ -42,6 +48,8 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
         }
     }
     check_corners(&mesh, context.file)?;
+    let mut mesh = data.give_to(mesh);
+    drop_faces_without_positions(&mut mesh, &mut context.notes);
     finish_mesh(&mut mesh, &mut context.notes);
     let object = Object {
         name: String::new(),
@@ -55,8 +63,9 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
     if mesh.corners.is_empty() {
         context.notes.add("the file holds no faces: nothing can be drawn");
     }
-    let materials = vec![Material::default_gray()];
-    Ok(Model { meshes: vec![mesh], objects: vec![object], materials, ..Model::default() })
+    let (material, textures) = texture::material(&header.textures, &mesh, context)?;
+    let (meshes, objects, materials) = (vec![mesh], vec![object], vec![material]);
+    Ok(Model { meshes, objects, materials, textures, ..Model::default() })
 }
 
 /// Reads the vertices.
@@ -65,7 +74,7 @@ fn read_vertices<R: BufRead>(
     len: u64,
     body: &mut Body<'_, R>,
     mesh: &mut Mesh,
-    context: &Context<'_>,
+    context: &mut Context<'_>,
 ) -> Result<(), ReadError> {
     let has = |role| element.properties.iter().any(|property| property.role == Some(role));
     let (normals, colors, uvs) = (has(Role::Normal(0)), has(Role::Color(0)), has(Role::Uv(0)));
@@ -82,90 +91,19 @@ fn read_vertices<R: BufRead>(
             }
             let value = body.scalar(property.scalar)?;
             if let Some(role) = property.role {
-                vertex.set(role, value, property.scalar).ok_or_else(|| body.expected("a finite number"))?;
+                vertex.set(role, value, property.scalar);
             }
         }
         body.end()?;
         if mesh.positions.len() >= u32::MAX as usize {
             return Err(ReadError::malformed(context.file, body.place(), "at most 2^32 vertices", "more"));
         }
+        vertex.clean(|note| context.notes.add_at(note, body.place()));
         mesh.positions.push(vertex.position);
         normals.then(|| mesh.normals.push(vertex.normal));
         colors.then(|| mesh.colors.push(vertex.color));
         uvs.then(|| mesh.uvs.push(vertex.uv));
     }
-    Ok(())
-}
-
-/// A vertex while it is read.
-struct Vertex {
-    position: Vec3,
-    normal: Vec3,
-    color: Vec4,
-    uv: Vec2,
-}
-
-impl Default for Vertex {
-    fn default() -> Self {
-        Self { position: Vec3::ZERO, normal: Vec3::ZERO, color: Vec4::ONE, uv: Vec2::ZERO }
-    }
-}
-
-impl Vertex {
-    /// Takes one value in; `None` if it is not finite.
-    fn set(&mut self, role: Role, value: f64, scalar: Scalar) -> Option<()> {
-        let float = Some(value as f32).filter(|float| float.is_finite())?;
-        match role {
-            Role::Position(axis) => self.position[axis] = float,
-            Role::Normal(axis) => self.normal[axis] = float,
-            Role::Uv(0) => self.uv.x = float,
-            // PLY counts v from the bottom, textures are stored from the top.
-            Role::Uv(_) => self.uv.y = 1.0 - float,
-            Role::Color(3) => self.color[3] = (value / scalar.one()) as f32,
-            Role::Color(channel) if scalar.is_integer() => {
-                self.color[channel] = glanz_color::srgb_decode((value / scalar.one()).max(0.0) as f32);
-            }
-            Role::Color(channel) => self.color[channel] = float,
-            Role::Corners => {}
-        }
-        Some(())
-    }
-}
-
-/// Reads faces as they are.
-fn read_faces<R: BufRead>(
-    element: &Element,
-    body: &mut Body<'_, R>,
-    mesh: &mut Mesh,
-    context: &mut Context<'_>,
-) -> Result<(), ReadError> {
-    let mut dropped = 0;
-    for index in 0..element.count {
-        body.begin(element.name.as_str(), index)?;
-        let first = mesh.corners.len();
-        for property in &element.properties {
-            match (property.list, property.role) {
-                (Some(_), Some(Role::Corners)) => body.list(property, |corner| push_corner(mesh, corner))?,
-                (Some(_), _) => body.list(property, |_| Ok(()))?,
-                (None, _) => drop(body.scalar(property.scalar)?),
-            }
-        }
-        body.end()?;
-        dropped += u64::from(!close_face(mesh, first));
-    }
-    context.notes.add_times("faces of fewer than three corners are ignored", dropped);
-    Ok(())
-}
-
-fn push_corner(mesh: &mut Mesh, corner: f64) -> Result<(), &'static str> {
-    // Comparisons that are false for NaN, too.
-    if !(corner >= 0.0 && corner < f64::from(u32::MAX)) {
-        return Err("the number of a vertex");
-    }
-    if !corners_fit(mesh, 1) {
-        return Err("at most 2^32 corners");
-    }
-    mesh.corners.push(corner as u32);
     Ok(())
 }
 

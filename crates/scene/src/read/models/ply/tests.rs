@@ -166,7 +166,7 @@ fn errors_name_place_and_expectation() {
             ascii("element vertex 1\nXYZ", "0 0\n"),
             "line 8: expected a finite number, found the end of the line",
         ),
-        (ascii("element vertex 1\nXYZ", "0 0 inf\n"), "line 8: expected a finite number, found 'inf'"),
+        (ascii("element vertex 1\nXYZ", "0 0 x\n"), "line 8: expected a finite number, found 'x'"),
         (
             ascii("element vertex 1\nXYZproperty uchar red\n", "0 0 0 256\n"),
             "line 9: expected a whole number of the type",
@@ -185,4 +185,128 @@ fn errors_name_place_and_expectation() {
         let error = error_of(&bytes, Format::Ply);
         assert!(error.contains(message), "{error}");
     }
+}
+
+/// A square of two triangles, whose header and lines are changed in this way.
+fn square(changes: &[(&str, &str)]) -> Vec<u8> {
+    let mut text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+                    element face 2\nproperty list uchar int vertex_indices\nend_header\n\
+                    0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"
+            .to_owned();
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
+    }
+    text.into_bytes()
+}
+
+#[test]
+fn byte_order_marks_ends_of_lines_and_unknown_lines_do_no_harm() {
+    let plain = mesh_of(&square(&[]));
+    let text = String::from_utf8(square(&[])).unwrap();
+    for text in [format!("\u{feff}{text}"), text.replace('\n', "\r"), text.replace('\n', "\r\n")] {
+        assert_eq!(mesh_of(text.as_bytes()), plain, "{text:?}");
+    }
+    // A body whose first byte is a line feed, behind a header whose lines end with CR.
+    let [_, little, _] = samples();
+    let end = little.windows(11).position(|w| w == b"end_header\n").unwrap() + 11;
+    let header: Vec<u8> = little[..end].iter().map(|b| if *b == b'\n' { b'\r' } else { *b }).collect();
+    let mut body = little[end..].to_vec();
+    body[0] = b'\n';
+    let mesh = mesh_of(&[header, body].concat());
+    assert!(mesh.positions[0].x > 0.0 && mesh.positions[1] == Vec3::X);
+    let model =
+        read_bytes(&square(&[("element vertex", "written by hand\nelement vertex")]), Format::Ply).unwrap();
+    assert!(model.notes[0].contains("'written by hand' is not understood and passed over (line 3)"));
+}
+
+#[test]
+fn what_is_no_number_is_left_out_or_replaced() {
+    let unused = square(&[("vertex 4", "vertex 5"), ("3 0 1 2", "nan inf 1e99\n3 0 1 2")]);
+    let model = read_bytes(&unused, Format::Ply).unwrap();
+    check(&model);
+    assert_eq!((model.triangle_count(), model.notes.len()), (2, 0));
+    let used = read_bytes(&square(&[("0 1 0\n3", "0 nan 0\n3")]), Format::Ply).unwrap();
+    check(&used);
+    assert_eq!(used.triangle_count(), 1);
+    assert!(used.notes[0].contains("no finite numbers are left out"), "{:?}", used.notes);
+    let more = "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\n\
+                property float t\nproperty float red\nproperty float green\nproperty float blue";
+    let odd = square(&[
+        ("property float z", more),
+        ("0 0 0\n", "0 0 0 0 0 1 0 0 1 1 1\n"),
+        ("1 0 0\n", "1 0 0 nan 0 1 inf 0 nan 1 1\n"),
+        ("1 1 0\n", "1 1 0 0 0 1 0 0 1 1 1\n"),
+        ("0 1 0\n3", "0 1 0 0 0 1 0 0 1 1 1\n3"),
+    ]);
+    let model = read_bytes(&odd, Format::Ply).unwrap();
+    check(&model);
+    let mesh = &model.meshes[0];
+    assert_eq!((mesh.normals[1], mesh.uvs[1], mesh.colors[1]), (Vec3::Z, Vec2::ZERO, glam::Vec4::ONE));
+    for what in ["normals", "texture coordinates", "colours"] {
+        assert!(
+            model.notes.iter().any(|note| note.contains(what) && note.contains("line ")),
+            "{:?}",
+            model.notes
+        );
+    }
+}
+
+#[test]
+fn faces_have_colours_and_texture_coordinates_of_their_own() {
+    let list = "property list uchar int vertex_indices\n";
+    let more = format!(
+        "{list}property list uchar float texcoord\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+    );
+    let bytes = square(&[
+        (list, &more),
+        ("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1 255 0 0\n"),
+        ("3 0 2 3\n", "3 0 2 3 6 0 0 1 1 0.5 1 0 255 0\n"),
+    ]);
+    let mesh = mesh_of(&bytes);
+    let at = |corner: usize| mesh.corners[corner] as usize;
+    let uvs: Vec<[f32; 2]> = (0..6).map(|corner| mesh.uvs[at(corner)].to_array()).collect();
+    assert_eq!(uvs, [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0], [1.0, 0.0], [0.5, 0.0]]);
+    let red = |corner: usize| mesh.colors[at(corner)].to_array();
+    assert!((0..3).all(|c| red(c) == [1.0, 0.0, 0.0, 1.0]) && (3..6).all(|c| red(c) == [0.0, 1.0, 0.0, 1.0]));
+    let odd = square(&[
+        (list, &format!("{list}property list uchar float texcoord\n")),
+        ("3 0 1 2\n", "3 0 1 2 4 0 0 1 0\n"),
+        ("3 0 2 3\n", "3 0 2 3 6 0 0 1 1 nan 1\n"),
+    ]);
+    let model = read_bytes(&odd, Format::Ply).unwrap();
+    check(&model);
+    assert!(model.notes[0].contains("do not fit their face are taken as 0 (2 times"), "{:?}", model.notes);
+}
+
+#[test]
+fn the_texture_that_a_comment_names_is_used() {
+    let comment = ("element vertex", "comment TextureFile some where.png\nelement vertex");
+    let list = "property list uchar int vertex_indices\n";
+    let wedge = format!("{list}property list uchar float texcoord\n");
+    let textured = square(&[
+        comment,
+        (list, &wedge),
+        ("3 0 1 2\n", "3 0 1 2 6 0 0 1 0 1 1\n"),
+        ("3 0 2 3\n", "3 0 2 3 6 0 0 1 1 0 1\n"),
+    ]);
+    let picture = crate::read::texture::tests::png(1, 1, &[10, 20, 30, 255]);
+    let read = |bytes: &[u8], name: &str| {
+        let files = std::collections::HashMap::from([(name.to_owned(), picture.clone())]);
+        let model =
+            crate::read::read_model_bytes(bytes, Format::Ply, "file", &files, &Default::default()).unwrap();
+        check(&model);
+        model
+    };
+    let model = read(&textured, "some where.png");
+    assert_eq!((model.textures.len(), model.notes.len()), (1, 0));
+    assert_eq!(model.materials[0].base_color.map(|map| map.texture), Some(0));
+    let missing = read(&textured, "other.png");
+    assert!(
+        missing.textures.is_empty()
+            && missing.notes[0].contains("'some where.png' is missing: it is left out (line 3)")
+    );
+    let bare = read(&square(&[comment]), "some where.png");
+    assert!(bare.notes[0].contains("no texture coordinates"), "{:?}", bare.notes);
 }

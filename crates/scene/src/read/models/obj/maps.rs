@@ -1,0 +1,207 @@
+//! The pictures that MTL statements name.
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use glanz_color::read::{Place, ReadError};
+
+use super::super::context::Context;
+use super::super::lines::{Lines, float, without_comment, words};
+use crate::read::texture;
+use crate::{Texture, TextureUse, Wrap};
+
+/// How far the means of red and green may be from a half, of 255, for a picture to be of normals.
+const NORMAL_MIDDLE: f64 = 30.0;
+/// The least mean of blue, of 255, of a picture of normals.
+const NORMAL_BLUE: f64 = 190.0;
+
+/// A texture as a statement gives it.
+#[derive(Clone)]
+pub(super) struct Map {
+    reference: String,
+    /// The MTL file that names it.
+    file: Rc<str>,
+    line: Place,
+    transform: [[f32; 3]; 2],
+    clamp: bool,
+    scale: f32,
+}
+
+impl Map {
+    /// `map_Kd -option value … file name`.
+    pub(super) fn parse(lines: &Lines<'_, &[u8]>, file: &Rc<str>) -> Option<Self> {
+        let (mut scale, mut offset) = ([1.0f32; 2], [0.0f32; 2]);
+        let (mut clamp, mut bump) = (false, 1.0);
+        let line = lines.line().trim_ascii();
+        let start = line.iter().position(u8::is_ascii_whitespace)?;
+        let mut left = line[start..].trim_ascii_start();
+        while left.first() == Some(&b'-') {
+            let mut all = words(left);
+            let option = all.next().unwrap_or_default();
+            let numbers: Vec<f32> = all.clone().map_while(float).take(3).collect();
+            let used = match option {
+                b"-s" | b"-o" | b"-t" => numbers.len(),
+                b"-mm" => numbers.len().min(2),
+                _ => 1,
+            };
+            match option {
+                b"-s" => scale = [0, 1].map(|i| numbers.get(i).copied().unwrap_or(1.0)),
+                b"-o" => offset = [0, 1].map(|i| numbers.get(i).copied().unwrap_or(0.0)),
+                b"-bm" => bump = numbers.first().copied().unwrap_or(1.0),
+                b"-clamp" => clamp = all.next() == Some(b"on"),
+                _ => {}
+            }
+            left = skip_words(left, 1 + used);
+        }
+        if left.is_empty() {
+            return None;
+        }
+        // v is turned (see the module's docs): 1 − (s·(1 − v) + o).
+        let transform = [[scale[0], 0.0, offset[0]], [0.0, scale[1], 1.0 - scale[1] - offset[1]]];
+        let reference = String::from_utf8_lossy(left).into_owned();
+        Some(Self { reference, file: file.clone(), line: lines.place(), transform, clamp, scale: bump })
+    }
+
+    /// What the picture's name may be: beside the MTL file, or else beside the OBJ file.
+    fn candidates(&self) -> Vec<String> {
+        let folder = self.file.rfind(['/', '\\']).map_or("", |end| &self.file[..=end]);
+        let names = [Some(self.reference.as_str()), without_comment(&self.reference)];
+        let mut all: Vec<String> = names.iter().flatten().map(|name| format!("{folder}{name}")).collect();
+        if !folder.is_empty() {
+            all.extend(names.into_iter().flatten().rev().map(str::to_owned));
+        }
+        all
+    }
+}
+
+/// What follows after this many words.
+fn skip_words(mut text: &[u8], count: usize) -> &[u8] {
+    for _ in 0..count {
+        let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
+        text = text[end..].trim_ascii_start();
+    }
+    text
+}
+
+/// What a picture is used for.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Use {
+    /// Colours.
+    Color,
+    /// Numbers: normals, opacity.
+    Numbers,
+    /// What `map_Bump` names: normals, or else heights, which are not used.
+    Bump,
+}
+
+/// The textures of a model, each decoded once per way of use.
+pub(super) struct Pictures {
+    pub(super) textures: Vec<Texture>,
+    /// By name, use and clamp; `None` for those that cannot be used.
+    known: HashMap<(String, Use, bool), Option<usize>>,
+    left: u64,
+}
+
+impl Pictures {
+    /// None yet, and so many bytes that they may take.
+    pub(super) fn new(left: u64) -> Self {
+        Self { textures: Vec::new(), known: HashMap::new(), left }
+    }
+
+    /// The texture of a statement, if it can be used.
+    pub(super) fn load(
+        &mut self,
+        map: Option<&Map>,
+        purpose: Use,
+        context: &mut Context<'_>,
+    ) -> Result<Option<TextureUse>, ReadError> {
+        let Some(map) = map else { return Ok(None) };
+        let key = (map.reference.clone(), purpose, map.clamp);
+        let texture = match self.known.get(&key) {
+            Some(known) => *known,
+            None => {
+                let loaded = self.decode(map, purpose, context)?.map(|texture| {
+                    self.textures.push(texture);
+                    self.textures.len() - 1
+                });
+                *self.known.entry(key).or_insert(loaded)
+            }
+        };
+        let (transform, scale) = (map.transform, if purpose == Use::Color { 1.0 } else { map.scale });
+        Ok(texture.map(|texture| TextureUse { texture, transform, scale }))
+    }
+
+    /// The colours of one statement with the opacity of another as their alpha, and whether that is less than 1
+    /// anywhere. Without colours they are white.
+    pub(super) fn load_with_opacity(
+        &mut self,
+        color: Option<&Map>,
+        opacity: Option<&Map>,
+        context: &mut Context<'_>,
+    ) -> Result<(Option<TextureUse>, bool), ReadError> {
+        let colored = self.load(color, Use::Color, context)?;
+        let Some(opacity) = opacity else { return Ok((colored, false)) };
+        let Some(mask) = self.decode(opacity, Use::Numbers, context)? else { return Ok((colored, false)) };
+        let base = match &colored {
+            Some(colored) if colored.transform != opacity.transform => {
+                let note = "MTL: map_d is ignored where its options differ from those of map_Kd";
+                context.notes.add_at(note, opacity.line.clone());
+                return Ok((Some(*colored), false));
+            }
+            Some(colored) => self.textures[colored.texture].clone(),
+            None => Texture { rgba: vec![255; mask.rgba.len()], srgb: true, ..mask.clone() },
+        };
+        let size = base.rgba.len() as u64;
+        texture::spend(size, context.file, &opacity.line, context.options, &mut self.left)?;
+        self.textures.push(with_alpha(base, &mask));
+        let texture = self.textures.len() - 1;
+        Ok((Some(TextureUse { texture, transform: opacity.transform, scale: 1.0 }), true))
+    }
+
+    /// The picture, or `None` with a remark where it is missing or of a kind that cannot be used.
+    fn decode(
+        &mut self,
+        map: &Map,
+        purpose: Use,
+        context: &mut Context<'_>,
+    ) -> Result<Option<Texture>, ReadError> {
+        let reference = &map.reference;
+        let Some(bytes) = context.find_picture(&map.candidates(), &map.line) else { return Ok(None) };
+        let Some(texture) = context.decode_picture(&bytes, reference, &map.line, &mut self.left)? else {
+            return Ok(None);
+        };
+        if purpose == Use::Bump && !holds_normals(&texture) {
+            let note = format!("the height map '{reference}' is ignored: the surface is smooth");
+            context.notes.add_at(&note, map.line.clone());
+            return Ok(None);
+        }
+        let wrap = [if map.clamp { Wrap::Clamp } else { Wrap::Repeat }; 2];
+        Ok(Some(Texture { name: reference.clone(), srgb: purpose == Use::Color, wrap, ..texture }))
+    }
+}
+
+/// The picture with the opacity that another one holds in its alpha, or, if that is 1 everywhere, in its colours.
+fn with_alpha(mut base: Texture, mask: &Texture) -> Texture {
+    let by_alpha = mask.rgba.chunks_exact(4).any(|texel| texel[3] < 255);
+    let (width, height) = (base.width as usize, base.height as usize);
+    for (number, texel) in base.rgba.chunks_exact_mut(4).enumerate() {
+        // The texel of the mask in whose middle that of the colours is nearest.
+        let x = (2 * (number % width) + 1) * mask.width as usize / (2 * width);
+        let y = (2 * (number / width) + 1) * mask.height as usize / (2 * height);
+        let at = 4 * (y * mask.width as usize + x);
+        let [r, g, b, a] = [0, 1, 2, 3].map(|channel| u16::from(mask.rgba[at + channel]));
+        texel[3] = if by_alpha { a } else { (r + g + b) / 3 } as u8;
+    }
+    base
+}
+
+/// Whether a picture is of tangent-space normals: in the mean they point away from the surface.
+fn holds_normals(texture: &Texture) -> bool {
+    let mut sums = [0u64; 3];
+    for texel in texture.rgba.chunks_exact(4) {
+        (0..3).for_each(|channel| sums[channel] += u64::from(texel[channel]));
+    }
+    let [r, g, b] = sums.map(|sum| sum as f64 * 4.0 / texture.rgba.len() as f64);
+    let is_middle = |mean: f64| (mean - 127.5).abs() <= NORMAL_MIDDLE;
+    is_middle(r) && is_middle(g) && b >= NORMAL_BLUE
+}
