@@ -43,7 +43,8 @@ pub(crate) fn run(workspace: &Workspace, folder: &Path) -> Result<()> {
             continue;
         };
         let picture = pictures.join(format!("{}.png", case.name));
-        let render = workspace.command(&glanz).arg("render").arg(input).arg("-o").arg(&picture);
+        let mut render = workspace.command(&glanz);
+        render.arg("render").arg(input).arg("-o").arg(&picture);
         let render = render.args(["--size", SIZE, "--format", "json"]).output();
         let info = workspace.command(&glanz).arg("info").arg(input).args(["--format", "json"]).output();
         let found = Found::of(

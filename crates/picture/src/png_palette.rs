@@ -24,7 +24,7 @@ pub fn wrong_png_palette(file: &[u8]) -> Option<usize> {
         let length = u32::from_be_bytes(*rest.first_chunk::<4>()?) as usize;
         let kind = rest.get(4..8)?;
         match kind {
-            b"PLTE" => return (length == 0 || length > MOST || length % 3 != 0).then_some(length),
+            b"PLTE" => return (length == 0 || length > MOST || !length.is_multiple_of(3)).then_some(length),
             // The palette stands before the picture.
             b"IDAT" | b"IEND" => return None,
             // Length, kind and checksum are four bytes each.

@@ -3,6 +3,7 @@
 use std::io::Cursor;
 
 use glanz_color::read::{Place, ReadError, excerpt};
+use glanz_picture::wrong_png_palette;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use super::ReadOptions;
@@ -34,6 +35,10 @@ pub(super) fn decode(
         let start = excerpt(&bytes[..bytes.len().min(8)]);
         ReadError::unsupported(file, place.clone(), "a PNG, JPEG or WebP picture", start)
     })?;
+    if let Some(found) = wrong_png_palette(bytes) {
+        let found = format!("{found} bytes");
+        return Err(ReadError::malformed(file, place, "a palette of whole entries", found));
+    }
     let picture = |error: image::ImageError| {
         ReadError::malformed(file, place.clone(), "a complete picture", error.to_string())
     };
@@ -150,6 +155,21 @@ pub(super) mod tests {
             read_texture(&png(2, 1, &[1, 2, 3, 4, 5, 6, 7, 8]), "p", &ReadOptions::default()).unwrap();
         assert_eq!((texture.width, texture.height, texture.srgb), (2, 1, true));
         assert_eq!(texture.rgba, [1, 2, 3, 4, 5, 6, 7, 8]);
+    }
+
+    #[test]
+    fn a_palette_of_parts_of_entries_is_refused() {
+        let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
+        for (kind, data) in
+            [(b"IHDR", &[0, 0, 0, 1, 0, 0, 0, 1, 8, 3, 0, 0, 0][..]), (b"PLTE", &[1; 4]), (b"IDAT", &[0; 9])]
+        {
+            bytes.extend((data.len() as u32).to_be_bytes());
+            let chunk = [&kind[..], data].concat();
+            bytes.extend(&chunk);
+            bytes.extend(crc32(&chunk).to_be_bytes());
+        }
+        let error = read_texture(&bytes, "p.png", &ReadOptions::default()).unwrap_err().to_string();
+        assert!(error.contains("a palette of whole entries, found 4 bytes"), "{error}");
     }
 
     #[test]
