@@ -14,7 +14,8 @@ pub fn read(format: Format, bytes: &[u8]) {
 pub fn read_filled(format: Format, bytes: &[u8], head: &[u8], length: usize) {
     read(format, bytes);
     if !bytes.is_empty() {
-        let filled: Vec<u8> = head.iter().chain(bytes.iter().cycle()).take(length).copied().collect();
+        let mut filled = [head, &bytes.repeat(length.div_ceil(bytes.len()))].concat();
+        filled.truncate(length);
         read(format, &filled);
     }
 }

@@ -220,6 +220,13 @@ fn weights_are_a_column_of_tables() {
 }
 
 #[test]
+fn rows_without_an_angle_are_no_readings() {
+    let head = "theta_i_deg,phi_i_deg,theta_o_deg,phi_o_deg,Y";
+    let measured = read(&format!("{head}\n30,180,20,0,0.3\n30,nan,20,0,0.3\n30,180,20,,0.3\n")).unwrap();
+    assert_eq!(measured.readings().len(), 1);
+}
+
+#[test]
 fn astm_tables_are_in_radians() {
     let text = "ASTM E1392\r\nCOMMENT \"blue paint\"\r\nNUM_POINTS 3\r\n\
                 VARS theta_i,phi_i,theta_s,phi_s,400nm,500nm\r\n\
@@ -237,6 +244,9 @@ fn astm_tables_are_in_radians() {
     assert!((wi.x + wo.x).abs() < 1e-6 && wo.x > 0.4);
     let error = read(&text.replace("0.25,0.5\r\n", "0.25\r\n")).unwrap_err();
     assert_eq!((error.line(), error.to_string()), (Some(6), "expected 6 numbers, found 5".to_owned()));
+    let error = read(&text.replace("0.2,1.0,0.25", "0.2,1.#QNAN,0.25")).unwrap_err();
+    assert_eq!(error.line(), Some(6));
+    assert!(error.to_string().starts_with("the angles of a row"), "{error}");
 }
 
 #[test]

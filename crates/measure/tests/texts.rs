@@ -58,6 +58,10 @@ fn errors_of_pab_files_have_their_line() {
         (Some(8), "expected two angles and one or three values, found 2 numbers".to_owned())
     );
     assert_eq!(wrong("DSF", "BTDF").0, Some(7));
+    // Words for missing numbers are no angles.
+    let angles = "the angles of the light and of the row must be finite numbers";
+    assert_eq!(wrong("#inphi 0", "#inphi 1.#QNAN").1, angles);
+    assert_eq!(wrong("30 180 0.5", "nan 180 0.5"), (Some(8), angles.to_owned()));
     assert_eq!(
         wrong("#incident_angle\t30\t0\n#intheta\t30\n", "").1,
         "#intheta or #incident_angle must stand above the first row"
@@ -144,6 +148,15 @@ fn alta_in_binary_is_as_its_text() {
     assert!(
         of(&alta_binary("", &[], f64::to_le_bytes)).unwrap_err().to_string().contains("the head must end")
     );
+}
+
+#[test]
+fn alta_rows_whose_angles_are_no_numbers_are_dropped() {
+    let rows = [[0.3, 0.1, 2.0, 0.5], [0.3, 0.1, f64::NAN, 0.5], [f64::INFINITY, 0.1, 2.0, 0.5]];
+    let bytes = alta_binary("#SAMPLE_COUNT 3\n#ALTA_END_HEADER\n", &rows, f64::to_le_bytes);
+    let measured = Measured::read(&bytes, "a.alta", &ReadOptions::default()).unwrap();
+    assert_eq!(measured.readings().len(), 1);
+    assert_eq!(measured.notes, ["2 rows with angles that are no numbers were dropped"]);
 }
 
 proptest! {

@@ -103,7 +103,10 @@ const DOCUMENTS: [(&str, &[&[&str]]); 56] = [
     ("measure-convert", &[&["measure", "convert", "tile.csv", "-o", "again.csv"]]),
     ("measure-compare", &[&["measure", "compare", "ggx.bsdf", "ggx", "--size", "32x32"]]),
     ("measure-sample", &[&["measure", "sample", "ggx", "-o", "a.bsdf"]]),
-    ("measure-smooth", &[&["measure", "smooth", "ggx.bsdf", "-o", "smooth.csv"]]),
+    (
+        "measure-smooth",
+        &[&["measure", "smooth", "ggx.bsdf", "-o", "smooth.csv"], &["measure", "smooth", "ggx.bsdf"]],
+    ),
     ("shader-run", &[&["shader", "run", "a.frag", "--size", "8x8", "-o", "toy.png"]]),
     (
         "shader-certify",

@@ -100,6 +100,8 @@ struct Rows {
     readings: Option<Readings>,
     /// How many were below the horizon.
     below: usize,
+    /// How many had angles that are no numbers.
+    nowhere: usize,
 }
 
 impl Rows {
@@ -118,7 +120,12 @@ impl Rows {
             return Err(ReadError::at(number, message));
         }
         let [wi, wo] = pair(name, row);
-        // Also of what is no direction.
+        // Numbers without a value, and those beyond all bounds, are no direction.
+        let is_direction = |w: Vec3<f64>| (w.dot(w) - 1.0).abs() < 1e-6;
+        if !is_direction(wi) || !is_direction(wo) {
+            self.nowhere += 1;
+            return Ok(());
+        }
         let is_above = wi.z >= -1e-12 && wo.z >= -1e-12;
         if !is_above {
             self.below += 1;
@@ -134,9 +141,10 @@ impl Rows {
     fn measured(self, quantity: Quantity) -> Result<Measured, ReadError> {
         let readings =
             self.readings.ok_or_else(|| ReadError::broken("there are no rows above the horizon"))?;
-        let below = self.below;
-        let notes =
-            if below > 0 { vec![format!("{below} rows below the horizon were dropped")] } else { vec![] };
+        let told =
+            |(count, what): (usize, &str)| (count > 0).then(|| format!("{count} rows {what} were dropped"));
+        let dropped = [(self.below, "below the horizon"), (self.nowhere, "with angles that are no numbers")];
+        let notes = dropped.into_iter().filter_map(told).collect();
         let data = Data::Readings(readings);
         Ok(Measured { format: Format::Alta, quantity, description: String::new(), data, notes })
     }

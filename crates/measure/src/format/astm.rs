@@ -111,9 +111,13 @@ impl Columns {
     fn row(&self, number: u32, line: &str) -> Result<Vec<f64>, ReadError> {
         let row = text::row(number, line)?;
         let least = self.first + self.channels.count();
-        match row.len() < least {
-            true => Err(ReadError::at(number, format!("expected {least} numbers, found {}", row.len()))),
-            false => Ok(row),
+        if row.len() < least {
+            return Err(ReadError::at(number, format!("expected {least} numbers, found {}", row.len())));
+        }
+        let mut angles = self.theta.into_iter().chain(self.phi.into_iter().flatten());
+        match angles.all(|at| row[at].is_finite()) {
+            true => Ok(row),
+            false => Err(ReadError::at(number, "the angles of a row must be finite numbers")),
         }
     }
 

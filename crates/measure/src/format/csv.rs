@@ -131,7 +131,8 @@ impl<'a> Table<'a> {
         for column in &self.columns {
             values.push(self.quantity.brdf(number(*column)?, wo.z).unwrap_or(f64::NAN) as f32);
         }
-        let is_unknown = !(wi.z + wo.z).is_finite() || values.iter().all(|value| value.is_nan());
+        let is_unknown =
+            !wi.dot(wi).is_finite() || !wo.dot(wo).is_finite() || values.iter().all(|value| value.is_nan());
         if is_unknown {
             return Ok(Row::Unknown);
         }

@@ -114,6 +114,12 @@ impl Rows {
         if readings.channels().count() != channels.count() {
             return Err(ReadError::at(number, "the row has another number of values than those before"));
         }
+        if [theta_i, head.phi_i, row[0], row[1]].iter().any(|angle| !angle.is_finite()) {
+            return Err(ReadError::at(
+                number,
+                "the angles of the light and of the row must be finite numbers",
+            ));
+        }
         // Beyond 90° lies the other side.
         let up = |theta: f64, phi: f64| {
             let w = Vec3::from_angles(theta.to_radians(), phi.to_radians());
