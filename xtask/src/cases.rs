@@ -43,15 +43,18 @@ pub(crate) fn run(workspace: &Workspace, folder: &Path) -> Result<()> {
             continue;
         };
         let picture = pictures.join(format!("{}.png", case.name));
-        let mut render = workspace.command(&glanz);
-        render.arg("render").arg(input).arg("-o").arg(&picture);
-        let render = render.args(["--size", SIZE, "--format", "json"]).output();
-        let info = workspace.command(&glanz).arg("info").arg(input).args(["--format", "json"]).output();
-        let found = Found::of(
-            &render.map_err(Failure::during("glanz"))?,
-            &info.map_err(Failure::during("glanz"))?,
-            &picture,
-        );
+        let run = |words: &[&str]| {
+            let mut command = workspace.command(&glanz);
+            command
+                .args(words)
+                .arg(input)
+                .args(["--format", "json"])
+                .output()
+                .map_err(Failure::during("glanz"))
+        };
+        let output = picture.to_string_lossy();
+        let render = run(&["render", "--force", "--size", SIZE, "-o", &output])?;
+        let found = Found::of(&render, &run(&["info"])?, &picture);
         wrong += u32::from(!case.tell(&found));
     }
     println!(

@@ -131,3 +131,44 @@ impl Opened {
         Self { scene, cameras: Vec::new(), notes, default_lights: false }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A triangle and a sun that shines on it with that many lux.
+    fn opened(lux: f64, sets: &[(&str, &str)]) -> Opened {
+        let text = format!(
+            r#"{{"asset":{{"version":"2.0"}},"nodes":[{{"mesh":0}},{{"extensions":{{"KHR_lights_punctual":{{"light":0}}}}}}],
+            "extensions":{{"KHR_lights_punctual":{{"lights":[{{"type":"directional","intensity":{lux}}}]}}}},
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}}],
+            "buffers":[{{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}]}}"#
+        );
+        let name = format!("glanz-open-{lux}-{}-{}.gltf", sets.len(), std::process::id());
+        let path = std::env::temp_dir().join(name);
+        std::fs::write(&path, text).unwrap();
+        let sets = sets.iter().map(|&(path, value)| (path.to_owned(), value.to_owned())).collect();
+        let opened = open(&path, &LoadOptions { allow_outside: false, sets });
+        std::fs::remove_file(&path).unwrap();
+        opened.unwrap()
+    }
+
+    #[test]
+    fn a_bare_model_is_exposed_by_its_own_lamps_unless_an_exposure_is_set() {
+        let white = core::f64::consts::PI;
+        let bright = opened(white * 1024.0, &[]);
+        assert_eq!((bright.scene.render.ev, bright.default_lights), (-10.0, false));
+        assert!(
+            bright
+                .notes
+                .iter()
+                .any(|note| note.contains("an exposure of -10.0 stops") && note.contains("--ev"))
+        );
+        let plain = opened(white, &[]);
+        assert_eq!((plain.scene.render.ev, plain.notes.len()), (0.0, 0));
+        let set = opened(white * 1024.0, &[("render.ev", "-3")]);
+        assert_eq!((set.scene.render.ev, set.notes.len()), (-3.0, 0));
+    }
+}

@@ -1,11 +1,12 @@
 //! The last steps of every reader: attributes as [`Mesh`] promises them.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 
 use super::faces::close_face;
-use crate::Mesh;
+use crate::mesh::topology::Splitter;
 use crate::mesh::triangulate::MOST_CORNERS;
 use crate::read::notes::Notes;
+use crate::{Mesh, Normals};
 
 /// Leaves faces out that use a position which is no finite number. Such positions become 0: nothing uses them then.
 pub(super) fn drop_faces_without_positions(mesh: &mut Mesh, notes: &mut Notes) {
@@ -31,8 +32,7 @@ pub(super) fn drop_faces_without_positions(mesh: &mut Mesh, notes: &mut Notes) {
 
 /// Makes normals and tangents unit vectors.
 ///
-/// A normal of length zero says nothing: it is replaced by the area-weighted mean over the faces at
-/// its vertex. If all are zero the mesh has no normals. Tangents of length zero drop all tangents.
+/// A normal of length zero says nothing: it is replaced by the one that a mesh without normals gets there. If all are zero the mesh has no normals. Tangents of length zero drop all tangents.
 pub(super) fn finish_mesh(mesh: &mut Mesh, notes: &mut Notes) {
     let mut missing = 0;
     for normal in &mut mesh.normals {
@@ -66,20 +66,35 @@ fn unit(vector: Vec3) -> Option<Vec3> {
     vector.as_dvec3().try_normalize().map(|unit| unit.as_vec3())
 }
 
-/// Fills in the normals that are zero.
+/// Fills in the normals that are zero: with those that the mesh would get if it had none, so that edges stay sharp.
+/// Vertices that need several are split.
 fn fill_normals(mesh: &mut Mesh) {
-    let mut sums = vec![DVec3::ZERO; mesh.positions.len()];
-    for [a, b, c] in mesh.triangles() {
-        let [p, q, r] = [a, b, c].map(|index| mesh.positions[index as usize].as_dvec3());
-        let normal = (q - p).cross(r - p);
-        for index in [a, b, c] {
-            sums[index as usize] += normal;
+    let bare = Mesh {
+        positions: mesh.positions.clone(),
+        corners: mesh.corners.clone(),
+        face_starts: mesh.face_starts.clone(),
+        ..Mesh::default()
+    };
+    let made = bare.with_normals(Normals::Given);
+    let mut splitter = Splitter::new(mesh.positions.len());
+    let mut normals: Vec<Vec3> =
+        mesh.normals.iter().map(|&normal| normal.try_normalize().unwrap_or(Vec3::Z)).collect();
+    for (corner, &other) in mesh.corners.iter_mut().zip(&made.corners) {
+        let given = mesh.normals[*corner as usize];
+        if given == Vec3::ZERO {
+            let normal = made.normals[other as usize];
+            *corner = splitter.user(*corner, normal.to_array().map(f32::to_bits));
+            normals.resize(splitter.sources.len(), normal);
+            normals[*corner as usize] = normal;
         }
     }
-    for (normal, sum) in mesh.normals.iter_mut().zip(sums) {
-        if *normal == Vec3::ZERO {
-            *normal = sum.try_normalize().unwrap_or(DVec3::Z).as_vec3();
-        }
+    let sources = splitter.sources;
+    let tangents = std::mem::take(&mut mesh.tangents);
+    let split = mesh.pick_vertices(&sources);
+    (mesh.positions, mesh.uvs, mesh.colors) = (split.positions, split.uvs, split.colors);
+    mesh.normals = normals;
+    if !tangents.is_empty() {
+        mesh.tangents = sources.iter().map(|&source| tangents[source as usize]).collect();
     }
 }
 
@@ -115,6 +130,24 @@ mod tests {
         let mut mesh = triangle(vec![Vec3::X * 1e-30, Vec3::ZERO, Vec3::Y * 1e30]);
         finish_mesh(&mut mesh, &mut Notes::default());
         assert_eq!(mesh.normals, [Vec3::X, Vec3::Z, Vec3::Y]);
+    }
+
+    #[test]
+    fn normals_that_are_filled_keep_edges_sharp() {
+        // Two triangles with a fold of 90° at the points 0 and 1, whose normals are missing.
+        let mut mesh = Mesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z],
+            normals: vec![Vec3::ZERO, Vec3::ZERO, Vec3::X, Vec3::X],
+            tangents: vec![Vec4::X; 4],
+            uvs: vec![glam::Vec2::X; 4],
+            corners: vec![0, 1, 2, 1, 0, 3],
+            ..Mesh::default()
+        };
+        finish_mesh(&mut mesh, &mut Notes::default());
+        assert_eq!(mesh.validate(), Ok(()));
+        let normals: Vec<Vec3> = mesh.corners.iter().map(|&corner| mesh.normals[corner as usize]).collect();
+        assert_eq!(normals, [Vec3::Z, Vec3::Z, Vec3::X, Vec3::Y, Vec3::Y, Vec3::X]);
+        assert_eq!((mesh.positions.len(), mesh.tangents.len(), mesh.uvs.len()), (6, 6, 6));
     }
 
     #[test]

@@ -37,7 +37,7 @@ impl Libraries {
         }
         for name in name.split_ascii_whitespace() {
             if let Some(why) = self.read_file(name, &place, context)? {
-                let note = format!("the material file '{name}' {why}: its materials are the default one");
+                let note = format!("the material file '{name}' {why}");
                 context.notes.add_at(&note, place.clone());
             }
         }
