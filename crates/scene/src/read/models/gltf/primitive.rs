@@ -17,13 +17,16 @@ use crate::read::notes::Notes;
 /// Bytes of a vertex with all its attributes.
 const VERTEX_BYTES: u64 = 64;
 
+/// A mesh here and its material.
+type Part = (usize, usize);
+
 /// Builds the meshes that nodes ask for, each once.
 pub(super) struct Builder<'a> {
     source: &'a Source<'a>,
     budget: &'a mut Budget,
     meshes: Vec<Mesh>,
     /// For each mesh of the file, and the node that poses it if one does, its meshes and their materials here.
-    built: HashMap<(usize, Option<usize>), Vec<(usize, usize)>>,
+    built: HashMap<(usize, Option<usize>), Vec<Part>>,
     /// The numbers here of the file's materials; `None` for the default one.
     materials: HashMap<Option<usize>, usize>,
     /// The other way round.

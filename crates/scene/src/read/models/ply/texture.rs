@@ -22,7 +22,7 @@ pub(super) fn material(
         context.notes.add_at(&note, place.clone());
         return Ok(plain);
     }
-    let Some(bytes) = context.find_picture(&[name.clone()], place) else { return Ok(plain) };
+    let Some(bytes) = context.find_picture(std::slice::from_ref(name), place) else { return Ok(plain) };
     let mut left = context.options.max_texture_bytes;
     let Some(picture) = context.decode_picture(&bytes, name, place, &mut left)? else { return Ok(plain) };
     let white = ClassicMaterial {
