@@ -217,6 +217,27 @@ fn huge_and_tiny_coordinates_give_numbers() {
 }
 
 #[test]
+fn with_shadows_what_is_out_of_reach_is_refused() {
+    let mut scene = empty(camera(3.0, 50.0));
+    add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::IDENTITY);
+    add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::from_scale(DVec3::splat(1e40)));
+    scene.render.shadows = true;
+    let error = glanz_render::prepare(&scene, &glanz_render::PrepareOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("within coordinates of 1e12"), "{error}");
+}
+
+#[test]
+fn more_pairs_of_lights_and_lobes_than_fit_are_refused() {
+    let mut scene = empty(camera(3.0, 50.0));
+    add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::IDENTITY);
+    add_point_light(&mut scene, DVec3::ONE, Attenuation::PHYSICAL);
+    scene.materials = vec![scene.materials[0].clone(); 10_000];
+    scene.lights = vec![scene.lights[0].clone(); 10_000];
+    let error = glanz_render::prepare(&scene, &glanz_render::PrepareOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("pairs of a light and a lobe"), "{error}");
+}
+
+#[test]
 fn every_view_of_an_awkward_scene_gives_numbers() {
     let mut scene = empty(camera(0.5, 120.0));
     add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::IDENTITY);

@@ -9,7 +9,7 @@ use glanz_plot::Canvas;
 
 use super::failure::Failure;
 use super::sixel::sixel;
-use super::{bytes, note, text};
+use super::{bytes, note};
 
 /// Columns and rows where the terminal does not tell.
 const DEFAULT_SIZE: (usize, usize) = (80, 24);
@@ -50,9 +50,9 @@ impl PreviewMode {
         // The last line is for what the shell says next.
         let rows = rows.saturating_sub(1).max(1);
         match mode {
-            Self::Sixel => text(&sixel(&shrunk(picture, (columns * CELL.0, rows * CELL.1)))),
-            Self::Kitty => text(&kitty(&png(picture)?, fitting(picture, columns, rows))),
-            Self::Iterm => text(&iterm(&png(picture)?, fitting(picture, columns, rows))),
+            Self::Sixel => bytes(sixel(&shrunk(picture, (columns * CELL.0, rows * CELL.1))).as_bytes()),
+            Self::Kitty => bytes(kitty(&png(picture)?, fitting(picture, columns, rows)).as_bytes()),
+            Self::Iterm => bytes(iterm(&png(picture)?, fitting(picture, columns, rows)).as_bytes()),
             _ => bytes(half_blocks(picture, columns, rows).as_bytes()),
         }
     }

@@ -236,9 +236,16 @@ fn photons_are_noise_and_colours_go_out_of_focus() {
         (draw("a.png", &[]), draw("b.png", &["--noise"]), draw("c.png", &["--noise", "1"]));
     assert!(still != noise && noise == again && noise != draw("d.png", &["--noise", "2"]));
     assert!(still != draw("e.png", &["--chromatic"]));
-    folder.write("n.toml", format!("[eye]\nlevel = \"stars\"\nnoise = 1\npx_per_deg = 40\n{PATCHES}"));
-    folder.glanz(&["eye", "n.toml", "-o", "f.png"]).text();
-    assert!(noise == folder.read("f.png"));
+    // A scene says the same: each pixel of its picture is that of the other's.
+    let scene = |file: &str, noise: &str| {
+        folder.write("n.toml", format!("[eye]\nlevel = \"stars\"\npx_per_deg = 40\n{noise}{PATCHES}"));
+        folder.glanz(&["render", "n.toml", "-o", file]).text();
+        let png = Png::decode(&folder.read(file));
+        (0..48).map(|x| png.pixel(x, 16)).collect::<Vec<_>>()
+    };
+    let (seeded, without) = (scene("f.png", "noise = 1\n"), scene("g.png", ""));
+    assert!(seeded != without && seeded != scene("h.png", "noise = 2\n"));
+    assert_eq!(seeded, scene("i.png", "noise = 1\n"));
     folder.write("bad.toml", format!("[eye]\nnoise = -1\n{PATCHES}"));
     let failure = folder.glanz(&["render", "bad.toml", "-o", "x.png"]).failure();
     assert!(failure.contains("a whole number from 0 to 4294967295"), "{failure}");

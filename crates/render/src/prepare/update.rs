@@ -26,7 +26,13 @@ impl Prepared {
         let result = changes.iter().try_for_each(|change| self.apply(scene, *change, &mut casters_moved));
         let casts = if result.is_ok() { scene.render.shadows } else { self.bvh.is_some() };
         if casters_moved || casts != self.bvh.is_some() {
-            self.bvh = casts.then(|| Arc::new(bvh(self)));
+            match casts.then(|| bvh(self)).transpose() {
+                Ok(tree) => self.bvh = tree.map(Arc::new),
+                Err(error) => {
+                    self.bvh = None;
+                    return result.and(Err(error));
+                }
+            }
         }
         result
     }

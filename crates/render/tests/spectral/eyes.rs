@@ -151,7 +151,7 @@ fn in_bright_light_rods_change_nothing() {
 
 #[test]
 fn photons_are_few_by_night_and_keep_the_mean() {
-    let mut scene = spectral(faced(matte(patch("white")), &unit("D65")));
+    let mut scene = spectral(faced(matte(patch("white-9.5")), &unit("D65")));
     (scene.image.width, scene.image.height) = (200, 200);
     // The mean of the cones' mixture with the rods, and its relative standard deviation.
     let spread = |level: f64, noise: Option<u32>| {

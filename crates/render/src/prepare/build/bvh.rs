@@ -6,8 +6,8 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-use crate::prepare::Prepared;
 use crate::prepare::data::{Bvh, BvhNode, PreparedMaterial, PreparedObject};
+use crate::prepare::{PrepareError, Prepared};
 
 /// How much larger than its triangle a box is, in sizes of the scene: more than rounding loses.
 const MARGIN: f32 = 1e-6;
@@ -20,17 +20,33 @@ pub(crate) fn is_opaque(material: &PreparedMaterial) -> bool {
     material.alpha_mode != AlphaMode::Blend && material.transmittance.is_none()
 }
 
+/// The greatest coordinate of an object that casts shadows, as of the numbers of scene files: beyond, boxes have no size in single
+/// precision.
+const FARTHEST: f64 = 1e12;
+
 /// All triangles that let no light through. Those with holes by a texture count whole.
-pub(crate) fn bvh(prepared: &Prepared) -> Bvh {
+///
+/// # Errors
+/// If an object reaches farther than a tree can hold.
+pub(crate) fn bvh(prepared: &Prepared) -> Result<Bvh, PrepareError> {
     let blocks = |object: &&PreparedObject| is_opaque(&prepared.materials[object.material]);
     let objects: Vec<&PreparedObject> = prepared.objects.iter().filter(blocks).collect();
     if objects.is_empty() {
-        return Bvh { size: 1.0, ..Bvh::default() };
+        return Ok(Bvh { size: 1.0, ..Bvh::default() });
     }
     let (low, high) = objects.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), object| {
         let corner = |i: usize| DVec3::from_array(object.anchor) + DVec3::from_array(object.bounds[i]);
         (low.min(corner(0)), high.max(corner(1)))
     });
+    if !(low.abs().max(high.abs()).cmple(DVec3::splat(FARTHEST)).all()) {
+        let point = |p: DVec3| format!("({:.3e}, {:.3e}, {:.3e})", p.x, p.y, p.z);
+        let what = format!(
+            "with shadows, objects lie within coordinates of {FARTHEST:e}; those that cast them reach from {} to {}",
+            point(low),
+            point(high)
+        );
+        return Err(PrepareError::Scene { what });
+    }
     let center = 0.5 * (low + high);
     let size = (high - low).length().max(1e-30) as f32;
     let mut triangles = Vec::new();
@@ -47,12 +63,12 @@ pub(crate) fn bvh(prepared: &Prepared) -> Bvh {
         SEARCH_DEPTH,
     );
     let in_order = |i: &u32| triangles[*i as usize].map(|v| v.to_array());
-    Bvh {
+    Ok(Bvh {
         center: center.to_array(),
         triangles: tree.primitive_indices.iter().map(in_order).collect(),
         nodes: nodes(&tree),
         size,
-    }
+    })
 }
 
 fn nodes(tree: &Bvh2) -> Vec<BvhNode> {

@@ -1,6 +1,5 @@
 //! What must hold of a scene before it is prepared.
 
-use glam::DVec3;
 use glanz_scene::builtin::MAX_TRIANGLES;
 use glanz_scene::{Background, LightKind, Material, Scene};
 
@@ -8,9 +7,6 @@ use crate::prepare::PrepareError;
 
 /// The most pairs of a light and a lobe: each takes 20 bytes in the table of tints.
 const MAX_TINTS: u64 = 50_000_000;
-
-/// The greatest coordinate of an object, as of the numbers of scene files: beyond, boxes have no size in single precision.
-const FARTHEST: f64 = 1e12;
 
 /// That a scene can be drawn: every index names something, and the background exists, and it takes no more than there is.
 pub(crate) fn check(scene: &Scene) -> Result<(), PrepareError> {
@@ -37,19 +33,6 @@ fn check_amounts(scene: &Scene) -> Result<(), PrepareError> {
         return Err(PrepareError::Scene { what });
     }
     Ok(())
-}
-
-/// That an object lies where it can be drawn.
-pub(crate) fn check_place(name: &str, anchor: DVec3, bounds: [DVec3; 2]) -> Result<(), PrepareError> {
-    let is_near = |corner: &DVec3| (*corner + anchor).abs().cmple(DVec3::splat(FARTHEST)).all();
-    if bounds.iter().all(is_near) {
-        return Ok(());
-    }
-    let [low, high] = bounds.map(|corner| (corner + anchor).to_array());
-    let what = format!(
-        "object '{name}' reaches from {low:?} to {high:?}; expected coordinates of at most {FARTHEST:e}"
-    );
-    Err(PrepareError::Scene { what })
 }
 
 /// Where the background is to be the environment, one must be there.

@@ -40,7 +40,7 @@ pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, Prep
     fill_table(&mut prepared)?;
     geometry::objects::add_objects(&mut prepared, scene)?;
     if scene.render.shadows {
-        prepared.bvh = Some(Arc::new(bvh::bvh(&prepared)));
+        prepared.bvh = Some(Arc::new(bvh::bvh(&prepared)?));
     }
     Ok(prepared)
 }

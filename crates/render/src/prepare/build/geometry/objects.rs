@@ -10,7 +10,6 @@ use super::clusters::{append, bound, place_vertex};
 use super::facets::facets;
 use super::placed::Placed;
 use super::polygons::polygons;
-use crate::prepare::build::check::check_place;
 use crate::prepare::source::ObjectSource;
 use crate::prepare::{Attributes, PrepareError, Prepared, PreparedObject};
 
@@ -30,7 +29,6 @@ fn add_object(prepared: &mut Prepared, scene: &Scene, object: &Object) -> Result
     let interpolation = options.interpolation.or(object.interpolation).unwrap_or(scene.render.interpolation);
     let mesh = with_needed_attributes(&scene.meshes[object.mesh], &scene.materials[object.material]);
     let placed = Placed::new(&mesh, object.transform);
-    check_place(&object.name, placed.anchor, placed.bounds)?;
     let number = prepared.objects.len() as u32;
     let clusters = append(Arc::make_mut(&mut prepared.geometry), &mesh, &placed, number);
     let first_facet = prepared.facet_count;
@@ -76,7 +74,6 @@ pub(crate) fn move_object(
     let source = prepared.source.objects[number].clone();
     let mesh = source.completed.as_deref().unwrap_or(&scene.meshes[object.mesh]);
     let placed = Placed::new(mesh, object.transform);
-    check_place(&object.name, placed.anchor, placed.bounds)?;
     let determinant = placed.determinant();
     if (determinant < 0.0) != (source.determinant < 0.0) {
         return Ok(false);
