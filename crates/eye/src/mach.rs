@@ -14,8 +14,9 @@ use crate::curves::CenterSurround;
 /// let row: Vec<f32> = (0..200).map(|x| 0.2 + 0.01 * (x as f32 - 80.0).clamp(0.0, 40.0)).collect();
 /// let profile = MachProfile::new(&row, 200, 0, 60.0, CenterSurround::P_CELL, 10.0);
 /// let bands = profile.bands(10.0);
-/// let [dark, bright] = bands[..] else { panic!("two bands") };
-/// assert!(dark.height < 0.0 && bright.height > 0.0 && dark.x.abs_diff(80) < 5 && bright.x.abs_diff(120) < 5);
+/// let bright = bands.iter().max_by(|a, b| a.height.total_cmp(&b.height)).expect("there are bands");
+/// let dark = bands.iter().min_by(|a, b| a.height.total_cmp(&b.height)).expect("there are bands");
+/// assert!(dark.height < 0.0 && dark.x.abs_diff(80) < 5 && bright.height > 0.0 && bright.x.abs_diff(120) < 5);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MachProfile {
