@@ -25,10 +25,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ),
         ("gaze", "standard", Viewing { gaze: Some([600.0, 400.0]), ..Viewing::default() }),
     ];
-    for (name, eye, viewing) in cases {
+    for (name, eye, viewing, distance_px) in
+        cases.map(|(name, eye, viewing)| (name, eye, viewing, None)).into_iter().chain([(
+            "glare of a camera of 60°",
+            "age:70",
+            Viewing { glare: true, ..Viewing::default() },
+            Some(0.5 * 1080.0 / libm::tan(30_f64.to_radians())),
+        )])
+    {
         let rods = viewing.level_cd_m2.is_some();
         let eye: Eye = eye.parse()?;
-        let seeing = seeing(Viewer { eye, viewing }, width, height);
+        let mut seeing = seeing(Viewer { eye, viewing }, width, height);
+        if let Some(distance) = distance_px {
+            seeing.angles = Angles { px_per_deg: distance.to_radians(), distance_px, ..seeing.angles };
+        }
         let mut times: Vec<f64> = (0..RUNS)
             .map(|_| {
                 let mut frame = frame(width, height, rods);

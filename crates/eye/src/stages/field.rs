@@ -18,7 +18,7 @@ pub(crate) struct Field {
 
 /// The level of the pyramid from which on planes are of the field.
 ///
-/// Blurs of finer levels have σ below 4.8 pixels, and are as good as flat.
+/// Blurs of finer levels have σ below 6.8 pixels, and are as good as flat.
 const LEVEL: usize = 2;
 
 /// The variance that going to the field and back adds, in squared pixels of that level: each time a mean over places within a pixel of

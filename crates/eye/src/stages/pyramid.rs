@@ -1,6 +1,6 @@
 //! Sums of Gaussian blurs on an octave pyramid.
 //!
-//! Each level has half the pixels of the one before in each direction; a Gaussian is applied where its σ is 1.2 to 2.4 pixels. Going
+//! Each level has half the pixels of the one before in each direction; a Gaussian is applied where its σ is 1.7 to 3.4 pixels. Going
 //! down and up again blurs by itself, with a variance that is known and taken off. No transform to frequencies: the same bits on every
 //! machine.
 
@@ -22,6 +22,9 @@ const SHARP: f64 = 0.25;
 
 /// The least σ in pixels of a level at which a Gaussian is applied there.
 const LEAST: f64 = 1.7;
+
+/// The same of the first level after the picture itself.
+const LEAST_OF_FIRST: f64 = 0.8;
 
 /// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge. Where a field
 /// of view is given, widths are angles from its level on.
@@ -71,7 +74,9 @@ impl Levels<'_> {
 /// The level at which a Gaussian is applied.
 fn level_of(sigma_px: f64) -> usize {
     let level = log2(sigma_px / LEAST).floor();
-    if level > 0.0 { level as usize } else { 0 }
+    // The first level has four times the pixels of the next one: it is left as soon as it can be.
+    let least = if sigma_px >= 2.0 * LEAST_OF_FIRST { 1.0 } else { 0.0 };
+    level.max(least) as usize
 }
 
 /// The sum of what the levels from `level` on add to a plane at that level, and `kept` of itself.
