@@ -1,8 +1,8 @@
 //! Sums of Gaussian blurs on an octave pyramid.
 //!
-//! Each level has half the pixels of the one before in each direction; a Gaussian is applied where its σ is 1.7 to 3.4 pixels. Going
-//! down and up again blurs by itself, with a variance that is known and taken off. No transform to frequencies: the same bits on every
-//! machine.
+//! Each level has half the pixels of the one before in each direction; a Gaussian is applied where its σ is 1.7 to 3.4 pixels, on the
+//! first level after the picture itself from 0.8 on. Going down and up again blurs by itself, with a variance that is known and taken
+//! off. No transform to frequencies: the same bits on every machine.
 
 use glanz_math::{SimdLevel, at_level};
 use libm::{exp, log2};
