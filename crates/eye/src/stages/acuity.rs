@@ -1,7 +1,7 @@
 //! Details that an eye does not resolve: at little light, and away from where it looks.
 
 use super::plane::{Plane, for_each_row};
-use super::pyramid::{Blur, blurred, double_blended, halved};
+use super::pyramid::{Blur, MARGIN, blurred, double_blended, halved, next_size};
 use crate::curves::{acuity_cutoff, acuity_cutoff_at, blur_sigma_deg};
 
 /// How angles belong to pixels.
@@ -44,18 +44,23 @@ impl Angles {
 pub(crate) enum Acuity {
     /// The same everywhere: a Gaussian of this σ in pixels.
     Everywhere(f64),
-    /// More, the farther from where the eye looks.
-    Around { gaze: [f64; 2], angles: Angles, luminance: f64 },
+    /// More, the farther from where the eye looks: how every place of each level goes on to the next one.
+    Around(Vec<Onward>),
 }
 
 /// Levels beyond which nothing gets blurrier: 2^9 pixels.
 const MOST_LEVELS: usize = 9;
 
 impl Acuity {
-    /// At an adapting luminance; none where the picture has no detail that is lost.
-    pub(crate) fn new(luminance: f64, gaze: Option<[f64; 2]>, angles: Angles) -> Option<Self> {
+    /// At an adapting luminance, of pictures of a size; none where they have no detail that is lost.
+    pub(crate) fn new(
+        luminance: f64,
+        gaze: Option<[f64; 2]>,
+        angles: Angles,
+        size: [usize; 2],
+    ) -> Option<Self> {
         match gaze {
-            Some(gaze) => Some(Self::Around { gaze, angles, luminance }),
+            Some(gaze) => Some(Self::Around(SigmaTable { gaze, angles, luminance }.levels(size))),
             None => {
                 let sigma = sigma_px(acuity_cutoff(luminance), angles.px_per_deg);
                 (sigma > 0.0).then_some(Self::Everywhere(sigma))
@@ -68,15 +73,11 @@ impl Acuity {
             return;
         }
         let plane = Plane::of(std::mem::take(channel), width);
-        let height = plane.height;
         *channel = match self {
             Self::Everywhere(sigma_px) => {
                 blurred(plane, 0.0, &[Blur { weight: 1.0, sigma_px: *sigma_px }], None).values
             }
-            Self::Around { gaze, angles, luminance } => {
-                let table = SigmaTable::new(*luminance, *angles, *gaze, [width, height]);
-                around(plane, 0, &table).values
-            }
+            Self::Around(levels) => around(plane, levels).values,
         };
     }
 }
@@ -89,21 +90,24 @@ fn sigma_px(cutoff: f64, px_per_deg: f64) -> f64 {
     }
 }
 
-/// The variance of the blur by the squared distance from the gaze, over the picture.
+/// The variance of the blur over the picture.
 struct SigmaTable {
     gaze: [f64; 2],
     angles: Angles,
     luminance: f64,
-    levels: usize,
 }
 
 impl SigmaTable {
-    fn new(luminance: f64, angles: Angles, gaze: [f64; 2], [width, height]: [usize; 2]) -> Self {
-        let mut table = Self { gaze, angles, luminance, levels: MOST_LEVELS };
-        let corners = [[0.0, 0.0], [width as f64, 0.0], [0.0, height as f64], [width as f64, height as f64]];
-        let most = corners.map(|corner| table.variance(corner)).into_iter().fold(0.0, f64::max);
-        table.levels = (0..MOST_LEVELS).find(|level| of_level(*level) >= most).unwrap_or(MOST_LEVELS);
-        table
+    /// How places go on from each level to the next one, as far as anything of a picture of this size does.
+    fn levels(&self, size: [usize; 2]) -> Vec<Onward> {
+        let [width, height] = size.map(|size| size as f64);
+        let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
+        let most = corners.map(|corner| self.variance(corner)).into_iter().fold(0.0, f64::max);
+        let levels = (0..MOST_LEVELS).find(|level| of_level(*level) >= most).unwrap_or(MOST_LEVELS);
+        let sizes = std::iter::successors(Some((size, 0)), |(size, margin)| {
+            Some((next_size(*size, *margin), MARGIN))
+        });
+        (0..levels).zip(sizes).map(|(level, (size, margin))| Onward::new(self, level, size, margin)).collect()
     }
 
     /// The variance of the blur at a place, in squared pixels.
@@ -125,19 +129,15 @@ fn of_level(level: usize) -> f64 {
     0.5 * (libm::exp2(2.0 * level as f64) - 1.0)
 }
 
-/// A plane at a level, blended with the next ones as the table has it.
-fn around(plane: Plane, level: usize, table: &SigmaTable) -> Plane {
-    if level >= table.levels {
-        return plane;
-    }
-    let coarse = around(halved(&plane), level + 1, table);
-    let scale = libm::exp2(level as f64);
-    let onward = Onward::new(table, level, scale, &plane);
+/// A plane, blended with the next levels as they say.
+fn around(plane: Plane, levels: &[Onward]) -> Plane {
+    let Some((onward, next)) = levels.split_first() else { return plane };
+    let coarse = around(halved(&plane), next);
     double_blended(plane, &coarse, |y, row| onward.row(y, row))
 }
 
 /// How every place of a level goes on, on a grid of every eighth pixel, between which it is linear.
-struct Onward {
+pub(crate) struct Onward {
     columns: usize,
     values: Vec<f32>,
 }
@@ -146,9 +146,9 @@ struct Onward {
 const GRID: usize = 8;
 
 impl Onward {
-    fn new(table: &SigmaTable, level: usize, scale: f64, plane: &Plane) -> Self {
-        let (columns, rows) = (plane.width / GRID + 2, plane.height / GRID + 2);
-        let margin = plane.margin as f64;
+    fn new(table: &SigmaTable, level: usize, [width, height]: [usize; 2], margin: usize) -> Self {
+        let (columns, rows) = (width / GRID + 2, height / GRID + 2);
+        let (scale, margin) = (libm::exp2(level as f64), margin as f64);
         let mut values = vec![0.0; columns * rows];
         for_each_row(&mut values, columns, |y, row| {
             for (x, value) in row.iter_mut().enumerate() {
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn details_are_lost_away_from_the_gaze() {
         let mut channel = stripes();
-        Acuity::new(1000.0, Some([20.0, 120.0]), angles()).unwrap().apply(&mut channel, 320);
+        Acuity::new(1000.0, Some([20.0, 120.0]), angles(), [320, 240]).unwrap().apply(&mut channel, 320);
         assert!(contrast(&channel, 16) > 0.9, "{}", contrast(&channel, 16));
         assert!(contrast(&channel, 300) < 0.3, "{}", contrast(&channel, 300));
         assert!(contrast(&channel, 200) > contrast(&channel, 300));
@@ -208,7 +208,7 @@ mod tests {
         let cutoff = acuity_cutoff(luminance);
         let wave = |x: usize| 0.5 + 0.5 * libm::cos(core::f64::consts::TAU * cutoff * x as f64 / 128.0);
         let mut channel: Vec<f32> = (0..width * 3).map(|i| wave(i % width) as f32).collect();
-        Acuity::new(luminance, None, angles).unwrap().apply(&mut channel, width);
+        Acuity::new(luminance, None, angles, [width, 3]).unwrap().apply(&mut channel, width);
         let inside = &channel[width + 100..2 * width - 100];
         let most = inside.iter().fold(0.0_f32, |a, b| a.max(*b));
         let least = inside.iter().fold(1.0_f32, |a, b| a.min(*b));
@@ -217,15 +217,15 @@ mod tests {
 
     #[test]
     fn by_day_a_screen_shows_no_more_than_the_eye_resolves() {
-        assert!(Acuity::new(1000.0, None, angles()).is_none());
-        assert!(Acuity::new(0.01, None, angles()).is_some());
+        assert!(Acuity::new(1000.0, None, angles(), [320, 240]).is_none());
+        assert!(Acuity::new(0.01, None, angles(), [320, 240]).is_some());
     }
 
     #[test]
     fn uniform_light_stays_uniform() {
         for gaze in [None, Some([10.0, 200.0])] {
             let mut channel = vec![0.3; 321 * 201];
-            if let Some(acuity) = Acuity::new(0.01, gaze, angles()) {
+            if let Some(acuity) = Acuity::new(0.01, gaze, angles(), [321, 201]) {
                 acuity.apply(&mut channel, 321);
             }
             assert!(channel.iter().all(|v| (v - 0.3).abs() < 1e-6));

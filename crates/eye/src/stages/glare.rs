@@ -1,9 +1,9 @@
 //! Light that is scattered in the eye: CIE 135/1 as a sum of Gaussians, each a blur.
 
 use super::acuity::Angles;
-use super::field::Field;
+use super::field::{self, Field, Ways};
 use super::plane::Plane;
-use super::pyramid::{Blur, blurred};
+use super::pyramid::{Blur, MARGIN, blurred, next_size};
 use crate::Eye;
 use crate::curves::GlareMixture;
 
@@ -18,16 +18,17 @@ const WIDEST_DEG: f64 = 64.0;
 pub(crate) struct Glare {
     blurs: Vec<Blur>,
     rest: f64,
-    field: Option<Field>,
+    field: Option<Ways>,
 }
 
 impl Glare {
-    pub(crate) fn new(eye: &Eye, angles: Angles) -> Self {
-        Self::from(LEAST_DEG, eye, angles)
+    /// Of pictures of this size.
+    pub(crate) fn new(eye: &Eye, angles: Angles, size: [usize; 2]) -> Self {
+        Self::from(LEAST_DEG, eye, angles, size)
     }
 
     /// That of all light which is scattered by a σ of `least_deg` and more.
-    fn from(least_deg: f64, eye: &Eye, angles: Angles) -> Self {
+    fn from(least_deg: f64, eye: &Eye, angles: Angles, size: [usize; 2]) -> Self {
         let mixture = GlareMixture { least_sigma_deg: least_deg, ..GlareMixture::new(eye.age, eye.iris) };
         let mut blurs: Vec<Blur> = Vec::new();
         for gaussian in mixture.gaussians() {
@@ -43,7 +44,12 @@ impl Glare {
             }
         }
         let rest = 1.0 - blurs.iter().map(|blur| blur.weight).sum::<f64>();
-        Self { blurs, rest, field: Field::new(angles.distance_px, angles.middle) }
+        let field = Field::new(angles.distance_px, angles.middle).map(|field| {
+            let size =
+                (0..field::LEVEL).fold((size, 0), |(size, margin), _| (next_size(size, margin), MARGIN)).0;
+            field.ways(size, MARGIN)
+        });
+        Self { blurs, rest, field }
     }
 
     pub(crate) fn apply(&self, channel: &mut Vec<f32>, width: usize) {
@@ -99,7 +105,7 @@ mod tests {
         let (size, px_per_deg) = (1025, 16.0);
         for age in [25.0, 70.0] {
             let eye = Eye { age, ..Eye::default() };
-            let channel = lamp(&Glare::new(&eye, screen(px_per_deg, size)), size, 0);
+            let channel = lamp(&Glare::new(&eye, screen(px_per_deg, size), [size; 2]), size, 0);
             for deg in [2.0, 3.0, 5.0, 8.0, 12.0, 20.0] {
                 let found = around(&channel, size, deg * px_per_deg) / pixel_sr(px_per_deg);
                 let exact = vos_glare(deg, age, 0.5) / vos_glare_integral(age, 0.5);
@@ -117,7 +123,7 @@ mod tests {
             let mut worst: f64 = 0.0;
             // Pictures of 0.25 to 85 degrees: readings are far enough away for a pixel to be a point.
             for px_per_deg in [4000.0, 400.0, 60.0, 12.0] {
-                let channel = lamp(&Glare::from(0.0, &eye, screen(px_per_deg, size)), size, 0);
+                let channel = lamp(&Glare::from(0.0, &eye, screen(px_per_deg, size), [size; 2]), size, 0);
                 for px in [8.0, 10.0, 13.0, 20.0, 31.0, 50.0, 80.0, 125.0, 200.0, 300.0, 360.0] {
                     let deg: f64 = px / px_per_deg;
                     let found = around(&channel, size, px) / pixel_sr(px_per_deg);
@@ -148,7 +154,7 @@ mod tests {
             middle: [0.5 * size as f64; 2],
         };
         let eye = Eye { age: 70.0, ..Eye::default() };
-        let glare = Glare::new(&eye, angles);
+        let glare = Glare::new(&eye, angles, [size; 2]);
         // In the middle the function itself; away from it within so much.
         for (off, error) in [(0, ERROR), (200, 0.03), (400, 0.15)] {
             let channel = lamp(&glare, size, off);

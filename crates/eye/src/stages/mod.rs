@@ -1,6 +1,7 @@
 //! What happens to a picture in the eye, stage after stage.
 
 pub(crate) mod acuity;
+mod blur;
 pub(crate) mod chromatic;
 pub(crate) mod deficiency;
 pub(crate) mod dusk;

@@ -1,5 +1,7 @@
 //! One channel of a picture, and rows of work on it.
 
+use glanz_math::{SimdLevel, at_level};
+
 /// One channel: values in rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Plane {
@@ -49,18 +51,25 @@ pub(crate) fn for_each_part_of_three(
     }
 }
 
+/// Calls `work` with the number and the values of every channel of a frame, side by side where the feature `rayon` is on.
+pub(crate) fn for_each_channel<'a>(
+    channels: impl Iterator<Item = &'a mut Vec<f32>>,
+    work: impl Fn(usize, &mut Vec<f32>) + Sync + Send,
+) {
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        let channels: Vec<_> = channels.collect();
+        channels.into_par_iter().enumerate().for_each(|(c, channel)| work(c, channel));
+    }
+    #[cfg(not(feature = "rayon"))]
+    channels.enumerate().for_each(|(c, channel)| work(c, channel));
+}
+
 /// The sum of a channel: rows one after the other, each by itself, so that the bits do not depend on threads.
 pub(crate) fn sum(channel: &[f32], width: usize) -> f64 {
-    let of_row = |row: &[f32]| -> f64 {
-        // Eight sums at a time; what is no number counts for nothing.
-        let finite = |v: f32| if v.is_finite() { f64::from(v) } else { 0.0 };
-        let (eights, rest) = row.as_chunks::<8>();
-        let mut sums = [0.0; 8];
-        for eight in eights {
-            sums.iter_mut().zip(eight).for_each(|(sum, v)| *sum += finite(*v));
-        }
-        sums.iter().sum::<f64>() + rest.iter().map(|v| finite(*v)).sum::<f64>()
-    };
+    let of_row =
+        |row: &[f32]| -> f64 { at_level!(SimdLevel::best(), simd => { let _ = simd; sum_of_row(row) }) };
     #[cfg(feature = "rayon")]
     {
         use rayon::prelude::*;
@@ -71,9 +80,27 @@ pub(crate) fn sum(channel: &[f32], width: usize) -> f64 {
     channel.chunks(width).map(of_row).sum()
 }
 
+/// The sum of a row: eight sums side by side; what is no number counts for nothing.
+#[inline(always)]
+fn sum_of_row(row: &[f32]) -> f64 {
+    let finite = |v: f32| if v.is_finite() { f64::from(v) } else { 0.0 };
+    let (eights, rest) = row.as_chunks::<8>();
+    let mut sums = [0.0; 8];
+    for eight in eights {
+        for i in 0..8 {
+            sums[i] += finite(eight[i]);
+        }
+    }
+    sums.iter().sum::<f64>() + rest.iter().map(|v| finite(*v)).sum::<f64>()
+}
+
 /// Calls `work` with the number and the values of every row, in parallel where the feature `rayon` is on. Rows depend on nothing but
 /// their number, so that the bits do not depend on the threads.
-pub(crate) fn for_each_row(values: &mut [f32], width: usize, work: impl Fn(usize, &mut [f32]) + Sync + Send) {
+pub(crate) fn for_each_row<T: Send>(
+    values: &mut [T],
+    width: usize,
+    work: impl Fn(usize, &mut [T]) + Sync + Send,
+) {
     if width == 0 {
         return;
     }

@@ -5,9 +5,10 @@
 //! off. No transform to frequencies: the same bits on every machine.
 
 use glanz_math::{SimdLevel, at_level};
-use libm::{exp, log2};
+use libm::log2;
 
-use super::field::{self, Field};
+use super::blur::Kernel;
+use super::field::{self, Ways};
 use super::plane::{Plane, for_each_row};
 
 /// A blur: how much of the light it takes, and how far.
@@ -28,7 +29,7 @@ const LEAST_OF_FIRST: f64 = 0.8;
 
 /// The sum of `blurs` of a plane, and `rest` of the plane itself. Where the plane ends, it is taken to go on as its edge. Where a field
 /// of view is given, widths are angles from its level on.
-pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur], field: Option<&Field>) -> Plane {
+pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur], field: Option<&Ways>) -> Plane {
     let mut kept = rest;
     let mut by_level: Vec<Vec<Blur>> = Vec::new();
     for blur in blurs {
@@ -49,21 +50,21 @@ pub(crate) fn blurred(plane: Plane, rest: f64, blurs: &[Blur], field: Option<&Fi
 struct Levels<'a> {
     /// The blurs of each level.
     blurs: Vec<Vec<Blur>>,
-    field: Option<&'a Field>,
+    field: Option<&'a Ways>,
 }
 
 impl Levels<'_> {
     /// The field, if the planes of it begin at a level.
-    fn field_from(&self, level: usize) -> Option<&Field> {
-        self.field.filter(|field| field.level() == level)
+    fn field_from(&self, level: usize) -> Option<&Ways> {
+        self.field.filter(|_| field::LEVEL == level)
     }
 
     /// The variance in pixels of a level that is left to be applied there, when going there and back has blurred already.
     fn variance_left(&self, sigma_px: f64, level: usize) -> f64 {
         let left = variance_left(sigma_px, level);
         match self.field {
-            Some(field) if level >= field.level() => {
-                let scale = libm::exp2((field.level() as f64) - level as f64);
+            Some(_) if level >= field::LEVEL => {
+                let scale = libm::exp2((field::LEVEL as f64) - level as f64);
                 (left - field::VARIANCE * scale * scale).max(0.0)
             }
             _ => left,
@@ -87,17 +88,32 @@ fn descend(plane: Plane, level: usize, kept: f64, levels: &Levels<'_>) -> Plane 
         let half = halved(&plane);
         match levels.field_from(level + 1) {
             None => descend(half, level + 1, 0.0, levels),
-            Some(field) => field.back(&descend(field.forth(&half), level + 1, 0.0, levels), &half),
+            Some(field) => field.back(&descend(field.forth(&half), level + 1, 0.0, levels)),
         }
     });
-    let blurs: Vec<_> = own
-        .iter()
-        .map(|blur| (gaussian(&plane, levels.variance_left(blur.sigma_px, level)), blur.weight as f32))
-        .collect();
-    // The plane itself is needed no more: the sum takes its place.
-    let mut sum = plane;
-    scale_and_double(&mut sum, kept as f32, coarse.as_ref());
-    blurs.iter().for_each(|(blurred, weight)| add(&mut sum, blurred, *weight));
+    let kernels: Vec<_> =
+        own.iter().map(|blur| Kernel::new(levels.variance_left(blur.sigma_px, level), blur.weight)).collect();
+    if kernels.is_empty() {
+        // The plane itself is needed no more: the sum takes its place.
+        let mut sum = plane;
+        let (width, margin) = (sum.width, sum.margin);
+        for_each_row(&mut sum.values, width, |y, row| {
+            at_level!(SimdLevel::best(), simd => {
+                let _ = simd;
+                scale_and_double(row, y, margin, kept as f32, coarse.as_ref());
+            });
+        });
+        return sum;
+    }
+    let mut sum = Plane::zero(plane.width, plane.height, plane.margin);
+    for_each_row(&mut sum.values, plane.width, |y, row| {
+        at_level!(SimdLevel::best(), simd => {
+            let _ = simd;
+            row.copy_from_slice(plane.row(y as isize));
+            scale_and_double(row, y, plane.margin, kept as f32, coarse.as_ref());
+            kernels.iter().for_each(|kernel| kernel.add_row(&plane, y, row));
+        });
+    });
     sum
 }
 
@@ -112,10 +128,14 @@ pub(crate) fn variance_left(sigma_px: f64, level: usize) -> f64 {
 /// counted at its edge again.
 pub(crate) const MARGIN: usize = 12;
 
+/// The size of the next level, of that of a level, margins included.
+pub(crate) fn next_size(size: [usize; 2], margin: usize) -> [usize; 2] {
+    size.map(|size| (size - 2 * margin).div_ceil(2) + 2 * MARGIN)
+}
+
 /// The next level: half as wide and high, by the weights 1 3 3 1.
 pub(crate) fn halved(plane: &Plane) -> Plane {
-    let [width, height] =
-        [plane.width, plane.height].map(|size| (size - 2 * plane.margin).div_ceil(2) + 2 * MARGIN);
+    let [width, height] = next_size([plane.width, plane.height], plane.margin);
     let mut half = Plane::zero(width, height, MARGIN);
     let level = SimdLevel::best();
     // The first pixel of the next level lies between these two of this one: the second of them, counted with the margin.
@@ -163,21 +183,13 @@ fn halve_row(tall: &[f32], first: isize, row: &mut [f32]) {
     }
 }
 
-/// Multiplies a plane by `kept` and adds the plane of the next level, twice as wide and high, by the weights 3 and 1.
-fn scale_and_double(plane: &mut Plane, kept: f32, coarse: Option<&Plane>) {
-    let (width, margin) = (plane.width, plane.margin);
-    let level = SimdLevel::best();
-    for_each_row(&mut plane.values, width, |y, row| {
-        let Some(coarse) = coarse else {
-            row.iter_mut().for_each(|v| *v *= kept);
-            return;
-        };
-        at_level!(level, simd => {
-            let _ = simd;
-            let tall = tall_between(coarse, margin, y);
-            double_row(&tall, first_of_next(margin), row, kept);
-        });
-    });
+/// Multiplies a row by `kept` and adds that of the plane of the next level, twice as wide and high, by the weights 3 and 1.
+#[inline(always)]
+fn scale_and_double(row: &mut [f32], y: usize, margin: usize, kept: f32, coarse: Option<&Plane>) {
+    match coarse {
+        Some(coarse) => double_row(&tall_between(coarse, margin, y), first_of_next(margin), row, kept),
+        None => row.iter_mut().for_each(|v| *v *= kept),
+    }
 }
 
 /// Blends a plane with the plane of the next level, twice as wide and high, by the parts that `onward` writes for each row.
@@ -240,84 +252,6 @@ fn double_row(tall: &[f32], first: usize, row: &mut [f32], kept: f32) {
     if let [last] = rest {
         *last = *last * kept + (0.75 * three[pairs + 1] + 0.25 * three[pairs]);
     }
-}
-
-/// A plane blurred by a Gaussian of this variance in its pixels, with weights that sum to 1.
-pub(crate) fn gaussian(plane: &Plane, variance: f64) -> Plane {
-    let weights = weights(variance);
-    if weights.len() == 1 {
-        return plane.clone();
-    }
-    let (width, height) = (plane.width, plane.height);
-    let level = SimdLevel::best();
-    let mut tall = Plane::zero(width, height, plane.margin);
-    for_each_row(&mut tall.values, width, |y, row| {
-        let y = y as isize;
-        at_level!(level, simd => {
-            let _ = simd;
-            for (d, weight) in weights.iter().enumerate() {
-                let d = d as isize;
-                add_rows(plane.row(y - d), plane.row(y + d), *weight, d == 0, row);
-            }
-        });
-    });
-    let radius = weights.len() - 1;
-    let mut wide = Plane::zero(width, height, plane.margin);
-    for_each_row(&mut wide.values, width, |y, row| {
-        let source = tall.row(y as isize);
-        let mut padded = vec![source[0]; radius];
-        padded.extend_from_slice(source);
-        padded.resize(width + 2 * radius, source[width - 1]);
-        at_level!(level, simd => {
-            let _ = simd;
-            for (d, weight) in weights.iter().enumerate() {
-                add_rows(&padded[radius - d..], &padded[radius + d..], *weight, d == 0, row);
-            }
-        });
-    });
-    wide
-}
-
-/// Adds two rows that are as far before as behind.
-#[inline(always)]
-fn add_rows(before: &[f32], behind: &[f32], weight: f32, same: bool, row: &mut [f32]) {
-    let n = row.len();
-    let (before, behind) = (&before[..n], &behind[..n]);
-    if same {
-        for x in 0..n {
-            row[x] += weight * before[x];
-        }
-    } else {
-        for x in 0..n {
-            row[x] += weight * (before[x] + behind[x]);
-        }
-    }
-}
-
-/// The weights of a Gaussian from its middle on: samples, of a sum of 1, whose variance is the one that is wanted.
-fn weights(variance: f64) -> Vec<f32> {
-    if variance < 1e-3 {
-        return vec![1.0];
-    }
-    if variance < 0.35 {
-        // Three weights: samples of a curve so narrow would not have its variance.
-        let side = variance / 2.0;
-        return vec![(1.0 - 2.0 * side) as f32, side as f32];
-    }
-    let radius = (3.5 * libm::sqrt(variance)).ceil() as usize;
-    let samples: Vec<f64> = (0..=radius).map(|d| exp(-((d * d) as f64) / (2.0 * variance))).collect();
-    let sum = samples[0] + 2.0 * samples[1..].iter().sum::<f64>();
-    samples.iter().map(|w| (w / sum) as f32).collect()
-}
-
-/// Adds a plane, weighed.
-fn add(sum: &mut Plane, plane: &Plane, weight: f32) {
-    let width = sum.width;
-    for_each_row(&mut sum.values, width, |y, row| {
-        for (sum, value) in row.iter_mut().zip(plane.row(y as isize)) {
-            *sum += weight * value;
-        }
-    });
 }
 
 #[cfg(test)]
@@ -383,7 +317,8 @@ mod tests {
         let together = blurred(plane.clone(), 0.4, &blurs, None);
         let mut sum = blurred(plane.clone(), 0.4, &[], None);
         for blur in blurs {
-            add(&mut sum, &blurred(plane.clone(), 0.0, &[blur], None), 1.0);
+            let one = blurred(plane.clone(), 0.0, &[blur], None);
+            sum.values.iter_mut().zip(&one.values).for_each(|(sum, value)| *sum += value);
         }
         for (a, b) in together.values.iter().zip(&sum.values) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");

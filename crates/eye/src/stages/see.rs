@@ -9,7 +9,7 @@ use super::deficiency::Projection;
 use super::dusk::{LUMINANCE, Mixture, SCOTOPIC_OF_D65};
 use super::glare::Glare;
 use super::photons;
-use super::plane::{for_each_row, sum};
+use super::plane::{for_each_channel, for_each_row, sum};
 use crate::curves::{Eyes, acuity_cutoff, pupil_diameter_mm, trolands};
 use crate::{Cones, RodColor, Viewer};
 
@@ -91,27 +91,21 @@ impl Seeing {
         }
         let viewing = &self.viewer.viewing;
         if viewing.glare {
-            let glare = Glare::new(&self.viewer.eye, self.angles);
-            for channel in frame.rgb.iter_mut().chain(&mut frame.more) {
-                glare.apply(channel, width);
-            }
+            let glare = Glare::new(&self.viewer.eye, self.angles, [width, frame.height]);
+            for_each_channel(channels(frame), |_, channel| glare.apply(channel, width));
         }
         let seen = self.adapted_to(frame);
         if viewing.chromatic {
-            for (c, channel) in frame.rgb.iter_mut().chain(&mut frame.more).enumerate() {
-                let eye = &self.viewer.eye;
+            let eye = &self.viewer.eye;
+            for_each_channel(channels(frame), |c, channel| {
                 Chromatic::new(eye, c, seen.pupil_mm, self.angles.px_per_deg).apply(channel, width);
-            }
+            });
         }
         if let Some(seed) = viewing.noise {
-            for (c, channel) in frame.rgb.iter_mut().chain(&mut frame.more).enumerate() {
-                photons::draw(
-                    channel,
-                    width,
-                    self.photons(c, seen.pupil_mm),
-                    u64::from(seed) | (c as u64) << 32,
-                );
-            }
+            for_each_channel(channels(frame), |c, channel| {
+                let seed = u64::from(seed) | (c as u64) << 32;
+                photons::draw(channel, width, self.photons(c, seen.pupil_mm), seed);
+            });
         }
         if let Some(projection) =
             Projection::new(&self.viewer.eye, &self.own_white, &self.usual_white, self.scales)
@@ -120,11 +114,10 @@ impl Seeing {
         }
         self.mix(frame, seen.cones);
         if (viewing.acuity || viewing.gaze.is_some())
-            && let Some(acuity) = Acuity::new(seen.mesopic_cd_m2, viewing.gaze, self.angles)
+            && let size = [width, frame.height]
+            && let Some(acuity) = Acuity::new(seen.mesopic_cd_m2, viewing.gaze, self.angles, size)
         {
-            for channel in &mut frame.rgb {
-                acuity.apply(channel, width);
-            }
+            for_each_channel(frame.rgb.iter_mut(), |_, channel| acuity.apply(channel, width));
         }
         seen
     }
@@ -187,6 +180,11 @@ impl Seeing {
             });
         }
     }
+}
+
+/// All channels of a frame.
+fn channels(frame: &mut Frame) -> impl Iterator<Item = &mut Vec<f32>> {
+    frame.rgb.iter_mut().chain(&mut frame.more)
 }
 
 /// The mean of a channel.
