@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
 use glanz_render::Moment;
-use glanz_scene::read::{ReadOptions, read_texture};
+use glanz_scene::read::{ReadOptions, read_texture, remark_of_texture};
 use glanz_scene::{Program, ProgramText, Scene, Texture, UniformValue, cube_face_files};
 
 use crate::input::shader_text::{included, read};
+use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
 /// Shaders of one's own.
@@ -145,7 +146,10 @@ fn texture(file: &str) -> Result<Texture, Failure> {
     let could_not =
         |why: String| Failure::from(Report::new(format!("cannot read '{file}': {why}")).file(path));
     let bytes = std::fs::read(path).map_err(|error| could_not(without_number(&error.to_string())))?;
-    read_texture(&bytes, file, &ReadOptions::default()).map_err(|error| could_not(error.to_string()))
+    let texture = read_texture(&bytes, file, &ReadOptions::default());
+    let texture = texture.map_err(|error| could_not(error.to_string()))?;
+    remark_of_texture(&bytes, file).iter().for_each(|note| print::note(format_args!("note: {note}")));
+    Ok(texture)
 }
 
 /// `NAME=VALUE`.

@@ -34,6 +34,25 @@ fn a_table_is_told_with_its_quantity() {
 }
 
 #[test]
+fn a_table_goes_to_stdout() {
+    let folder = Folder::new();
+    folder.write("tile.csv", TILE);
+    let run = folder.glanz(&["measure", "convert", "tile.csv", "--to", "csv", "-o", "-"]);
+    assert!(run.text().contains("45,180,0,0,"), "{}", run.text());
+    let sampled =
+        folder.glanz(&["measure", "sample", "lambert", "--geometry", "merl", "--to", "merl", "-o", "-"]);
+    assert_eq!(sampled.stdout[..4], 90_u32.to_le_bytes());
+    let both =
+        folder.glanz(&["measure", "convert", "tile.csv", "--to", "csv", "-o", "-", "--format", "json"]);
+    assert_eq!(both.code, 2, "{}", both.stderr);
+    for command in [&["smooth", "tile.csv", "--to", "csv"][..], &["fit", "tile.csv"]] {
+        let run = folder.glanz(&[&["measure"], command, &["-o", "-"]].concat());
+        assert_eq!(run.code, 2, "{}", run.stderr);
+    }
+    assert!(!folder.path("-").exists());
+}
+
+#[test]
 fn tables_go_from_format_to_format_and_back() {
     let folder = Folder::new();
     for words in [

@@ -46,6 +46,8 @@ pub(crate) struct Layout {
     /// The first of two groups with light through the second and third spectrum that texels mix; the first
     /// spectrum is in group 0. Gouraud or flat with texture, where texels mix spectra.
     pub mix: Option<usize>,
+    /// The normal that is kept beside light which is not found per pixel.
+    pub normal: Option<usize>,
     pub uv: Option<usize>,
     pub color: Option<usize>,
     pub tangent: Option<usize>,
@@ -89,7 +91,7 @@ impl<'a> FrameView<'a> {
         let mut objects: Vec<_> = prepared
             .objects
             .iter()
-            .map(|object| ObjectView::new(object, &materials, &lights, &camera, options.show))
+            .map(|object| ObjectView::new(object, &materials, &lights, &camera, options))
             .collect();
         for (number, object) in objects.iter_mut().enumerate() {
             if let Some(program) = programs.and_then(|programs| programs.all.of(number)) {
@@ -143,7 +145,7 @@ impl ObjectView {
         materials: &[ShadeMaterial],
         lights: &ShadeLights,
         camera: &ViewCamera,
-        show: DebugView,
+        options: &DrawOptions,
     ) -> Self {
         let material = &materials[object.material];
         let ViewObject { pass, cull_back, anchor, steep } = ViewObject::new(object, material, camera);
@@ -154,7 +156,7 @@ impl ObjectView {
             interpolation: object.interpolation,
             pass,
             cull_back,
-            layout: Layout::new(object, material, show),
+            layout: Layout::new(object, material, options),
             anchor,
             steep,
             polygons: None,
@@ -166,7 +168,7 @@ impl ObjectView {
         if let Some(polygons) = object.polygons.as_ref().filter(|_| scanline) {
             view.polygons = Some(PolygonView::new(polygons, object, camera, lights, material));
         }
-        view.simple = view.is_simple(show);
+        view.simple = view.is_simple(options.show);
         view
     }
 
@@ -202,7 +204,7 @@ impl ObjectView {
 }
 
 impl Layout {
-    fn new(object: &PreparedObject, material: &PreparedMaterial, show: DebugView) -> Self {
+    fn new(object: &PreparedObject, material: &PreparedMaterial, options: &DrawOptions) -> Self {
         let mut layout = Self { groups: 1, ..Self::default() };
         let mut group = |wanted: bool| {
             wanted.then(|| {
@@ -220,10 +222,11 @@ impl Layout {
         let plain = group(!per_pixel && textured);
         let mix = group(!per_pixel && textured && material.mix.is_some());
         group(mix.is_some());
-        let uv = group(textured || has_uv && show == DebugView::Uv);
+        let normal = group(!per_pixel && options.aovs.normal);
+        let uv = group(textured || has_uv && options.show == DebugView::Uv);
         let color = group(per_pixel && has_color);
         let tangent = group(bent);
         let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
-        Self { plain, mix, uv, color, tangent, extra, ..layout }
+        Self { plain, mix, normal, uv, color, tangent, extra, ..layout }
     }
 }

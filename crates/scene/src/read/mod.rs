@@ -19,6 +19,7 @@
 //! ```
 
 mod environment;
+mod jpeg;
 mod models;
 mod notes;
 mod options;
@@ -34,7 +35,7 @@ pub use options::ReadOptions;
 pub use profile::{MAX_PROFILE_BYTES, read_profile};
 pub use resolve::{FolderFiles, NoFiles, ResolveError, Resolver, resolve};
 pub use sensor::read_sensor;
-pub use texture::read_texture;
+pub use texture::{read_texture, remark_of_texture};
 
 #[cfg(test)]
 mod tests;

@@ -6,7 +6,7 @@ use glanz_color::read::{Place, ReadError, excerpt};
 use glanz_picture::wrong_png_palette;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use super::ReadOptions;
+use super::{ReadOptions, jpeg};
 use crate::Texture;
 
 /// The most texels that one byte of a file can stand for: deflate packs 1032 bytes into one, and a
@@ -21,6 +21,17 @@ const ALWAYS_ALLOWED_TEXELS: u64 = 1 << 16;
 /// The sides and the memory are limited by `options`; `name` is the file's name in messages.
 pub fn read_texture(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Texture, ReadError> {
     decode(bytes, name, Place::File, options, &mut options.max_texture_bytes.clone())
+}
+
+/// What is odd about a picture that can be decoded: a JPEG that is cut. `name` is the file's name in the remark.
+///
+/// ```
+/// use glanz_scene::read::remark_of_texture;
+///
+/// assert_eq!(remark_of_texture(b"\x89PNG\r\n\x1a\n", "wood.png"), None);
+/// ```
+pub fn remark_of_texture(bytes: &[u8], name: &str) -> Option<String> {
+    jpeg::is_cut(bytes).then(|| format!("the picture '{name}' {}", jpeg::CUT))
 }
 
 /// Decodes a picture that lies at `place` of `file`, and takes its size off `bytes_left`.

@@ -33,8 +33,8 @@ Examples:
   glanz measure convert satin.binary -o satin.xml
 
 The ending of the output names its format: .csv for a table of all readings, .binary for MERL's, .bsdf for
-RGL's, .xml for Radiance's and WINDOW's matrix over Klems' patches; --to names it whatever the ending, and
-Zemax's .bsdf. All but CSV hold values everywhere: readings alone, which say nothing between them, are
+RGL's, .xml for Radiance's and WINDOW's matrix over Klems' patches; --to names it whatever the ending, for
+stdout (-o -) and Zemax's .bsdf. All but CSV hold values everywhere: readings alone, which say nothing between them, are
 smoothed first, as `glanz measure smooth` does. Where a table has no data MERL and Zemax get none, and the others what lies nearest.
 MERL and RGL have red, green and blue (RGL wavelengths, too), Zemax and Klems one channel or X, Y and Z:
 others are converted, which is told. MERL is isotropic: the first azimuth of a table that is not stands for
@@ -81,7 +81,7 @@ impl ConvertArgs {
     /// Reads and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let kind = Kind::of(&self.output, self.to)?;
-        check_folder(&self.output)?;
+        check_output(&self.output, self.format)?;
         let measured = read(&self.file, &self.read)?;
         let mut notes = measured.notes.clone();
         let (bytes, readings) = match kind {
@@ -289,7 +289,25 @@ pub(super) fn save(bytes: &[u8], file: &Path) -> Result<(), Failure> {
     Ok(write_atomically(file, |out| out.write_all(bytes).map_err(OutputError::Stream))?)
 }
 
-/// Writes a file, and tells it.
+/// That the file may be written, or that stdout, for `-`, has nothing else to take.
+pub(super) fn check_output(file: &Path, format: FormatArgs) -> Result<(), Failure> {
+    if file == Path::new("-") && format.is_json() {
+        let message = "stdout takes the file, not the document too; name a file with -o";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    check_folder(file)
+}
+
+/// That a file may be written beside the numbers, which stdout has.
+pub(super) fn check_beside(file: &Path) -> Result<(), Failure> {
+    if file == Path::new("-") {
+        let message = "stdout takes the numbers, not the file too; name a file with -o";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    check_folder(file)
+}
+
+/// Writes a file, or to stdout for `-`, and tells it.
 pub(super) fn deliver(
     bytes: &[u8],
     file: &Path,
@@ -298,9 +316,14 @@ pub(super) fn deliver(
     notes: Vec<String>,
     format: FormatArgs,
 ) -> Result<(), Failure> {
+    let told = |notes: &[String]| notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
+    if file == Path::new("-") {
+        told(&notes);
+        return print::bytes(bytes);
+    }
     save(bytes, file)?;
     print::note(format_args!("wrote {}", file.display()));
-    notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
+    told(&notes);
     if format.is_json() {
         let format = kind.name();
         return print::json(&Document { file: file.display().to_string(), format, readings, notes });

@@ -7,10 +7,9 @@ use glanz_bsdf::{DirectionPair, Shape};
 use glanz_math::Vec3;
 use glanz_measure::{Channels, Geometry, Noise, Quantity, Readings, Rgl, write_csv};
 
-use super::convert::{Kind, deliver};
+use super::convert::{Kind, check_output, deliver};
 use super::quantity;
 use super::written::Written;
-use crate::args::check_folder;
 use crate::commands::bsdf::ModelArgs;
 use crate::print::FormatArgs;
 use crate::print::failure::Failure;
@@ -118,7 +117,7 @@ impl SampleArgs {
             }
         }
         let kind = Kind::of(&self.output, self.to)?;
-        check_folder(&self.output)?;
+        check_output(&self.output, self.format)?;
         let shape = self.model.shape()?;
         let mut notes = Vec::new();
         let anisotropic = shape.info().anisotropic && depends_on_azimuth(&shape);

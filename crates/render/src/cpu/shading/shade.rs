@@ -6,7 +6,7 @@ use glanz_math::{Lanes, LanesMask, Real, Vec3};
 use glanz_scene::Shading;
 
 use crate::cpu::frame::FrameView;
-use crate::cpu::lighting::point::{Reflected, ShadingPoint, mixed};
+use crate::cpu::lighting::point::{Reflected, ShadingPoint, mixed, unit};
 use crate::cpu::lighting::reflect::reflect_lanes;
 use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::probe;
@@ -192,7 +192,11 @@ impl<S: Simd> ShadeBlock<'_, S> {
         }
         debug_view::replace(self, place, rows, point.normal, extra, &mut rgb, &mut alpha);
         let transmittance = self.transmittance(material, place, point.normal);
-        Shaded { rgb, alpha, transmittance, distance: place.distance, normal: point.normal }
+        let normal = self.object.layout.normal.map_or(point.normal, |group| {
+            let [x, y, z] = self.attribute(group, place);
+            unit(Vec3::new(x, y, z))
+        });
+        Shaded { rgb, alpha, transmittance, distance: place.distance, normal }
     }
 
     /// The transmittance of the surface along the line of sight. Where no normal is known for the pixel, as on

@@ -188,7 +188,20 @@ impl TriangleSetups {
                 }
             }
         }
+        if layout.normal.is_some() {
+            self.add_normal(frame, setup, corners);
+        }
         self.add_rest(frame, layout, corners);
+    }
+
+    /// Appends the normal: that of the facet where light is found for facets, else between those of the vertices.
+    fn add_normal(&mut self, frame: &FrameView, setup: &TriangleSetup, corners: &Corners) {
+        let object = &frame.prepared.objects[setup.object as usize];
+        let sign = normal_sign(setup, frame.materials[object.material].two_sided);
+        match &object.facets {
+            Some(facets) => self.constant(facets.normals[setup.facet as usize].map(|c| c * sign)),
+            None => self.group(corners, |v| frame.prepared.geometry.normals[v].map(|c| c * sign)),
+        }
     }
 
     /// Appends the light of the vertices on one side: what textures multiply and what not, or their sum.

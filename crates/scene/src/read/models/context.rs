@@ -4,7 +4,7 @@ use glanz_color::read::{Place, ReadError};
 
 use crate::Texture;
 use crate::read::notes::Notes;
-use crate::read::{ReadOptions, ResolveError, Resolver, texture};
+use crate::read::{ReadOptions, ResolveError, Resolver, jpeg, texture};
 
 /// What all readers share while they read one file.
 pub(super) struct Context<'a> {
@@ -51,7 +51,12 @@ impl Context<'_> {
         bytes_left: &mut u64,
     ) -> Result<Option<Texture>, ReadError> {
         let why = match texture::decode(bytes, name, place.clone(), self.options, bytes_left) {
-            Ok(texture) => return Ok(Some(texture)),
+            Ok(texture) => {
+                if jpeg::is_cut(bytes) {
+                    self.notes.add_at(&format!("the picture '{name}' {}", jpeg::CUT), place.clone());
+                }
+                return Ok(Some(texture));
+            }
             Err(error @ ReadError::TooLarge { .. }) => return Err(error),
             Err(ReadError::Unsupported { expected, found, .. }) => {
                 format!("is not {expected}, but begins with {found}")

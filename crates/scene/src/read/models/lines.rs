@@ -211,6 +211,11 @@ pub(super) fn real(word: &[u8]) -> Option<f32> {
     }
 }
 
+/// A coordinate, or NaN or infinity.
+pub(super) fn coordinate(word: &[u8]) -> Option<f64> {
+    std::str::from_utf8(word).ok()?.parse().ok().or_else(|| number(word))
+}
+
 /// A finite number for a 32-bit float.
 pub(super) fn float(word: &[u8]) -> Option<f32> {
     real(word).filter(|value| value.is_finite())

@@ -1,5 +1,6 @@
 //! Readers of models: a file or folder for each format, and what they share.
 
+mod anchor;
 mod context;
 mod faces;
 mod finish;

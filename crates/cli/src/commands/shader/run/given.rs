@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use glanz_scene::read::{ReadOptions, read_texture};
+use glanz_scene::read::{ReadOptions, read_texture, remark_of_texture};
 use glanz_shader::{Program, TextureInfo, TexturePicture, UniformError, UniformValues};
 
 use super::RunArgs;
 use crate::args::{cube_faces, numbers};
+use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
 /// A file of a picture is no longer than this.
@@ -48,6 +49,7 @@ fn read(file: &str) -> Result<TexturePicture, Failure> {
     let bytes = std::fs::read(path).map_err(io)?;
     let texture = read_texture(&bytes, file, &ReadOptions::default())
         .map_err(|error| Failure::from(Report::new(error).file(path)))?;
+    remark_of_texture(&bytes, file).iter().for_each(|note| print::note(format_args!("note: {note}")));
     Ok(TexturePicture::new(texture.width, texture.height, &texture.rgba))
 }
 

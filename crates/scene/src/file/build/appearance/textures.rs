@@ -9,7 +9,7 @@ use crate::file::near::{did_you_mean, list};
 use crate::file::tables::appearance::textures::TextureValue;
 use crate::file::tables::scene::SceneTable;
 use crate::file::tables::values::At;
-use crate::read::{FolderFiles, Resolver, read_texture};
+use crate::read::{FolderFiles, Resolver, read_texture, remark_of_texture};
 use crate::{Texture, TextureFilter, TextureUse, Wrap};
 
 /// The picture of a texture and how it is taken. Its `Debug` text names it.
@@ -115,6 +115,9 @@ impl Builder {
             .map_err(|error| unresolved(file, &error, span))?;
         let texture = read_texture(&bytes, file, &self.input.options)
             .map_err(|error| Problem::at(span, error.to_string()))?;
+        if let Some(remark) = remark_of_texture(&bytes, file) {
+            self.input.notes.push(remark);
+        }
         // What all textures of a scene may take together; each alone is limited by its reader.
         let taken: u64 = self.scene.textures.iter().map(|texture| texture.rgba.len() as u64).sum();
         if taken + texture.rgba.len() as u64 > self.input.options.max_texture_bytes {

@@ -1,17 +1,17 @@
 //! The vertex data of a file.
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use glanz_color::read::Place;
 use glanz_color::srgb_decode;
 
-use super::super::lines::real;
+use super::super::lines::{coordinate, real};
 use crate::read::notes::Notes;
 
 /// The vertex data of the whole file, which faces refer to.
 #[derive(Default)]
 pub(super) struct Data {
     /// Those that are no numbers are NaN: no face may use them.
-    pub(super) positions: Vec<Vec3>,
+    pub(super) positions: Vec<DVec3>,
     /// Empty until a vertex has a colour.
     pub(super) colors: Vec<Vec3>,
     pub(super) uvs: Vec<Vec2>,
@@ -27,7 +27,8 @@ impl Data {
         place: Place,
         notes: &mut Notes,
     ) -> Option<()> {
-        let position = three(&mut words)?;
+        let mut next = || words.next().and_then(coordinate);
+        let position = DVec3::new(next()?, next()?, next()?);
         let more: Vec<f32> = words.by_ref().map_while(real).take(4).collect();
         if words.next().is_some() {
             notes.add_at("OBJ: what follows the numbers of a vertex is ignored", place.clone());
@@ -39,7 +40,8 @@ impl Data {
         } else if !self.colors.is_empty() {
             self.colors.push(Vec3::ONE);
         }
-        self.positions.push(if position.is_finite() { position } else { Vec3::NAN });
+        let is_held = position.as_vec3().is_finite();
+        self.positions.push(if is_held { position } else { DVec3::NAN });
         Some(())
     }
 

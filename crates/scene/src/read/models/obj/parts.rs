@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use glam::{DMat4, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 
+use super::super::anchor::Anchor;
 use super::super::faces::{close_face, corners_fit};
 use super::super::finish::finish_mesh;
 use super::corner::{Corner, NONE};
@@ -44,6 +45,7 @@ pub(super) struct Parts {
 
 struct Part {
     mesh: Mesh,
+    anchor: Anchor,
     material: u32,
     /// The smoothing group of each face; missing ones at the end are `None`.
     smoothing: Vec<Option<u32>>,
@@ -144,7 +146,7 @@ impl Parts {
             let (object, material) = self.current;
             let name = object.checked_sub(1).map(|i| self.objects.names[i as usize].clone());
             let mesh = Mesh { name: name.unwrap_or_default(), ..Mesh::default() };
-            self.parts.push(Part { mesh, material, smoothing: Vec::new() });
+            self.parts.push(Part { mesh, anchor: Anchor::default(), material, smoothing: Vec::new() });
         }
         part
     }
@@ -162,7 +164,7 @@ impl Parts {
             let old = Corner { position: corner.position, uv: slot.uv, normal: slot.normal };
             self.others.insert((slot.part, old), slot.vertex);
         }
-        let vertex = push_vertex(&mut self.parts[part as usize].mesh, corner, data);
+        let vertex = push_vertex(&mut self.parts[part as usize], corner, data);
         self.slots[corner.position as usize] = Slot { part, vertex, uv: corner.uv, normal: corner.normal };
         vertex
     }
@@ -172,7 +174,7 @@ impl Parts {
     pub(super) fn finish(self, notes: &mut Notes) -> (Vec<Mesh>, Vec<Object>, Vec<Option<String>>) {
         let (mut meshes, mut objects) = (Vec::new(), Vec::new());
         let (mut names, mut used) = (Vec::new(), HashMap::new());
-        for Part { mut mesh, material, mut smoothing } in self.parts {
+        for Part { mut mesh, anchor, material, mut smoothing } in self.parts {
             if mesh.corners.is_empty() {
                 continue;
             }
@@ -190,7 +192,7 @@ impl Parts {
                 name: mesh.name.clone(),
                 mesh: meshes.len(),
                 material,
-                transform: DMat4::IDENTITY,
+                transform: anchor.transform(),
                 shading: None,
                 interpolation: None,
                 program: None,
@@ -202,10 +204,11 @@ impl Parts {
 }
 
 /// Makes a vertex. Attributes are empty as long as no vertex has them.
-fn push_vertex(mesh: &mut Mesh, corner: Corner, data: &Data) -> u32 {
+fn push_vertex(part: &mut Part, corner: Corner, data: &Data) -> u32 {
+    let Part { mesh, anchor, .. } = part;
     let vertex = mesh.positions.len();
     let position = corner.position as usize;
-    mesh.positions.push(data.positions[position]);
+    anchor.push(data.positions[position], &mut mesh.positions);
     if let Some(uv) = data.uvs.get(corner.uv as usize) {
         mesh.uvs.resize(vertex, Vec2::ZERO);
         mesh.uvs.push(*uv);

@@ -15,9 +15,9 @@ mod vertex;
 
 use std::io::BufRead;
 
-use glam::DMat4;
 use glanz_color::read::{Place, ReadError};
 
+use super::anchor::Anchor;
 use super::context::Context;
 use super::faces::close_face;
 use super::finish::{drop_faces_without_positions, finish_mesh};
@@ -32,10 +32,10 @@ use vertex::Vertex;
 pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) -> Result<Model, ReadError> {
     let (header, reader, line) = Header::read(reader, context.file, &mut context.notes)?;
     let mut body = Body::new(reader, header.encoding, context.file, line);
-    let (mut mesh, mut data) = (Mesh::default(), FaceData::default());
+    let (mut mesh, mut anchor, mut data) = (Mesh::default(), Anchor::default(), FaceData::default());
     for element in &header.elements {
         match element.kind {
-            Kind::Vertex => read_vertices(element, len, &mut body, &mut mesh, context)?,
+            Kind::Vertex => read_vertices(element, len, &mut body, (&mut mesh, &mut anchor), context)?,
             Kind::Face => data.read(element, &mut body, &mut mesh, context)?,
             Kind::Strips => read_strips(element, &mut body, &mut mesh, context)?,
             Kind::Other => {
@@ -55,7 +55,7 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
         name: String::new(),
         mesh: 0,
         material: 0,
-        transform: DMat4::IDENTITY,
+        transform: anchor.transform(),
         shading: None,
         interpolation: None,
         program: None,
@@ -73,7 +73,7 @@ fn read_vertices<R: BufRead>(
     element: &Element,
     len: u64,
     body: &mut Body<'_, R>,
-    mesh: &mut Mesh,
+    (mesh, anchor): (&mut Mesh, &mut Anchor),
     context: &mut Context<'_>,
 ) -> Result<(), ReadError> {
     let has = |role| element.properties.iter().any(|property| property.role == Some(role));
@@ -99,7 +99,7 @@ fn read_vertices<R: BufRead>(
             return Err(ReadError::malformed(context.file, body.place(), "at most 2^32 vertices", "more"));
         }
         vertex.clean(|note| context.notes.add_at(note, body.place()));
-        mesh.positions.push(vertex.position);
+        anchor.push(vertex.position, &mut mesh.positions);
         normals.then(|| mesh.normals.push(vertex.normal));
         colors.then(|| mesh.colors.push(vertex.color));
         uvs.then(|| mesh.uvs.push(vertex.uv));

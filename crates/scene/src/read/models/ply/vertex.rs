@@ -1,12 +1,12 @@
 //! A vertex while it is read.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{DVec3, Vec2, Vec3, Vec4};
 
 use super::header::{Role, Scalar};
 
 /// Its attributes, with what stands for missing ones.
 pub(super) struct Vertex {
-    pub(super) position: Vec3,
+    pub(super) position: DVec3,
     pub(super) normal: Vec3,
     pub(super) color: Vec4,
     pub(super) uv: Vec2,
@@ -14,7 +14,7 @@ pub(super) struct Vertex {
 
 impl Default for Vertex {
     fn default() -> Self {
-        Self { position: Vec3::ZERO, normal: Vec3::ZERO, color: Vec4::ONE, uv: Vec2::ZERO }
+        Self { position: DVec3::ZERO, normal: Vec3::ZERO, color: Vec4::ONE, uv: Vec2::ZERO }
     }
 }
 
@@ -23,7 +23,7 @@ impl Vertex {
     pub(super) fn set(&mut self, role: Role, value: f64, scalar: Scalar) {
         let float = value as f32;
         match role {
-            Role::Position(axis) => self.position[axis] = float,
+            Role::Position(axis) => self.position[axis] = value,
             Role::Normal(axis) => self.normal[axis] = float,
             Role::Uv(0) => self.uv.x = float,
             // PLY counts v from the bottom, textures are stored from the top.

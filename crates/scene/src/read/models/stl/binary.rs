@@ -2,14 +2,13 @@
 
 use std::io::Read;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use glanz_color::read::{Place, ReadError, excerpt};
 use glanz_color::srgb_decode;
 
 use super::super::context::Context;
 use super::weld::{Added, Weld};
 use super::{FACET, HEADER, io_error, name_of};
-use crate::Mesh;
 
 /// The number of facets that the header claims.
 pub(super) fn claimed(head: &[u8]) -> Option<u64> {
@@ -23,15 +22,17 @@ pub(super) fn read(
     head: &[u8],
     len: u64,
     context: &mut Context<'_>,
-) -> Result<Mesh, ReadError> {
+) -> Result<Weld, ReadError> {
     let count = facet_count(head, len, context)?;
     let mut bytes = [0; FACET];
     reader.read_exact(&mut [0; HEADER]).map_err(|error| io_error(context.file, error))?;
     let (mut weld, mut colors) = (Weld::default(), Colors::of(head));
     for facet in 0..count {
         reader.read_exact(&mut bytes).map_err(|error| io_error(context.file, error))?;
-        let float = |at: usize| f32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
-        let corners = [12, 24, 36].map(|at| Vec3::new(float(at), float(at + 4), float(at + 8)));
+        let float = |at: usize| {
+            f64::from(f32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]))
+        };
+        let corners = [12, 24, 36].map(|at| DVec3::new(float(at), float(at + 4), float(at + 8)));
         let paint = colors.paint(u16::from_le_bytes([bytes[48], bytes[49]]));
         match weld.facet(&corners, paint) {
             Added::Facet => {}
@@ -43,7 +44,8 @@ pub(super) fn read(
         }
     }
     colors.tell(context);
-    Ok(Mesh { name: name_of(&head[..80]), ..weld.mesh })
+    weld.mesh.name = name_of(&head[..80]);
+    Ok(weld)
 }
 
 /// How many facets a binary file of so many bytes has.

@@ -11,13 +11,13 @@ mod weld;
 
 use std::io::{self, BufRead, Read};
 
-use glam::DMat4;
 use glanz_color::read::{Place, ReadError};
 
 use super::context::Context;
 use super::finish::finish_mesh;
 use super::model::Model;
 use crate::{Material, Object};
+use weld::Weld;
 
 /// The bytes of the header of a binary file, with the number of facets at its end.
 const HEADER: usize = 84;
@@ -40,31 +40,27 @@ pub(super) fn read(
     (&mut reader).take(HEAD as u64).read_to_end(&mut head).map_err(|error| io_error(context.file, error))?;
     let is_binary = is_binary(&head, len);
     let reader = io::Cursor::new(&head).chain(reader);
-    let mut meshes = match is_binary {
+    let solids = match is_binary {
         true => vec![binary::read(reader, &head, len, context)?],
         false => text::read(reader, context)?,
     };
-    for mesh in &mut meshes {
-        finish_mesh(mesh, &mut context.notes);
-        *mesh = std::mem::take(mesh).with_normals_of_flat_faces(CREASE);
+    let (mut meshes, mut objects) = (Vec::new(), Vec::new());
+    for Weld { mut mesh, anchor, .. } in solids {
+        finish_mesh(&mut mesh, &mut context.notes);
+        objects.push(Object {
+            name: mesh.name.clone(),
+            mesh: meshes.len(),
+            material: 0,
+            transform: anchor.transform(),
+            shading: None,
+            interpolation: None,
+            program: None,
+        });
+        meshes.push(mesh.with_normals_of_flat_faces(CREASE));
     }
     context.notes.add("STL holds neither unit nor upward direction: taken as metres, +Y up");
     context.notes.add("STL holds no vertex normals: facets that meet at less than 30° are smooth");
-    let objects = (0..meshes.len()).map(|mesh| Object {
-        name: meshes[mesh].name.clone(),
-        mesh,
-        material: 0,
-        transform: DMat4::IDENTITY,
-        shading: None,
-        interpolation: None,
-        program: None,
-    });
-    Ok(Model {
-        objects: objects.collect(),
-        meshes,
-        materials: vec![Material::default_gray()],
-        ..Model::default()
-    })
+    Ok(Model { objects, meshes, materials: vec![Material::default_gray()], ..Model::default() })
 }
 
 fn io_error(file: &str, source: io::Error) -> ReadError {

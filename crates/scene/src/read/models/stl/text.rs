@@ -2,14 +2,13 @@
 
 use std::io::BufRead;
 
-use glam::Vec3;
+use glam::DVec3;
 use glanz_color::read::{ReadError, excerpt};
 
 use super::super::context::Context;
-use super::super::lines::{Lines, real};
+use super::super::lines::{Lines, coordinate};
 use super::weld::{Added, Weld};
 use super::{NOT_FINITE, name_of};
-use crate::Mesh;
 
 /// Whether a file that begins with these bytes is text: with a keyword, behind a byte order mark and blanks.
 pub(super) fn begins(head: &[u8]) -> bool {
@@ -19,13 +18,13 @@ pub(super) fn begins(head: &[u8]) -> bool {
 }
 
 /// Reads a file: a mesh for each solid.
-pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Vec<Mesh>, ReadError> {
+pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Vec<Weld>, ReadError> {
     let mut words = Words { lines: Lines::new(reader, context.file), used: 0, len: 0, begun: false };
     let (mut meshes, mut solid) = (Vec::new(), None::<Weld>);
     while words.advance()? {
         let is_closed = words.is(b"endsolid") || words.is_end_of(b"solid")?;
         if is_closed || words.is(b"solid") {
-            meshes.extend(solid.take().map(|solid| solid.mesh));
+            meshes.extend(solid.take());
             match is_closed {
                 true => words.skip_name(),
                 false => solid = Some(named(words.name())),
@@ -41,7 +40,7 @@ pub(super) fn read(reader: impl BufRead, context: &mut Context<'_>) -> Result<Ve
     }
     if let Some(solid) = solid {
         context.notes.add("STL: the last solid has no 'endsolid'");
-        meshes.push(solid.mesh);
+        meshes.push(solid);
     }
     Ok(meshes)
 }
@@ -64,7 +63,7 @@ fn facet<R: BufRead>(
         // What it says follows from the corners.
         words.need("'outer loop'")?;
         for _ in 0..3 {
-            if real(words.word()).is_some() {
+            if coordinate(words.word()).is_some() {
                 words.need("'outer loop'")?;
             }
         }
@@ -163,12 +162,12 @@ impl<R: BufRead> Words<'_, R> {
     }
 
     /// Three numbers after `vertex`.
-    fn point(&mut self) -> Result<Vec3, ReadError> {
+    fn point(&mut self) -> Result<DVec3, ReadError> {
         const WHAT: &str = "three numbers after 'vertex'";
-        let mut point = Vec3::ZERO;
+        let mut point = DVec3::ZERO;
         for axis in 0..3 {
             self.need(WHAT)?;
-            point[axis] = real(self.word()).ok_or_else(|| self.expected(WHAT))?;
+            point[axis] = coordinate(self.word()).ok_or_else(|| self.expected(WHAT))?;
         }
         Ok(point)
     }

@@ -1,0 +1,104 @@
+//! Where a mesh lies that is far from the origin.
+
+use glam::{DMat4, DVec3, Vec3};
+
+/// Coordinates from here on are far: 32-bit numbers are 6e-5 apart there.
+const FAR: f64 = 1024.0;
+
+/// The place that the positions of a mesh are relative to: the origin, unless one of them is far from it.
+///
+/// Files in coordinates of a country or of a plant have a few metres of surface 5e6 m away, where 32-bit numbers are half a metre apart.
+/// What is stored is the way from a place nearby; the object's transform, in double precision, has that place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Anchor(DVec3);
+
+impl Anchor {
+    /// Adds a position. The first one that is far moves the anchor, and those before it with it.
+    pub(super) fn push(&mut self, position: DVec3, positions: &mut Vec<Vec3>) {
+        if self.0 == DVec3::ZERO && position.is_finite() && position.abs().max_element() >= FAR {
+            let here = (position / FAR).round() * FAR;
+            // What f32 cannot hold is no position: it must not become one by the way from the anchor.
+            if here.as_vec3().is_finite() {
+                self.0 = here;
+                positions.iter_mut().for_each(|other| *other = (other.as_dvec3() - here).as_vec3());
+            }
+        }
+        positions.push((position - self.0).as_vec3());
+    }
+
+    /// From the mesh to the file's coordinates.
+    pub(super) fn transform(&self) -> DMat4 {
+        DMat4::from_translation(self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Format;
+    use super::*;
+    use crate::read::tests::{check, read_bytes};
+
+    /// A triangle in metres of a national grid; its corners in the file's coordinates.
+    const CORNERS: [[f64; 3]; 3] = [
+        [500_000.125, 5_400_000.25, 310.5],
+        [500_000.375, 5_400_000.25, 310.5],
+        [500_000.125, 5_400_000.5, 310.75],
+    ];
+
+    #[test]
+    fn files_in_coordinates_of_a_country_keep_their_digits() {
+        let line = |[x, y, z]: [f64; 3]| format!("{x} {y} {z}");
+        let [a, b, c] = CORNERS.map(line);
+        let obj = format!("v 0 0 0\nv {a}\nv {b}\nv {c}\nf 2 3 4\n");
+        let ply = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n{a}\n{b}\n{c}\n3 0 1 2\n"
+        );
+        let stl = format!(
+            "solid s\nfacet normal 0 0 1\nouter loop\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\nendsolid s\n"
+        );
+        for (text, format) in [(obj, Format::Obj), (ply, Format::Ply), (stl, Format::Stl)] {
+            let model = read_bytes(text.as_bytes(), format).unwrap();
+            check(&model);
+            let (mesh, object) = (&model.meshes[0], &model.objects[0]);
+            for (position, corner) in mesh.positions.iter().zip(CORNERS) {
+                let found = object.transform.transform_point3(position.as_dvec3());
+                assert_eq!(found, DVec3::from(corner), "{format:?}");
+            }
+            assert!(!model.notes.iter().any(|note| note.contains("32-bit")), "{format:?}: {:?}", model.notes);
+        }
+    }
+
+    #[test]
+    fn digits_that_a_file_has_lost_are_told() {
+        let mut bytes = vec![b' '; 80];
+        bytes.extend(1u32.to_le_bytes());
+        bytes.extend([0; 12]);
+        CORNERS.as_flattened().iter().for_each(|value| bytes.extend((*value as f32).to_le_bytes()));
+        bytes.extend([0; 2]);
+        let model = read_bytes(&bytes, Format::Stl).unwrap();
+        assert!(model.notes.iter().any(|note| note.contains("0.5 apart there")), "{:?}", model.notes);
+    }
+
+    #[test]
+    fn far_positions_keep_their_digits_wherever_the_first_far_one_comes() {
+        let points = [[0.0, 0.0, 0.0], [5e6 + 0.25, -3e6 + 0.125, 12.5], [5e6 + 0.375, -3e6, 13.0]];
+        let (mut anchor, mut positions) = (Anchor::default(), Vec::new());
+        points.map(|point| anchor.push(DVec3::from(point), &mut positions));
+        for (position, point) in positions.iter().zip(points) {
+            let found = anchor.transform().transform_point3(position.as_dvec3());
+            assert!((found - DVec3::from(point)).length() < 1e-9 * DVec3::from(point).length(), "{found}");
+        }
+    }
+
+    #[test]
+    fn near_positions_are_as_they_were() {
+        let (mut anchor, mut positions) = (Anchor::default(), Vec::new());
+        anchor.push(DVec3::new(0.1, -1000.0, f64::NAN), &mut positions);
+        assert_eq!(positions[0].x.to_bits(), 0.1_f32.to_bits());
+        assert_eq!(anchor.transform(), DMat4::IDENTITY);
+        // Beyond what 32 bits hold there is nothing.
+        anchor.push(DVec3::splat(1e39), &mut positions);
+        assert!(!positions[1].is_finite() && anchor.transform() == DMat4::IDENTITY);
+    }
+}
