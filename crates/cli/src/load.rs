@@ -30,9 +30,13 @@ impl InputArgs {
     /// `camera` names is among the input's cameras.
     pub(crate) fn load(&self, camera: Option<&CameraArgs>, more: More<'_>) -> Result<Input, Failure> {
         let sets = self.set.iter().chain(more.values).cloned().collect();
-        let mut options = LoadOptions { allow_outside: self.allow_outside, sets };
         // A scene finds a camera of its models itself, if its own `camera` is a name.
         let is_scene = self.is_stdin() || is_scene_file(&self.input);
+        if is_scene && self.lights.is_some() {
+            let message = "--lights is for a model, which may have none; a scene says its lights itself";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let mut options = LoadOptions { allow_outside: self.allow_outside, sets, lights: self.lights };
         let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
         options.sets.extend(camera.map(|name| ("camera".to_owned(), format!("{name:?}"))));
         let opened = match self.is_stdin() {

@@ -41,8 +41,8 @@ pub use camera::{Camera, Projection};
 pub use color_mode::{COLOR_MODES, ColorMode, White};
 pub use glam;
 pub use light::{
-    AreaShape, Attenuation, EnvironmentMap, Light, LightColors, LightError, LightKind, Luminaire, Profile,
-    Space, add_default_lights,
+    AreaShape, Attenuation, DefaultLights, EnvironmentMap, Light, LightColors, LightError, LightKind,
+    Luminaire, Profile, Space, add_default_lights,
 };
 pub use material::{
     Absorption, AlphaMode, Boundary, ClassicMaterial, Coat, CoatedBoundary, Film, LightColor, Lobe, Material,

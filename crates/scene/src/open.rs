@@ -8,7 +8,7 @@ use thiserror::Error;
 use crate::builtin::MAX_TRIANGLES;
 use crate::file::{self, FileError, LoadOptions, Loaded};
 use crate::read::{Model, Place, ReadError, ReadOptions, read_model};
-use crate::{Camera, Scene, add_default_lights, exposure};
+use crate::{Camera, Scene, exposure};
 
 /// The material that values set for a bare model: the one of objects that name none.
 const MODEL_MATERIAL: &str =
@@ -47,7 +47,7 @@ pub fn is_scene_file(path: &Path) -> bool {
 ///
 /// A model is put into an empty scene, on which the values of the options work as on any other; setting
 /// `materials.default` gives it that material in place of its own. A model without lights gets some; one with lamps is
-/// exposed by them (`render.ev`), unless the options set an exposure or lights.
+/// exposed by them (`render.ev`), unless the options set an exposure or lights. [`LoadOptions::lights`] chooses among those.
 ///
 /// ```
 /// let path = std::env::temp_dir().join("glanz-doc-open.obj");
@@ -91,10 +91,10 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     let material = sets_material.then_some(0);
     let set_lights = !opened.scene.lights.is_empty();
     let own_lights = set_lights || !model.lights.is_empty();
-    model.append_to(&mut opened.scene, DMat4::IDENTITY, material, true);
-    if !own_lights {
-        add_default_lights(&mut opened.scene);
-        opened.default_lights = true;
+    model.append_to(&mut opened.scene, DMat4::IDENTITY, material, options.lights.is_none());
+    if options.lights.is_some() || !own_lights {
+        options.lights.unwrap_or_default().add(&mut opened.scene);
+        opened.default_lights = !opened.scene.lights.is_empty();
     } else if !set_lights && !options.sets.iter().any(|(path, _)| path == "render.ev") {
         opened.expose();
     }
@@ -150,7 +150,7 @@ mod tests {
         let path = std::env::temp_dir().join(name);
         std::fs::write(&path, text).unwrap();
         let sets = sets.iter().map(|&(path, value)| (path.to_owned(), value.to_owned())).collect();
-        let opened = open(&path, &LoadOptions { allow_outside: false, sets });
+        let opened = open(&path, &LoadOptions { sets, ..LoadOptions::default() });
         std::fs::remove_file(&path).unwrap();
         opened.unwrap()
     }

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
+use glanz_scene::DefaultLights;
 
 use super::{ProgramArgs, values};
 
@@ -26,8 +28,19 @@ pub(crate) struct InputArgs {
     #[arg(long, help_heading = "Scene")]
     pub allow_outside: bool,
 
+    /// The lights of a model, in place of its own: none, three-point (what one without lights gets) or studio, a room
+    /// with windows
+    #[arg(long, value_name = "WHICH", value_parser = lights(), help_heading = "Scene")]
+    pub lights: Option<DefaultLights>,
+
     #[command(flatten)]
     pub program: ProgramArgs,
+}
+
+fn lights() -> impl TypedValueParser<Value = DefaultLights> {
+    let names = DefaultLights::NAMES.map(|(name, _)| name);
+    PossibleValuesParser::new(names)
+        .map(|name| DefaultLights::named(&name).expect("the parser lets only known names through"))
 }
 
 impl InputArgs {

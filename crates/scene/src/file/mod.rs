@@ -42,7 +42,7 @@ use toml::Spanned;
 use toml::de::DeTable;
 pub use write::{WriteError, Written, save, write};
 
-use crate::{Material, Scene};
+use crate::{DefaultLights, Material, Scene};
 use build::Builder;
 use error::{Problem, Source};
 use explain::{Paths, explain, refuse_single_tables, with_comma};
@@ -60,6 +60,8 @@ pub struct LoadOptions {
     /// Values to set before the file is understood: paths such as `materials.ball.shininess` or
     /// `lights.0.color`, and TOML. What is not TOML is taken as a string.
     pub sets: Vec<(String, String)>,
+    /// The lights of a model, in place of its own; without them one that has none gets three lights. A scene file says its own.
+    pub lights: Option<DefaultLights>,
 }
 
 /// What a scene file says.

@@ -1,32 +1,111 @@
 //! Light for scenes that have none of their own.
 
-use glam::DVec3;
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+use glanz_bsdf::LightTerm;
 use glanz_color::Rgb;
 
-use crate::{Light, LightColors, LightKind, Scene, Space};
+use crate::stage::studio;
+use crate::{Light, LightColor, LightColors, LightKind, Material, Scene, Space};
+
+/// Lights that a model without any gets.
+///
+/// ```
+/// use glanz_scene::{DefaultLights, Mesh, Scene, library};
+///
+/// let mut scene = Scene::new().with_mesh(Mesh::builtin("sphere")?, library::material("gold")?);
+/// DefaultLights::ThreePoint.add(&mut scene);
+/// assert_eq!(scene.lights.len(), 4, "a metal gets faint surroundings to mirror");
+/// assert_eq!(DefaultLights::named("studio"), Some(DefaultLights::Studio));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DefaultLights {
+    /// No lights.
+    None,
+    /// A key light, a fill light, ambient light; and faint surroundings where a surface only mirrors.
+    #[default]
+    ThreePoint,
+    /// A room with windows, and two lights.
+    Studio,
+}
+
+/// The part of the studio's light that metals mirror beside three lights.
+const FAINT: f32 = 0.4;
+
+impl DefaultLights {
+    /// All of them with their names.
+    pub const NAMES: [(&str, Self); 3] =
+        [("none", Self::None), ("three-point", Self::ThreePoint), ("studio", Self::Studio)];
+
+    /// Those of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(own, _)| *own == name).map(|(_, lights)| *lights)
+    }
+
+    /// Adds them to a scene.
+    pub fn add(self, scene: &mut Scene) {
+        match self {
+            Self::None => {}
+            Self::ThreePoint => {
+                add_default_lights(scene);
+                if scene.objects.iter().any(|object| only_mirrors(&scene.materials[object.material])) {
+                    let specular = LightColor::from(Rgb::gray(FAINT));
+                    let colors = LightColors { specular, ..LightColors::ambient(LightColor::BLACK) };
+                    scene.lights.push(surroundings(colors));
+                }
+            }
+            Self::Studio => {
+                scene.lights.push(ambient(0.35));
+                scene.lights.push(lamp("key", DVec3::new(1.0, -1.1, -1.2), 0.35));
+                scene.lights.push(lamp("rim", DVec3::new(-0.9, -0.5, 1.0), 0.35));
+                scene.lights.push(surroundings(LightColors::direct(Rgb::gray(1.0))));
+            }
+        }
+    }
+}
+
+/// Whether lamps alone leave a surface dark but for its highlights: it has no matte part, or a picture says where.
+fn only_mirrors(material: &Material) -> bool {
+    let has = |term: LightTerm| {
+        material.lobes.iter().any(|lobe| lobe.shape.info().term == term && !lobe.tint.is_black())
+    };
+    has(LightTerm::Specular) && (!has(LightTerm::Diffuse) || material.metal_rough_map.is_some())
+}
 
 /// Adds lights by which anything can be seen from anywhere: a key light from the upper left and a
 /// weaker fill light from the right, both moving with the camera, and modest ambient light.
 ///
 /// Meant for models without lights; scene files are taken literally. A white matte surface that faces
-/// the viewer gets about 0.9.
+/// the viewer gets about 0.9. [`DefaultLights`] has others.
 pub fn add_default_lights(scene: &mut Scene) {
-    let lamp = |name: &str, direction: DVec3, value: f32| Light {
-        name: name.to_owned(),
-        space: Space::Camera,
-        ..Light::new(LightKind::Directional { direction }, LightColors::direct(Rgb::gray(value)))
-    };
-    scene.lights.push(Light {
-        name: "ambient".to_owned(),
-        ..Light::new(LightKind::Ambient, LightColors::ambient(Rgb::gray(0.15)))
-    });
+    scene.lights.push(ambient(0.15));
     scene.lights.push(lamp("key", DVec3::new(1.0, -1.2, -1.6), 0.8));
     scene.lights.push(lamp("fill", DVec3::new(-1.5, 0.3, -1.0), 0.25));
+}
+
+fn ambient(value: f32) -> Light {
+    let light = Light::new(LightKind::Ambient, LightColors::ambient(Rgb::gray(value)));
+    Light { name: "ambient".to_owned(), ..light }
+}
+
+/// A directional light that moves with the camera.
+fn lamp(name: &str, direction: DVec3, value: f32) -> Light {
+    let light = Light::new(LightKind::Directional { direction }, LightColors::direct(Rgb::gray(value)));
+    Light { name: name.to_owned(), space: Space::Camera, ..light }
+}
+
+fn surroundings(colors: LightColors) -> Light {
+    let map = Some(Arc::new(studio()));
+    let light = Light::new(LightKind::Environment { map, rotation: DMat3::IDENTITY }, colors);
+    Light { name: "studio".to_owned(), ..light }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Mesh, library};
 
     #[test]
     fn a_white_surface_that_faces_the_viewer_is_bright_but_not_clipped() {
@@ -43,5 +122,20 @@ mod tests {
         });
         let value: f64 = received.sum();
         assert!((0.8..1.0).contains(&value), "{value}");
+    }
+
+    #[test]
+    fn surroundings_are_for_what_mirrors_alone() {
+        let lights = |material: &str, lights: DefaultLights| {
+            let mesh = Mesh::builtin("sphere").unwrap();
+            let mut scene = Scene::new().with_mesh(mesh, library::material(material).unwrap());
+            lights.add(&mut scene);
+            let is_surrounding = |light: &&Light| matches!(light.kind, LightKind::Environment { .. });
+            (scene.lights.len(), scene.lights.iter().filter(is_surrounding).count())
+        };
+        assert_eq!(lights("gold", DefaultLights::ThreePoint), (4, 1));
+        assert_eq!(lights("wall-paint-white", DefaultLights::ThreePoint), (3, 0));
+        assert_eq!(lights("wall-paint-white", DefaultLights::Studio), (4, 1));
+        assert_eq!(lights("gold", DefaultLights::None), (0, 0));
     }
 }

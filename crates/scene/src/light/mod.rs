@@ -6,7 +6,7 @@ mod luminaire;
 mod setters;
 mod source;
 
-pub use default_lights::add_default_lights;
+pub use default_lights::{DefaultLights, add_default_lights};
 pub use environment::EnvironmentMap;
 pub use luminaire::{Luminaire, Profile};
 pub use setters::LightError;

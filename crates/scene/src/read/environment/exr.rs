@@ -27,11 +27,16 @@ pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
         source.notes.add("the data window is taken as the whole picture, which is not the display window");
     }
     limit_infinite(&mut pixels, source);
-    if let Some(space) = part.space {
-        source.convert_to_srgb(&mut pixels, &space);
+    match part.space {
+        Some(space) if space.primaries == XYZ => source.convert_xyz(&mut pixels),
+        Some(space) => source.convert_to_srgb(&mut pixels, &space),
+        None => {}
     }
     Ok(EnvironmentMap { width: part.width, height: part.height, pixels })
 }
+
+/// The chromaticities of the primaries of CIE XYZ.
+const XYZ: [[f64; 2]; 3] = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
 
 /// The largest half: what programs that do not write infinity write for more.
 const LARGEST_HALF: f32 = 65_504.0;

@@ -17,6 +17,10 @@ use source::Source;
 const EXR: &[u8] = &[0x76, 0x2f, 0x31, 0x01];
 /// How a Radiance picture begins; the name of the program that wrote it follows.
 const RADIANCE: &[u8] = b"#?";
+/// What the header of one has that begins in another way.
+const RADIANCE_FORMAT: &[u8] = b"\nFORMAT=32-bit_rle_";
+/// How far into a file that is looked for.
+const HEADER: usize = 4096;
 /// The most that a channel may be; sums of squares of it must fit into `f32`.
 const MAX_VALUE: f32 = 1e12;
 
@@ -38,7 +42,7 @@ pub fn read_environment(
     let mut source = Source { bytes, file, options, notes: Notes::default() };
     let mut map = if bytes.starts_with(EXR) {
         exr::read(&mut source)?
-    } else if bytes.starts_with(RADIANCE) {
+    } else if is_radiance(bytes) {
         radiance::read(&mut source)?
     } else {
         let start = excerpt(&bytes[..bytes.len().min(8)]);
@@ -53,6 +57,11 @@ pub fn read_environment(
         ));
     }
     Ok((map, source.notes.into_strings()))
+}
+
+fn is_radiance(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(HEADER)];
+    bytes.starts_with(RADIANCE) || head.windows(RADIANCE_FORMAT.len()).any(|line| line == RADIANCE_FORMAT)
 }
 
 /// Makes every value usable.

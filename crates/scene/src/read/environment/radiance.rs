@@ -31,9 +31,14 @@ pub(super) fn read(source: &mut Source) -> Result<EnvironmentMap, ReadError> {
     // Grows with what the file holds, not with what it claims.
     let mut pixels = Vec::new();
     let mut line = Vec::new();
+    let is_flat = bytes.are_pixels(size.lines.count, size.pixels.count);
     for number in 0..size.lines.count {
         line.clear();
-        if scan_line(&mut bytes, size.pixels.count, &mut line).is_none() {
+        let read = match is_flat {
+            true => plain_line(&mut bytes, size.pixels.count, &mut line),
+            false => scan_line(&mut bytes, size.pixels.count, &mut line),
+        };
+        if read.is_none() {
             let found = format!("damage or the end of the file at byte {}", bytes.at);
             let place = Place::Item("scan line", number as u64);
             return Err(source.malformed(place, format!("{} pixels", size.pixels.count), found));
@@ -83,7 +88,9 @@ impl Header {
             if line.is_empty() {
                 return Ok(header);
             }
-            if let Some((key, value)) = line.split_once('=').filter(|_| !line.starts_with('#')) {
+            // Programs that make pictures of others indent the headers of those: they tell of what was.
+            let counts = !line.starts_with(['#', ' ', '\t']);
+            if let Some((key, value)) = line.split_once('=').filter(|_| counts) {
                 header.take(key.trim(), value.trim(), source)?;
             }
         }
@@ -228,6 +235,13 @@ impl<'a> Bytes<'a> {
         self.take(4).and_then(|bytes| bytes.try_into().ok())
     }
 
+    /// Whether what is left is pixels as they are: exactly as many bytes as they take, and no mark of the new encoding.
+    fn are_pixels(&self, lines: usize, width: usize) -> bool {
+        let left = &self.bytes[self.at..];
+        let fits = lines.checked_mul(width).and_then(|pixels| pixels.checked_mul(4)) == Some(left.len());
+        fits && !left.first_chunk().is_some_and(|first| is_marked(*first, width))
+    }
+
     /// A line of the header, without its end.
     fn line(&mut self) -> Option<String> {
         let rest = self.bytes.get(self.at..MOST_HEADER.min(self.bytes.len()))?;
@@ -241,14 +255,23 @@ impl<'a> Bytes<'a> {
 fn scan_line(bytes: &mut Bytes, width: usize, line: &mut Vec<Rgbe>) -> Option<()> {
     let begin = bytes.at;
     let first = bytes.pixel()?;
-    let marked =
-        first[0] == 2 && first[1] == 2 && usize::from(first[2]) << 8 | usize::from(first[3]) == width;
-    if marked && NEW_WIDTHS.contains(&width) {
+    if is_marked(first, width) {
         line.resize(width, [0; 4]);
         return (0..4).try_for_each(|channel| new_channel(bytes, line, channel));
     }
     bytes.at = begin;
     old_line(bytes, width, line)
+}
+
+/// Whether a line of this width begins as those of the new encoding do.
+fn is_marked([r, g, b, e]: Rgbe, width: usize) -> bool {
+    [r, g] == [2, 2] && usize::from(b) << 8 | usize::from(e) == width && NEW_WIDTHS.contains(&width)
+}
+
+/// Pixels as they are, whatever they look like.
+fn plain_line(bytes: &mut Bytes, width: usize, line: &mut Vec<Rgbe>) -> Option<()> {
+    line.extend(bytes.take(4 * width)?.as_chunks().0);
+    Some(())
 }
 
 /// The new encoding: the line's bytes of one channel, as runs and as they are.

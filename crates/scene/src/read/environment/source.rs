@@ -53,6 +53,15 @@ impl Source<'_> {
         Ok(())
     }
 
+    /// Brings CIE XYZ to linear sRGB. These are colours as they are: there is no white that they were balanced for.
+    pub(super) fn convert_xyz(&mut self, pixels: &mut [[f32; 3]]) {
+        let matrix = RgbSpace::LINEAR_SRGB.from_xyz_matrix();
+        for pixel in pixels {
+            *pixel = matrix.apply(pixel.map(f64::from)).map(|value| value as f32);
+        }
+        self.notes.add("the channels are CIE XYZ; the colours are converted");
+    }
+
     /// Brings pixels of other primaries to those of sRGB; their white becomes D65. Primaries that span no colours are
     /// ignored, with a remark.
     pub(super) fn convert_to_srgb(&mut self, pixels: &mut [[f32; 3]], space: &RgbSpace) {

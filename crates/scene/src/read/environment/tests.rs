@@ -120,6 +120,28 @@ fn exposure_and_colour_correction_of_radiance_are_undone() {
 }
 
 #[test]
+fn headers_of_other_pictures_within_the_header_of_radiance_do_not_count() {
+    let header = "pcomb a.hdr b.hdr\n\tEXPOSURE=4\n\tPRIMARIES=0.64 0.33 0.29 0.6 0.15 0.06 0.333 0.333\n";
+    let (map, notes) = read(&radiance(header, "-Y 1 +X 2", &flat(&FOUR)));
+    assert_eq!((map.pixels[0], notes), ([1.0, 0.5, 0.25], vec![]));
+}
+
+#[test]
+fn radiance_pixels_as_they_are_may_look_like_runs() {
+    let gray: Rgbe = [1, 1, 1, 136];
+    let (map, _) = read(&radiance("", "-Y 2 +X 2", &flat(&[gray; 4])));
+    assert_eq!(map.pixels, [[1.0; 3]; 4]);
+}
+
+#[test]
+fn a_radiance_picture_may_begin_with_another_line() {
+    let bytes = radiance("", "-Y 1 +X 2", &flat(&FOUR));
+    let rest = bytes.iter().position(|byte| *byte == b'\n').unwrap();
+    let (map, _) = read(&[&b"Xim format conversion by:"[..], &bytes[rest..]].concat());
+    assert_eq!(map.pixels[0], [1.0, 0.5, 0.25]);
+}
+
+#[test]
 fn other_primaries_are_converted_and_white_stays_white() {
     let gray = [128, 128, 128, 129];
     // Radiance's own: those of CRTs with the white E.
@@ -268,7 +290,9 @@ fn chromaticities_of_exr_may_be_those_of_xyz_or_none() {
     };
     let (map, notes) = with((0.0, 0.0), (1.0 / 3.0, 1.0 / 3.0));
     assert!(notes[0].contains("are converted"), "{notes:?}");
-    assert!(map.pixels[0].iter().all(|value| (value - 1.0).abs() < 1e-6), "{:?}", map.pixels[0]);
+    // X = Y = Z = 1 by the matrix of IEC 61966-2-1: a colour as it is, not a white that becomes D65.
+    let expected = [1.2048, 0.9483, 0.9089];
+    assert!(map.pixels[0].iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-3), "{:?}", map.pixels[0]);
     let (map, notes) = with((0.0, 1.0), (0.0, 0.0));
     assert_eq!(map.pixels[0], [1.0; 3]);
     assert!(notes[0].contains("span no colours and are ignored"), "{notes:?}");

@@ -183,6 +183,12 @@ impl Definition {
     ) -> Result<Material, ReadError> {
         let mut block = self.block.clone();
         block.specular = self.highlight(name, &mut context.notes);
+        if self.base_color.is_some() && block.diffuse.is_black() {
+            let note =
+                "MTL: 'Kd 0 0 0' beside 'map_Kd' would leave nothing of the picture: it is taken as 1 1 1";
+            context.notes.add_at(note, of_material(name));
+            block.diffuse = Rgb::gray(1.0).into();
+        }
         if self.emission.is_some() && block.emission.is_black() {
             block.emission = Rgb::gray(1.0).into();
         }

@@ -383,6 +383,17 @@ fn names_keep_a_number_sign_unless_it_begins_a_comment() {
 }
 
 #[test]
+fn a_picture_is_not_multiplied_by_black() {
+    let png = texture::tests::png(1, 1, &[200, 100, 50, 255]);
+    let (material, notes) = material_of("Kd 0 0 0\nmap_Kd w.png\n", &[("w.png", &png)]);
+    let (white, _) = material_of("Kd 1 1 1\nmap_Kd w.png\n", &[("w.png", &png)]);
+    assert_eq!(material, white);
+    assert!(notes.iter().any(|note| note.contains("is taken as 1 1 1")), "{notes:?}");
+    let (black, notes) = material_of("Kd 0 0 0\n", &[]);
+    assert!(black != white && !notes.iter().any(|note| note.contains("is taken as 1 1 1")));
+}
+
+#[test]
 fn pictures_of_other_machines_are_looked_for_beside_the_model() {
     let wood = texture::tests::png(1, 1, &[10, 20, 30, 255]);
     let mtl = "map_Kd C:\\Users\\somebody\\wood.png\n";

@@ -5,6 +5,8 @@ use std::io::{self, BufRead};
 use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::lines::{Lines, number};
+use crate::read::notes::Notes;
+
 use super::header::{Encoding, Property, Scalar};
 
 /// A reader of values.
@@ -18,6 +20,8 @@ pub(super) struct Text<'a, R> {
     lines: Lines<'a, R>,
     /// How much of the line has been read.
     used: usize,
+    /// The first line with more values than the header tells, and how many there are.
+    overlong: Option<(Place, u64)>,
     file: &'a str,
 }
 
@@ -34,7 +38,12 @@ impl<'a, R: BufRead> Body<'a, R> {
     /// The body behind a header of so many lines.
     pub(super) fn new(reader: R, encoding: Encoding, file: &'a str, line: u64) -> Self {
         match encoding {
-            Encoding::Text => Self::Text(Text { lines: Lines::from_line(reader, file, line), used: 0, file }),
+            Encoding::Text => Self::Text(Text {
+                lines: Lines::from_line(reader, file, line),
+                used: 0,
+                overlong: None,
+                file,
+            }),
             _ => Self::Binary(Binary { reader, big: encoding == Encoding::Big, file, item: ("record", 0) }),
         }
     }
@@ -56,13 +65,22 @@ impl<'a, R: BufRead> Body<'a, R> {
         }
     }
 
-    /// Ends the record: nothing of it may be left.
-    pub(super) fn end(&mut self) -> Result<(), ReadError> {
-        match self {
-            Self::Text(text) if !text.lines.line()[text.used..].trim_ascii().is_empty() => {
-                Err(text.lines.expected("no more values than the header tells"))
-            }
-            _ => Ok(()),
+    /// Ends the record. What is left of its line is passed over.
+    pub(super) fn end(&mut self) {
+        if let Self::Text(text) = self
+            && !text.lines.line()[text.used..].trim_ascii().is_empty()
+        {
+            let place = text.lines.place();
+            text.overlong.get_or_insert((place, 0)).1 += 1;
+        }
+    }
+
+    /// Tells of the lines with more values than the header tells.
+    pub(super) fn tell(self, notes: &mut Notes) {
+        if let Self::Text(Text { overlong: Some((place, count)), .. }) = self {
+            let note =
+                format!("PLY: more values in a line than the header tells are passed over ({count} lines)");
+            notes.add_at(&note, place);
         }
     }
 

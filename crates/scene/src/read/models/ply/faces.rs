@@ -54,7 +54,7 @@ impl FaceData {
                     (None, _) => drop(body.scalar(property.scalar)?),
                 }
             }
-            body.end()?;
+            body.end();
             let listed = mesh.corners.len() - first;
             if !close_face(mesh, first) {
                 dropped += 1;

@@ -47,6 +47,7 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
             context.notes.add(&format!("PLY: the property '{name}' of '{}' is ignored", element.name));
         }
     }
+    body.tell(&mut context.notes);
     check_corners(&mesh, context.file)?;
     let mut mesh = data.give_to(mesh);
     drop_faces_without_positions(&mut mesh, &mut context.notes);
@@ -94,7 +95,7 @@ fn read_vertices<R: BufRead>(
                 vertex.set(role, value, property.scalar);
             }
         }
-        body.end()?;
+        body.end();
         if mesh.positions.len() >= u32::MAX as usize {
             return Err(ReadError::malformed(context.file, body.place(), "at most 2^32 vertices", "more"));
         }
@@ -142,7 +143,7 @@ fn read_strips<R: BufRead>(
                 (None, _) => drop(body.scalar(property.scalar)?),
             }
         }
-        body.end()?;
+        body.end();
     }
     Ok(())
 }
@@ -161,7 +162,7 @@ fn skip<R: BufRead>(element: &Element, body: &mut Body<'_, R>) -> Result<(), Rea
                 None => drop(body.scalar(property.scalar)?),
             }
         }
-        body.end()?;
+        body.end();
     }
     Ok(())
 }

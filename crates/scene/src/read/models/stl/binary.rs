@@ -44,6 +44,9 @@ pub(super) fn read(
         }
     }
     colors.tell(context);
+    if colors.are_none() {
+        weld.mesh.colors = Vec::new();
+    }
     weld.mesh.name = name_of(&head[..80]);
     Ok(weld)
 }
@@ -71,12 +74,25 @@ fn facet_count(head: &[u8], len: u64, context: &mut Context<'_>) -> Result<u64, 
 /// What the two bytes after each facet mean: 15 bits of colour, five for each channel, and one that tells whether they
 /// are one.
 struct Colors {
-    /// The colour of all other facets, by Materialise Magics, whose header says so.
-    magics: Option<Vec3>,
+    writer: Writer,
+    /// The bytes of the first facet, and whether those of all others are the same.
+    first: Option<u16>,
+    same: bool,
     /// Facets with a colour of their own.
     colored: u64,
     /// Facets with bytes that are none.
     others: u64,
+}
+
+/// Who wrote the colours, and the colour of facets that have none.
+#[derive(Clone, Copy)]
+enum Writer {
+    /// Materialise Magics: `COLOR=` and four bytes in the header; a facet has a colour where its bit is not set.
+    Magics(Vec3),
+    /// The VCG library, as in MeshLab: `COLOR=`, three bytes and ` MATERIAL=`; a facet has a colour where its bit is set.
+    Vcg(Vec3),
+    /// VisCAM and SolidView: nothing in the header; a facet has a colour where its bit is set, blue in the lowest bits.
+    VisCam,
 }
 
 /// The number of the colour that the header says.
@@ -84,40 +100,67 @@ const OF_ALL: u16 = 1 << 15;
 
 impl Colors {
     fn of(head: &[u8]) -> Self {
-        const KEY: &[u8] = b"COLOR=";
-        let header = &head[..80];
-        let at = header.windows(KEY.len()).position(|word| word == KEY).map(|at| at + KEY.len());
-        let color = at.and_then(|at| header.get(at..at + 3));
-        let magics = color.map(|codes| linear([0, 1, 2].map(|channel| f32::from(codes[channel]) / 255.0)));
-        Self { magics, colored: 0, others: 0 }
+        Self { writer: Writer::of(&head[..80]), first: None, same: true, colored: 0, others: 0 }
     }
 
     /// The number and the value of a facet's colour.
     fn paint(&mut self, word: u16) -> Option<(u16, Vec3)> {
+        self.same &= *self.first.get_or_insert(word) == word;
         let (number, marked) = (word & !OF_ALL, word & OF_ALL != 0);
         let channels = [0, 5, 10].map(|shift| f32::from(number >> shift & 31) / 31.0);
-        let own = self.magics.is_some() != marked;
+        let own = marked != matches!(self.writer, Writer::Magics(_));
         self.colored += u64::from(own);
-        match self.magics {
-            Some(_) if own => Some((number, linear(channels))),
-            Some(color) => Some((OF_ALL, color)),
-            None if own => Some((number, linear([channels[2], channels[1], channels[0]]))),
-            None => {
+        match self.writer {
+            Writer::VisCam if own => Some((number, linear([channels[2], channels[1], channels[0]]))),
+            Writer::VisCam => {
                 self.others += u64::from(word != 0);
                 None
             }
+            Writer::Magics(_) | Writer::Vcg(_) if own => Some((number, linear(channels))),
+            Writer::Magics(color) | Writer::Vcg(color) => Some((OF_ALL, color)),
+        }
+    }
+
+    /// Whether the bytes of all facets say nothing: all are 0, or all have the bit alone where no header has a colour.
+    fn are_none(&self) -> bool {
+        match (self.first, self.writer) {
+            (None | Some(0), _) | (Some(OF_ALL), Writer::VisCam) => self.same,
+            _ => false,
         }
     }
 
     fn tell(&self, context: &mut Context<'_>) {
-        let note = match self.magics {
-            Some(_) => "STL: colours of facets are read as Magics writes them, red in the lowest bits",
-            None => {
+        if self.are_none() {
+            return;
+        }
+        let note = match self.writer {
+            Writer::Magics(_) => {
+                "STL: colours of facets are read as Magics writes them, red in the lowest bits"
+            }
+            Writer::Vcg(_) => {
+                "STL: colours of facets are read as MeshLab writes them, red in the lowest bits"
+            }
+            Writer::VisCam => {
                 "STL: colours of facets are read as VisCAM and SolidView write them, blue in the lowest bits"
             }
         };
         context.notes.add_times(note, self.colored);
         context.notes.add_times("STL: bytes after facets that are no colours are ignored", self.others);
+    }
+}
+
+impl Writer {
+    fn of(header: &[u8]) -> Self {
+        const KEY: &[u8] = b"COLOR=";
+        let at = header.windows(KEY.len()).position(|word| word == KEY).map(|at| at + KEY.len());
+        let Some((codes, rest)) = at.and_then(|at| header[at..].split_first_chunk::<3>()) else {
+            return Self::VisCam;
+        };
+        let color = linear(codes.map(|code| f32::from(code) / 255.0));
+        match rest.starts_with(b" MATERIAL=") {
+            true => Self::Vcg(color),
+            false => Self::Magics(color),
+        }
     }
 }
 

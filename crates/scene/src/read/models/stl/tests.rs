@@ -175,6 +175,18 @@ fn colours_of_facets_are_read_in_both_dialects() {
     let other = colored(b"", [0x801f, 0x03e0]);
     assert_eq!((of(&other, 0), of(&other, 1)), ([0.0, 0.0, 1.0], [1.0, 1.0, 1.0]));
     assert!(has(&other, "colours of facets are read as VisCAM and SolidView write them"));
+    let vcg = colored(b"COLOR=\x00\xff\x00 MATERIAL=", [0x801f, 0x0000]);
+    assert_eq!((of(&vcg, 0), of(&vcg, 1)), ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+    assert!(has(&vcg, "as MeshLab writes them"));
+    // Writers that know no colours: the bytes of all facets are 0, or all have the bit alone.
+    for (head, words) in [
+        (&b"COLOR=\x7f\x7f\x7f MATERIAL="[..], [0, 0]),
+        (b"COLOR=\xff\x00\xff\xff", [0, 0]),
+        (b"STLB", [0x8000, 0x8000]),
+    ] {
+        let plain = colored(head, words);
+        assert!(plain.meshes[0].colors.is_empty() && !has(&plain, "facets are read"), "{:?}", plain.notes);
+    }
     let none = colored(b"", [0x1234, 0]);
     assert!(none.meshes[0].colors.is_empty() && has(&none, "bytes after facets"));
     assert!(!colored(b"", [0, 0]).notes.iter().any(|note| note.contains("facets are read")));
