@@ -1,7 +1,9 @@
-//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `cases`, `gallery`, `bench`, `data`, `licenses`.
+//! Every task of the workspace: `cargo xtask test`, `golden`, `renew`, `cases`, `gallery`, `bench`, `data`, `licenses`,
+//! `advisories`.
 
 #![expect(clippy::print_stdout, reason = "a command talks on its standard output")]
 
+mod advisories;
 mod bench;
 mod cases;
 mod data;
@@ -55,6 +57,8 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --check        write nothing there, only say whether they are what the script writes
   licenses  Write crates/cli/data/THIRD-PARTY.txt: the libraries of the command and their licences
               --check        write nothing, only say whether it is as it would be written, and every licence permissive
+  advisories [FOLDER]
+            Check the libraries of Cargo.lock against the advisories in xtask/advisories, or a folder with all of RustSec's
   help      Print this text
 
 Example: cargo xtask test --keep-going";
@@ -70,6 +74,7 @@ enum Task {
     Bench(bench::Options),
     Data { check: bool },
     Licenses { check: bool },
+    Advisories { folder: Option<PathBuf> },
     Help,
 }
 
@@ -104,6 +109,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Data { check: false } => data::renew(&workspace),
         Task::Licenses { check: true } => licenses::check(&workspace),
         Task::Licenses { check: false } => licenses::renew(&workspace),
+        Task::Advisories { folder } => advisories::check(&workspace, folder.as_deref()),
         Task::Help => {
             println!("{HELP}");
             Ok(())
@@ -123,15 +129,19 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
             Long("only") => only = Some(parser.value()?.string()?),
             Long(flag) => flags.push(flag.to_owned()),
             Value(value) if name.is_none() => name = Some(value.string()?),
-            Value(value) if name.as_deref() == Some("cases") && folder.is_none() => {
+            Value(value) if matches!(name.as_deref(), Some("cases" | "advisories")) && folder.is_none() => {
                 folder = Some(PathBuf::from(value));
             }
             other => return Err(other.unexpected()),
         }
     }
-    if name.as_deref() == Some("cases") && flags.is_empty() && only.is_none() {
-        let folder = folder.ok_or("this task needs a folder with cases")?;
-        return Ok(Task::Cases { folder });
+    match name.as_deref() {
+        Some("cases") if flags.is_empty() && only.is_none() => {
+            let folder = folder.ok_or("this task needs a folder with cases")?;
+            return Ok(Task::Cases { folder });
+        }
+        Some("advisories") if flags.is_empty() && only.is_none() => return Ok(Task::Advisories { folder }),
+        _ => {}
     }
     let task = task(name.as_deref(), &mut only, &mut flags)?;
     if only.is_some() {
@@ -194,6 +204,8 @@ mod tests {
         assert_eq!(parsed("test --only gold"), Ok(Task::Test(test::Options { only, ..Default::default() })));
         assert!(parsed("golden --only gold").is_err());
         assert_eq!(parsed("data --check"), Ok(Task::Data { check: true }));
+        assert_eq!(parsed("advisories"), Ok(Task::Advisories { folder: None }));
+        assert_eq!(parsed("advisories db"), Ok(Task::Advisories { folder: Some("db".into()) }));
         assert_eq!(parsed("golden --renew"), Ok(Task::Golden { renew: true }));
         assert_eq!(parsed("renew --pictures"), Ok(Task::Renew { pictures: true }));
         assert_eq!(parsed("test --renew"), Err("this task has no option '--renew'".to_owned()));

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, Workspace, run, run_quietly, works};
 use crate::{
-    Failure, Result, data, features, gallery, golden, library_examples, licenses, packages, reference, tour,
-    wasm,
+    Failure, Result, advisories, data, features, gallery, golden, library_examples, licenses, packages,
+    reference, tour, wasm,
 };
 
 /// How much is checked.
@@ -69,6 +69,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             .env("RUSTDOCFLAGS", "-D warnings"))
     });
     steps.run("licences of libraries", || licenses::check(workspace));
+    steps.run("advisories", || advisories::check(workspace, None));
     steps.run("packages", || packages::check(workspace));
     steps.run("features", || features::check(workspace));
     steps.run("libraries without threads", || features::check_serial(workspace));
