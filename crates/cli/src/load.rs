@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 use std::sync::OnceLock;
 
+use glanz_math::MemoryBudget;
 use glanz_scene::file::{FileError, LoadOptions};
 use glanz_scene::read::ReadError;
 use glanz_scene::{OpenError, Opened, Scene, is_scene_file, open, open_str};
@@ -30,7 +31,7 @@ impl InputArgs {
     /// `camera` names is among the input's cameras.
     pub(crate) fn load(&self, camera: Option<&CameraArgs>, more: More<'_>) -> Result<Input, Failure> {
         let sets = self.set.iter().chain(more.values).cloned().collect();
-        let mut options = LoadOptions { allow_outside: self.allow_outside, sets };
+        let mut options = LoadOptions { allow_outside: self.allow_outside, sets, memory: self.memory };
         // A scene finds a camera of its models itself, if its own `camera` is a name.
         let is_scene = self.is_stdin() || is_scene_file(&self.input);
         let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
@@ -103,7 +104,8 @@ fn stdin_text() -> Result<&'static str, Failure> {
 
 /// The input that a scene made in code is.
 pub(crate) fn input_of_stage(scene: Scene) -> Input {
-    Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true }
+    let memory = MemoryBudget::default();
+    Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true, memory }
 }
 
 /// Tells an error of a scene file with the line that it is in, or of a value from the command line with its option.

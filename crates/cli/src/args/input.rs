@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
+use glanz_math::MemoryBudget;
 
 use super::{ProgramArgs, values};
 
@@ -25,6 +26,10 @@ pub(crate) struct InputArgs {
     /// Let the scene name files outside its own folder
     #[arg(long, help_heading = "Scene")]
     pub allow_outside: bool,
+
+    /// How much memory the scene and its picture may take, in B, kB, MB, GB or GiB: more is refused beforehand
+    #[arg(long, value_name = "SIZE", default_value_t, help_heading = "Machine")]
+    pub memory: MemoryBudget,
 
     #[command(flatten)]
     pub program: ProgramArgs,

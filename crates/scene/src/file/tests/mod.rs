@@ -4,6 +4,7 @@ mod errors;
 mod library;
 mod lights;
 mod materials;
+mod memory;
 mod programs;
 mod proptests;
 mod remarks;
@@ -267,7 +268,7 @@ fn per_object_settings_differ_from_the_scenes() {
 /// Loads with overrides.
 pub(super) fn set(text: &str, sets: &[(&str, &str)]) -> Result<Loaded, FileError> {
     let sets = sets.iter().map(|(path, value)| ((*path).to_owned(), (*value).to_owned())).collect();
-    parse_str(text, &examples(), &LoadOptions { allow_outside: false, sets })
+    parse_str(text, &examples(), &LoadOptions { sets, ..LoadOptions::default() })
 }
 
 #[test]
@@ -344,7 +345,7 @@ impl Scratch {
     }
 
     fn load(&self, allow_outside: bool) -> Result<Loaded, FileError> {
-        load(&self.0.join("scenes/scene.toml"), &LoadOptions { allow_outside, sets: Vec::new() })
+        load(&self.0.join("scenes/scene.toml"), &LoadOptions { allow_outside, ..LoadOptions::default() })
     }
 }
 

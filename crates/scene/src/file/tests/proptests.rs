@@ -103,7 +103,7 @@ proptest! {
         path in "(image|camera|lights|objects|materials|x)?(\\.(a|0|1|mesh|color|width|eye|lobes|name)){0,4}",
         value in "(\\[?[0-9.e-]{0,4},?[a-z'#={}]{0,5}\\]?|.{0,8})",
     ) {
-        let options = LoadOptions { allow_outside: false, sets: vec![(path, value)] };
+        let options = LoadOptions { sets: vec![(path, value)], ..LoadOptions::default() };
         check(parse_str(TEXTS[text], Path::new("."), &options))?;
     }
 }
