@@ -99,8 +99,8 @@ impl CompareArgs {
         let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();
         let error = (!broken.is_empty())
             .then(|| Report::new(format_args!("the pictures differ too much: {}", broken.join("; "))));
-        self.tell(target.as_ref(), &pair, &measured, error.as_ref())?;
-        error.map_or(Ok(()), |error| Err(error.judged()))
+        let told = self.tell(target.as_ref(), &pair, &measured, error.as_ref());
+        Report::of_judged(error, told)
     }
 
     fn bounds(&self) -> impl Iterator<Item = &Threshold> {

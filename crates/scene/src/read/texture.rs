@@ -52,7 +52,7 @@ pub(super) fn decode(
     // The decoder's picture and the texels are there at once.
     let both = (u64::from(decoder.color_type().bytes_per_pixel()) + 4) * u64::from(width) * u64::from(height);
     let over = |over| ReadError::memory(file, place.clone(), over);
-    memory.check(format_args!("decoding {width}×{height} texels"), both).map_err(over)?;
+    memory.check(format_args!("a texture of {width}×{height} texels"), both).map_err(over)?;
     spend((width, height), file, &place, memory)?;
     let rgba = DynamicImage::from_decoder(decoder).map_err(picture)?.into_rgba8();
     Ok(Texture { width, height, rgba: rgba.into_raw(), srgb: true, ..Texture::default() })

@@ -65,7 +65,7 @@ fn errors_say_what_was_expected_and_point_at_the_value() {
         ("[camera]\neye = [0, 0, 1]\nheight = 2".into(), "'height' needs projection = \"orthographic\"", "2"),
         (
             "[camera]\neye = [0, 0, 1]\nfov_deg = 180".into(),
-            "expected degrees greater than 0 and less than 180, found 180",
+            "expected degrees between 0.001 and 179.999, found 180",
             "180",
         ),
         ("camera = 'Eye'".into(), "unknown camera 'Eye'", "'Eye'"),
