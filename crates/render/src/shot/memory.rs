@@ -22,12 +22,15 @@ impl Shot {
         // A frame that an eye looks at, or of more channels, is there beside what the screen shows of it.
         let is_frame = more > 0 || self.sight.seeing.is_some();
         let seen = if is_frame { CHANNELS + more } else { 0 };
+        // Files of light hold the channels of an observer beside what the screen shows.
+        let observer = self.prepared.observation().observer();
+        let copies = observer.map_or(0, |_| CHANNELS + 3 + more);
         let (floats, codes, what) = match kind {
             // The codes, and rows on their way into the file. Measured: 7.1 bytes.
             PictureKind::Codes8 if !is_frame => (0, 8, "in 8 bits"),
             PictureKind::Codes8 => (CHANNELS + seen, 4, "in 8 bits"),
             PictureKind::Codes16 => (CHANNELS + seen, 8, "in 16 bits"),
-            PictureKind::Light => (CHANNELS + SURFACES + more + seen, 0, "of linear light"),
+            PictureKind::Light => (CHANNELS + SURFACES + more + copies.max(seen), 0, "of linear light"),
             PictureKind::Spectrum => (SPECTRUM, 0, "of spectra"),
         };
         let bytes = u64::from(width) * u64::from(height) * (4 * floats + codes);
