@@ -232,7 +232,7 @@ fn with_shadows_what_is_out_of_reach_is_refused() {
 fn refused(scene: &Scene, bytes: u64) -> String {
     let memory = MemoryBudget::of_bytes(bytes);
     let options = PrepareOptions { memory, ..PrepareOptions::default() };
-    glanz_render::prepare(scene, &options).unwrap_err().to_string()
+    glanz_render::prepare(scene, &options).expect_err("it is too large").to_string()
 }
 
 #[test]
@@ -253,11 +253,11 @@ fn triangles_and_their_shadows_beyond_the_budget_are_refused() {
 #[test]
 fn pictures_beyond_the_budget_are_refused() {
     let scene = empty(camera(3.0, 50.0)).with_size(1000, 1000);
-    let mut options = ShotOptions::of(&scene).unwrap();
+    let mut options = ShotOptions::of(&scene).expect("the settings fit");
     options.prepare.memory = MemoryBudget::of_bytes(20_000_000);
-    let mut shot = Shot::with(&scene, options).unwrap();
+    let mut shot = Shot::with(&scene, options).expect("the scene is small");
     assert!(shot.picture(PictureKind::Codes8, &mut |_| ()).is_ok());
-    let found = shot.picture(PictureKind::Codes16, &mut |_| ()).unwrap_err().to_string();
+    let found = shot.picture(PictureKind::Codes16, &mut |_| ()).expect_err("it is too large").to_string();
     assert!(found.contains("for a picture of 1000×1000 pixels in 16 bits"), "{found}");
 }
 
