@@ -96,6 +96,6 @@ fn triangles_are_within_the_budget_however_they_come_in() {
     let many = "[[objects]]\nmesh = 'quad'\n".repeat(NODES as usize / 2);
     let found = folder.parse(&many, bytes - 1).unwrap_err();
     assert!(folder.parse(&many, bytes).is_ok() && found.contains(&asked), "{found}");
-    let cut = "[[objects]]\nmesh = 'quad'\nsubdivide = 20\n";
+    let cut = "[[objects]]\nmesh = { sphere = { slices = 500, stacks = 101 } }\nsubdivide = 7\n";
     assert!(folder.parse(cut, u64::MAX).unwrap_err().contains("expected at most 500000000 triangles"));
 }
