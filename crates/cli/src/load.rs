@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 use std::sync::OnceLock;
 
+use glanz_math::MemoryBudget;
 use glanz_scene::file::{FileError, LoadOptions};
 use glanz_scene::read::ReadError;
 use glanz_scene::{OpenError, Opened, Scene, is_scene_file, open, open_str};
@@ -36,7 +37,12 @@ impl InputArgs {
             let message = "--lights is for a model, which may have none; a scene says its lights itself";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let mut options = LoadOptions { allow_outside: self.allow_outside, sets, lights: self.lights };
+        let mut options = LoadOptions {
+            allow_outside: self.allow_outside,
+            sets,
+            lights: self.lights,
+            memory: self.memory,
+        };
         let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
         options.sets.extend(camera.map(|name| ("camera".to_owned(), format!("{name:?}"))));
         let opened = match self.is_stdin() {
@@ -107,7 +113,8 @@ fn stdin_text() -> Result<&'static str, Failure> {
 
 /// The input that a scene made in code is.
 pub(crate) fn input_of_stage(scene: Scene) -> Input {
-    Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true }
+    let memory = MemoryBudget::default();
+    Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true, memory }
 }
 
 /// Tells an error of a scene file with the line that it is in, or of a value from the command line with its option.

@@ -29,13 +29,19 @@ Examples:
   glanz render scene.toml -o picture.exr --size 3840x2160
   glanz info model.glb";
 
+/// Shown after the examples.
+const VARIABLES: &str = "\
+Environment:
+  GLANZ_SIMD  The SIMD instructions that draw, for measurements: sse2, avx2, avx512, neon, simd128, scalar;
+              pictures are the same bytes with each [default: the best that the processor has]";
+
 /// Draw real things under real lights, and tell how right the picture is
 #[derive(Parser, Debug)]
 #[command(
     name = "glanz",
     version,
     max_term_width = 100,
-    after_help = format!("{EXAMPLES}\n\n{}", print::failure::EXIT_CODES)
+    after_help = format!("{EXAMPLES}\n\n{VARIABLES}\n\n{}", print::failure::EXIT_CODES)
 )]
 struct Cli {
     #[command(subcommand)]

@@ -6,7 +6,7 @@ use glanz_picture::compare::frames::Developed;
 use glanz_picture::output::{PictureData, PictureKind};
 use glanz_picture::{Develop, Frame, develop};
 use glanz_plot::Canvas;
-use glanz_render::{Aovs, Shot, ShotError, ShotOptions, View, takes_several_frames};
+use glanz_render::{Aovs, PrepareOptions, Shot, ShotError, ShotOptions, View, takes_several_frames};
 use glanz_scene::{Camera, Scene, Shading};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
@@ -40,7 +40,7 @@ impl Plan {
         let seen = look.color.resolve(&input.scene, draw.show)?;
         let develop = develop.resolve(&input.scene.render)?;
         let options = ShotOptions {
-            prepare: look.prepare_options(seen.observation),
+            prepare: PrepareOptions { memory: input.memory, ..look.prepare_options(seen.observation) },
             draw,
             ev: develop.ev,
             tone_map: develop.tone_map,
@@ -99,6 +99,7 @@ pub(crate) fn picture(
     timings: &mut Timings,
     progress: &mut Progress,
 ) -> Result<PictureData, Failure> {
+    shot.check_memory(kind)?;
     let (width, height) = (shot.view().width as usize, shot.view().height as usize);
     match kind {
         PictureKind::Codes8 => Ok(codes(shot, timings, progress)?.into()),

@@ -1,4 +1,4 @@
-//! Numbers for Glanz, and names as people type them ([`names`]).
+//! Numbers for Glanz, names as people type them ([`names`]), and what a machine has: [`SimdLevel`], [`MemoryBudget`].
 //!
 //! Every formula of the project is written once, generic over [`Real`], and runs as `f64` (the
 //! reference), as `f32` and as 16 lanes of `f32` ([`Lanes`]). The three agree by
@@ -29,6 +29,7 @@ mod function;
 pub mod inline;
 mod lanes;
 mod level;
+mod memory;
 pub mod names;
 mod poly;
 mod quadrature;
@@ -42,6 +43,7 @@ pub use exponent::Exponent;
 pub use function::RealFunction;
 pub use lanes::{Lanes, LanesMask};
 pub use level::{LevelError, SimdLevel, narrowest};
+pub use memory::{MemoryBudget, MemorySizeError, OverBudget};
 pub use quadrature::{GaussLegendre, hemisphere, sphere_directions};
 pub use real::{POW_FLOOR_LOG2, Real};
 pub use twice::Twice;

@@ -8,7 +8,9 @@ use common::{
 };
 use glam::{DMat4, DVec3, Vec3};
 use glanz_color::Rgb;
-use glanz_render::{DebugView, DrawOptions, View, ViewError};
+use glanz_math::MemoryBudget;
+use glanz_picture::output::PictureKind;
+use glanz_render::{DebugView, DrawOptions, PrepareOptions, Shot, ShotOptions, View, ViewError};
 use glanz_scene::{
     AlphaMode, Attenuation, Background, Camera, Interpolation, LightKind, Projection, Scene, Shading,
 };
@@ -222,19 +224,52 @@ fn with_shadows_what_is_out_of_reach_is_refused() {
     add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::IDENTITY);
     add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::from_scale(DVec3::splat(1e40)));
     scene.render.shadows = true;
-    let error = glanz_render::prepare(&scene, &glanz_render::PrepareOptions::default()).unwrap_err();
+    let error = glanz_render::prepare(&scene, &PrepareOptions::default()).unwrap_err();
     assert!(error.to_string().contains("within coordinates of 1e12"), "{error}");
 }
 
+/// Why a scene is not prepared within so many bytes.
+fn refused(scene: &Scene, bytes: u64) -> String {
+    let memory = MemoryBudget::of_bytes(bytes);
+    let options = PrepareOptions { memory, ..PrepareOptions::default() };
+    glanz_render::prepare(scene, &options).expect_err("it is too large").to_string()
+}
+
 #[test]
-fn more_pairs_of_lights_and_lobes_than_fit_are_refused() {
+fn triangles_and_their_shadows_beyond_the_budget_are_refused() {
+    let mut scene = empty(camera(3.0, 50.0));
+    add(&mut scene, sphere(100, 51), shiny("phong", 9.0), DMat4::IDENTITY);
+    scene.objects = vec![scene.objects[0].clone(); 100];
+    let found = refused(&scene, 50_000_000);
+    assert!(found.contains("for 1000000 triangles"), "{found}");
+    scene.render.shadows = true;
+    let found = refused(&scene, 200_000_000);
+    assert!(found.contains("for the shadows of 1000000 triangles beside"), "{found}");
+    scene.render.shadows = false;
+    let memory = MemoryBudget::of_bytes(200_000_000);
+    assert!(glanz_render::prepare(&scene, &PrepareOptions { memory, ..PrepareOptions::default() }).is_ok());
+}
+
+#[test]
+fn pictures_beyond_the_budget_are_refused() {
+    let scene = empty(camera(3.0, 50.0)).with_size(1000, 1000);
+    let mut options = ShotOptions::of(&scene).expect("the settings fit");
+    options.prepare.memory = MemoryBudget::of_bytes(20_000_000);
+    let mut shot = Shot::with(&scene, options).expect("the scene is small");
+    assert!(shot.picture(PictureKind::Codes8, &mut |_| ()).is_ok());
+    let found = shot.picture(PictureKind::Codes16, &mut |_| ()).expect_err("it is too large").to_string();
+    assert!(found.contains("for a picture of 1000×1000 pixels in 16 bits"), "{found}");
+}
+
+#[test]
+fn tints_beyond_the_budget_are_refused() {
     let mut scene = empty(camera(3.0, 50.0));
     add(&mut scene, sphere(8, 4), shiny("phong", 9.0), DMat4::IDENTITY);
     add_point_light(&mut scene, DVec3::ONE, Attenuation::PHYSICAL);
-    scene.materials = vec![scene.materials[0].clone(); 10_000];
-    scene.lights = vec![scene.lights[0].clone(); 10_000];
-    let error = glanz_render::prepare(&scene, &glanz_render::PrepareOptions::default()).unwrap_err();
-    assert!(error.to_string().contains("pairs of a light and a lobe"), "{error}");
+    scene.materials = vec![scene.materials[0].clone(); 1000];
+    scene.lights = vec![scene.lights[0].clone(); 1000];
+    let found = refused(&scene, 10_000_000);
+    assert!(found.contains("for the tints of 1000 lights on 1000 materials"), "{found}");
 }
 
 #[test]

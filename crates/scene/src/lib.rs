@@ -25,6 +25,7 @@ pub mod file;
 pub mod library;
 mod light;
 mod material;
+pub mod memory;
 mod mesh;
 mod mistake;
 mod names;

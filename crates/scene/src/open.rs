@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use glam::DMat4;
+use glanz_math::MemoryBudget;
 use thiserror::Error;
 
 use crate::builtin::MAX_TRIANGLES;
 use crate::file::{self, FileError, LoadOptions, Loaded};
+use crate::memory::LEAST_TRIANGLE_BYTES;
 use crate::read::{Model, Place, ReadError, ReadOptions, read_model};
 use crate::{Camera, Scene, exposure};
 
@@ -25,6 +27,8 @@ pub struct Opened {
     pub notes: Vec<String>,
     /// Whether the lights are not the file's own.
     pub default_lights: bool,
+    /// What it was read within; drawing it asks the same budget.
+    pub memory: MemoryBudget,
 }
 
 /// Why a file gives no scene.
@@ -62,7 +66,7 @@ pub fn is_scene_file(path: &Path) -> bool {
 /// If the file cannot be read, or does not say what it should.
 pub fn open(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     match is_scene_file(path) {
-        true => Ok(file::load(path, options).map(Opened::of_loaded)?),
+        true => Ok(Opened::of_loaded(file::load(path, options)?, options)),
         false => open_model(path, options),
     }
 }
@@ -72,17 +76,18 @@ pub fn open(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
 /// # Errors
 /// If the text does not say what it should.
 pub fn open_str(text: &str, base: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
-    Ok(file::parse_str(text, base, options).map(Opened::of_loaded)?)
+    Ok(Opened::of_loaded(file::parse_str(text, base, options)?, options))
 }
 
 fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     let sets_material = options.sets.iter().any(|(path, _)| path.starts_with("materials."));
     let text = if sets_material { MODEL_MATERIAL } else { "" };
     let settings = file::parse_str(text, path.parent().unwrap_or(Path::new("")), options)?;
-    let mut opened = Opened::of_loaded(settings);
-    let read = ReadOptions { allow_outside: options.allow_outside, ..ReadOptions::default() };
+    let mut opened = Opened::of_loaded(settings, options);
+    let LoadOptions { allow_outside, memory, .. } = *options;
+    let read = ReadOptions { allow_outside, memory, ..ReadOptions::default() };
     let mut model = read_model(path, &read)?;
-    check_budget(&model, path)?;
+    check_budget(&model, path, memory)?;
     opened.notes.append(&mut model.notes);
     opened.cameras = core::mem::take(&mut model.cameras);
     if opened.scene.camera.is_none() {
@@ -101,19 +106,17 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     Ok(opened)
 }
 
-/// Refuses a model that uses its meshes so often that they make more triangles than can be drawn.
-fn check_budget(model: &Model, path: &Path) -> Result<(), ReadError> {
-    let found = model.triangle_count() as u64;
-    match found > MAX_TRIANGLES {
-        false => Ok(()),
-        true => Err(ReadError::TooLarge {
-            file: path.display().to_string(),
-            place: Place::File,
-            limit: MAX_TRIANGLES,
-            unit: "triangles in a scene",
-            found,
-        }),
+/// Refuses a model that uses its meshes so often that they make more triangles than can be drawn, or than there is memory for.
+fn check_budget(model: &Model, path: &Path, memory: MemoryBudget) -> Result<(), ReadError> {
+    let (file, place, found) = (path.display().to_string(), Place::File, model.triangle_count() as u64);
+    if found > MAX_TRIANGLES {
+        let (limit, unit) = (MAX_TRIANGLES, "triangles in a scene");
+        return Err(ReadError::TooLarge { file, place, limit, unit, found });
     }
+    let bytes = found * LEAST_TRIANGLE_BYTES;
+    memory
+        .check(format_args!("{found} triangles"), bytes)
+        .map_err(|over| ReadError::memory(&file, place, over))
 }
 
 impl Opened {
@@ -126,9 +129,9 @@ impl Opened {
         ));
     }
 
-    fn of_loaded(loaded: Loaded) -> Self {
+    fn of_loaded(loaded: Loaded, options: &LoadOptions) -> Self {
         let (scene, notes) = (loaded.scene, loaded.notes);
-        Self { scene, cameras: Vec::new(), notes, default_lights: false }
+        Self { scene, cameras: Vec::new(), notes, default_lights: false, memory: options.memory }
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
+use glanz_math::MemoryBudget;
 use glanz_scene::DefaultLights;
 
 use super::{ProgramArgs, values};
@@ -32,6 +33,10 @@ pub(crate) struct InputArgs {
     /// with windows
     #[arg(long, value_name = "WHICH", value_parser = lights(), help_heading = "Scene")]
     pub lights: Option<DefaultLights>,
+
+    /// How much memory the scene and its picture may take, in B, kB, MB, GB or GiB: more is refused beforehand
+    #[arg(long, value_name = "SIZE", default_value_t, help_heading = "Machine")]
+    pub memory: MemoryBudget,
 
     #[command(flatten)]
     pub program: ProgramArgs,

@@ -67,6 +67,7 @@ impl LookArgs {
             interpolation: self.interpolation,
             model: self.model.clone(),
             observation,
+            ..PrepareOptions::default()
         }
     }
 

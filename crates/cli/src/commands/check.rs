@@ -64,14 +64,14 @@ impl CheckArgs {
         };
         let certificates: Vec<_> = lobes.par_iter().map(|lobe| certify(&lobe.shape)).collect();
         let error = self.error(&lobes, &certificates);
-        match self.format.is_json() {
+        let told = match self.format.is_json() {
             true => print::json(&Document {
                 certificates: certificates.iter().map(CertificateFacts::of).collect(),
                 error: error.as_ref().map(Report::facts),
-            })?,
-            false => print::text(&table(&lobes, &certificates))?,
-        }
-        error.map_or(Ok(()), |error| Err(error.judged()))
+            }),
+            false => print::text(&table(&lobes, &certificates)),
+        };
+        Report::of_judged(error, told)
     }
 
     /// What names the laws that fail, if any does.

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
+use glanz_math::MemoryBudget;
 use glanz_picture::compare::{
     CompareError, DEFAULT_PPD, Measurement, Metric, MetricOptions, PPD_RANGE, Pair, Picture as PictureFile,
-    Scale, read_picture,
+    Scale, read_picture_within,
 };
 use glanz_picture::output::Metadata;
 use glanz_plot::heat_map_sheet;
@@ -69,6 +70,10 @@ pub(crate) struct CompareArgs {
     #[arg(long, value_name = "BOUNDS", value_delimiter = ',', value_parser = Threshold::below)]
     fail_below: Vec<Threshold>,
 
+    /// How much memory the comparison may take, in B, kB, MB, GB or GiB: more is refused beforehand
+    #[arg(long, value_name = "SIZE", default_value_t, help_heading = "Machine")]
+    memory: MemoryBudget,
+
     /// A PNG with both pictures and a map of errors for every metric; - for stdout
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, help_heading = "Output")]
     output: Option<PathBuf>,
@@ -84,8 +89,9 @@ impl CompareArgs {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.machine.apply()?;
         let target = self.target()?;
-        let pair = self.pair()?;
-        let measured = self.measure(&pair)?;
+        let mut memory = self.memory;
+        let pair = self.pair(&mut memory)?;
+        let measured = self.measure(&pair, memory)?;
         if let Some(target) = &target {
             let sheet = heat_map_sheet(&pair, self.titles(), &measured)?;
             encode::deliver(sheet.into(), target, &Metadata::default())?;
@@ -93,8 +99,8 @@ impl CompareArgs {
         let broken: Vec<_> = self.bounds().filter_map(|bound| bound.broken_by(&measured)).collect();
         let error = (!broken.is_empty())
             .then(|| Report::new(format_args!("the pictures differ too much: {}", broken.join("; "))));
-        self.tell(target.as_ref(), &pair, &measured, error.as_ref())?;
-        error.map_or(Ok(()), |error| Err(error.judged()))
+        let told = self.tell(target.as_ref(), &pair, &measured, error.as_ref());
+        Report::of_judged(error, told)
     }
 
     fn bounds(&self) -> impl Iterator<Item = &Threshold> {
@@ -120,9 +126,9 @@ impl CompareArgs {
         Ok(Some(target))
     }
 
-    fn pair(&self) -> Result<Pair, Failure> {
-        let read = |path: &Path| -> Result<PictureFile, Failure> {
-            let picture = read_picture(path)
+    fn pair(&self, memory: &mut MemoryBudget) -> Result<Pair, Failure> {
+        let mut read = |path: &Path| -> Result<PictureFile, Failure> {
+            let picture = read_picture_within(path, memory)
                 .map_err(|error| Failure::from(Report::new(without_number(&error.to_string())).file(path)))?;
             for note in &picture.notes {
                 print::note(format_args!("note: {}: {note}", path.display()));
@@ -134,24 +140,32 @@ impl CompareArgs {
     }
 
     /// The metrics that were asked for and those that have a bound, else all that apply, in one order.
-    fn measure(&self, pair: &Pair) -> Result<Vec<Measurement>, Failure> {
+    fn measure(&self, pair: &Pair, mut memory: MemoryBudget) -> Result<Vec<Measurement>, Failure> {
         let mut asked: Vec<Metric> =
             if self.metric.is_empty() { pair.metrics().collect() } else { self.metric.clone() };
         asked.extend(self.bounds().map(|bound| bound.metric));
         let metrics: Vec<_> = Metric::ALL.into_iter().filter(|metric| asked.contains(metric)).collect();
-        let options = MetricOptions { ppd: self.ppd };
         let mut progress = Progress::new(metrics.len(), "metrics");
         let mut measured = Vec::with_capacity(metrics.len());
         for metric in metrics {
-            measured.push(pair.measure(metric, &options).map_err(|error| self.failure(metric, error))?);
+            let options = MetricOptions { ppd: self.ppd, memory };
+            let one = pair.measure(metric, &options).map_err(|error| self.failure(metric, error))?;
+            let map = size_of_val(&one.map[..]) as u64;
+            memory.take(format_args!("the map of {}", metric.name()), map).map_err(Failure::new)?;
+            measured.push(one);
             progress.step();
         }
         Ok(measured)
     }
 
     fn failure(&self, metric: Metric, error: CompareError) -> Failure {
-        let report = Report::new(error);
-        report.help(format_args!("leave out {}, or add --as-shown", metric.name())).into()
+        match error {
+            CompareError::CodesOnly { .. } => {
+                let help = format_args!("leave out {}, or add --as-shown", metric.name());
+                Report::new(&error).help(help).into()
+            }
+            error => Failure::new(error),
+        }
     }
 
     /// The names of the pictures on the sheet.

@@ -277,6 +277,14 @@ impl Report {
         Self { message: harmless(&message.to_string()).into_owned(), ..Self::default() }
     }
 
+    /// The failure of what was judged, once it is told; it is one, too, where nobody reads what is told.
+    pub(crate) fn of_judged(error: Option<Self>, told: Result<(), Failure>) -> Result<(), Failure> {
+        match (told, error) {
+            (Ok(()) | Err(Failure::Closed), Some(error)) => Err(error.judged()),
+            (told, _) => told,
+        }
+    }
+
     /// The failure of something that was judged.
     pub(crate) fn judged(self) -> Failure {
         Failure::Judged(Box::new(self))

@@ -318,3 +318,17 @@ fn stdout_takes_json_or_a_picture_but_not_both() {
         assert!(error(&run)["message"].as_str().unwrap().contains("stdout cannot take both"));
     }
 }
+
+#[test]
+#[cfg(unix)]
+fn what_is_judged_fails_where_nobody_reads_it_too() {
+    let folder = Folder::new();
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = command(&folder.path(""))
+        .args(["check", "ward"])
+        .stdout(writer)
+        .stderr(std::process::Stdio::null())
+        .status();
+    assert_eq!(status.unwrap().code(), Some(1));
+}

@@ -20,6 +20,7 @@ mod materials;
 mod measure;
 mod measure_geometry;
 mod measure_sheet;
+mod memory;
 mod models;
 mod numbers;
 mod pictures;

@@ -1,11 +1,12 @@
 //! Why pictures cannot be compared.
 
+use glanz_math::OverBudget;
 use thiserror::Error;
 
 use super::Metric;
 
 /// Why two pictures could not be compared.
-#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum CompareError {
     /// The sizes differ.
     #[error(
@@ -32,6 +33,9 @@ pub enum CompareError {
         /// The metric.
         metric: Metric,
     },
+    /// A metric takes more memory than it may.
+    #[error(transparent)]
+    Memory(#[from] OverBudget),
     /// The number of pixels per degree is out of bounds.
     #[error("expected {} to {} pixels per degree, found {found}", range.0, range.1)]
     PixelsPerDegree {

@@ -1,19 +1,23 @@
 //! What metrics give.
 
+use glanz_math::MemoryBudget;
+
 use super::metrics::flip::{self, DEFAULT_PPD, Exposures};
 use super::metrics::{de2000, rmse, ssim};
-use super::{CompareError, Metric, Pair, Spread};
+use super::{CompareError, Metric, Pair, Scale, Spread};
 
 /// Settings of metrics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetricOptions {
     /// For ꟻLIP: pixels per degree of the eye's field of view.
     pub ppd: f64,
+    /// What a metric may take of memory beside the pair.
+    pub memory: MemoryBudget,
 }
 
 impl Default for MetricOptions {
     fn default() -> Self {
-        Self { ppd: DEFAULT_PPD }
+        Self { ppd: DEFAULT_PPD, memory: MemoryBudget::default() }
     }
 }
 
@@ -41,22 +45,42 @@ impl Pair {
         Metric::ALL.into_iter().filter(move |metric| metric.applies_to(scale))
     }
 
+    /// What a metric takes beside the pair: its map and a sorted copy of it or, before that, codes; filters work in bands of few rows.
+    fn memory_of(&self, metric: Metric) -> u64 {
+        let per_pixel = match (metric, self.scale) {
+            (Metric::Rmse | Metric::Psnr, Scale::Codes) => 28,
+            _ => 8,
+        };
+        (self.width as u64 * self.height as u64).saturating_mul(per_pixel)
+    }
+
     /// Measures how far the second picture is from the first.
     pub fn measure(&self, metric: Metric, options: &MetricOptions) -> Result<Measurement, CompareError> {
         if !metric.applies_to(self.scale) {
             return Err(CompareError::CodesOnly { metric });
         }
-        let (map, exposures) = match metric {
-            Metric::De2000 => (de2000::map(self), None),
-            Metric::Flip => flip::map(self, options.ppd)?,
-            Metric::Rmse | Metric::Psnr => (rmse::map(self), None),
-            Metric::Ssim => (ssim::map(self), None),
+        let what = format_args!("{} of {}×{} pixels", metric.name(), self.width, self.height);
+        options.memory.check(what, self.memory_of(metric))?;
+        let (mut exposures, mut rmse) = (None, 0.0);
+        let map = match metric {
+            Metric::De2000 => de2000::map(self),
+            Metric::Flip => {
+                let (map, found) = flip::map(self, options.ppd)?;
+                exposures = found;
+                map
+            }
+            Metric::Rmse | Metric::Psnr => {
+                let (map, found) = rmse::map_and_rmse(self);
+                rmse = found;
+                map
+            }
+            Metric::Ssim => ssim::map(self),
         };
         let spread = Spread::of(&map);
         let value = match metric {
             Metric::De2000 | Metric::Flip => spread.mean,
-            Metric::Rmse => rmse::rmse(self),
-            Metric::Psnr => rmse::psnr(rmse::rmse(self)),
+            Metric::Rmse => rmse,
+            Metric::Psnr => rmse::psnr(rmse),
             Metric::Ssim => ssim::mean(self, &map),
         };
         Ok(Measurement { metric, value, spread, map, exposures })

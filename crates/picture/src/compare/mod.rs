@@ -10,6 +10,11 @@
 //!
 //! **Alpha.** Pictures are laid over black, in linear light: what shows nothing is black.
 //!
+//! **Memory.** A picture takes 12 bytes a pixel; what reading and metrics hold beside it is asked of a [`MemoryBudget`] first
+//! ([`read_picture_within`], [`MetricOptions::memory`]).
+//!
+//! [`MemoryBudget`]: glanz_math::MemoryBudget
+//!
 //! Sums run in `f64` in the order of the rows, and all functions are those of `libm`, so numbers do not
 //! depend on the machine or on the number of threads.
 //!
@@ -26,6 +31,7 @@
 //! # Ok::<(), glanz_picture::compare::CompareError>(())
 //! ```
 
+mod bands;
 mod error;
 pub mod frames;
 mod heat;
@@ -49,5 +55,7 @@ pub use metric::Metric;
 pub use metrics::flip::{DEFAULT_PPD, Exposures, PPD_RANGE};
 pub use pair::Pair;
 pub use picture::{Picture, Scale};
-pub use read::{MAX_PIXELS, MAX_SIDE, ReadError, decode_picture, read_picture};
+pub use read::{
+    MAX_PIXELS, MAX_SIDE, ReadError, decode_picture, decode_picture_within, read_picture, read_picture_within,
+};
 pub use spread::Spread;

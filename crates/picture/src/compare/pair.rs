@@ -1,5 +1,8 @@
 //! Two pictures of one size.
 
+use core::ops::Range;
+use std::borrow::Cow;
+
 use glanz_color::srgb_encode;
 
 use super::rows::three_planes;
@@ -13,8 +16,6 @@ pub struct Pair {
     pub(super) scale: Scale,
     /// Linear light of the reference and of the other.
     pub(super) light: [[Vec<f32>; 3]; 2],
-    /// sRGB codes of both, where the scale is that.
-    pub(super) codes: Option<[[Vec<f32>; 3]; 2]>,
 }
 
 impl Pair {
@@ -34,16 +35,12 @@ impl Pair {
             }
         }
         if is_light {
-            return Ok(Self { width, height, scale: Scale::Light, light, codes: None });
+            return Ok(Self { width, height, scale: Scale::Light, light });
         }
         for value in light.iter_mut().flatten().flatten() {
             *value = value.clamp(0.0, 1.0);
         }
-        let encode = |rgb: &[Vec<f32>; 3]| {
-            three_planes(width, height, |i| [0, 1, 2].map(|channel: usize| srgb_encode(rgb[channel][i])))
-        };
-        let codes = Some([encode(&light[0]), encode(&light[1])]);
-        Ok(Self { width, height, scale: Scale::Codes, light, codes })
+        Ok(Self { width, height, scale: Scale::Codes, light })
     }
 
     /// Width and height in pixels.
@@ -61,8 +58,16 @@ impl Pair {
         &self.light
     }
 
-    /// What the scale says: codes or light.
-    pub(super) fn values(&self) -> &[[Vec<f32>; 3]; 2] {
-        self.codes.as_ref().unwrap_or(&self.light)
+    /// What the scale says of these rows: codes or light. Codes are made anew each time: kept, they would double what a pair takes.
+    pub(super) fn values(&self, rows: Range<usize>) -> [[Cow<'_, [f32]>; 3]; 2] {
+        let pixels = rows.start * self.width..rows.end * self.width;
+        self.light.each_ref().map(|rgb| match self.scale {
+            Scale::Light => rgb.each_ref().map(|plane| Cow::Borrowed(&plane[pixels.clone()])),
+            Scale::Codes => {
+                let light = rgb.each_ref().map(|plane| &plane[pixels.clone()]);
+                let encode = |i: usize| light.map(|plane| srgb_encode(plane[i]));
+                three_planes(self.width, rows.len(), encode).map(Cow::Owned)
+            }
+        })
     }
 }

@@ -27,6 +27,7 @@ mod source;
 mod update;
 
 pub(crate) use build::check::check_background;
+pub(crate) use build::memory::memory_beside;
 pub use build::prepare;
 pub use build::programs::ProgramError;
 pub(crate) use build::programs::{compiled as compiled_program, traced_pair};

@@ -1,6 +1,7 @@
 //! What is asked of the preparation, and why it fails.
 
 use glanz_bsdf::ParamError;
+use glanz_math::{MemoryBudget, OverBudget};
 use glanz_scene::{Interpolation, Shading};
 use thiserror::Error;
 
@@ -18,6 +19,8 @@ pub struct PrepareOptions {
     pub model: Option<String>,
     /// Colour mode and observer.
     pub observation: Observation,
+    /// What the scene, prepared and drawn, may take of memory with its picture.
+    pub memory: MemoryBudget,
 }
 
 /// Why a scene cannot be drawn.
@@ -40,6 +43,9 @@ pub enum PrepareError {
     /// A program of the scene cannot be used.
     #[error(transparent)]
     Program(#[from] Box<ProgramError>),
+    /// The scene takes more memory than it may.
+    #[error(transparent)]
+    Memory(#[from] OverBudget),
     /// A number of the scene is unusable.
     #[error("{what}")]
     Scene {

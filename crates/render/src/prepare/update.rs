@@ -199,7 +199,7 @@ impl Prepared {
 
     /// Takes over the textures. Materials that name one that is gone are prepared anew: those of the scene do not.
     fn update_textures(&mut self, scene: &Scene, casters_moved: &mut bool) -> Result<(), PrepareError> {
-        check::check(scene)?;
+        check::check(scene, &self.source.options)?;
         let known = &self.source.colors.materials;
         let outdated: Vec<usize> =
             (0..known.len()).filter(|number| !check::has_textures(scene, &known[*number])).collect();
@@ -237,7 +237,7 @@ impl Prepared {
         if scene.materials.len() != self.materials.len() {
             return self.apply(scene, Change::All, &mut false);
         }
-        check::check(scene)?;
+        check::check(scene, &self.source.options)?;
         self.or_as_before(|own| add_objects(own, scene))?;
         *casters_moved = true;
         Ok(())

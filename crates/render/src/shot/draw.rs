@@ -1,13 +1,13 @@
 //! One picture: a scene, prepared, with its camera, its observer and its development.
 
 use glanz_eye::{Seen, Viewer};
-use glanz_math::SimdLevel;
+use glanz_math::{MemoryBudget, SimdLevel};
 use glanz_picture::{Develop, Frame, develop, develop16};
 use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
 
 use super::{ShotError, ShotOptions, Sight, angles, mistaken};
 use crate::cpu::Renderer;
-use crate::prepare::{Change, Prepared, prepare};
+use crate::prepare::{Change, Prepared, memory_beside, prepare};
 use crate::view::{Aovs, DrawOptions, Moment, View};
 use crate::{Backend, draw_observed, draw_observed_into, takes_several_frames};
 
@@ -41,6 +41,8 @@ pub struct Shot {
     pub(crate) makings: Vec<(String, String)>,
     /// Whether the mistake changes anything.
     pub(crate) effect: Result<(), NoEffect>,
+    /// The budget of which the scene is taken.
+    pub(crate) memory: MemoryBudget,
 }
 
 /// Tells how much of the work is done, from 0 to 1.
@@ -66,6 +68,7 @@ impl Shot {
             backend: crate::default_backend(),
             sight: Sight::of(&scene, &options)?,
             prepared: prepare(&scene, &options.prepare)?,
+            memory: memory_beside(&scene, &options.prepare)?,
             scene_hash: None,
             scratch: Frame::default(),
             seen: None,

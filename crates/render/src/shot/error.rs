@@ -1,5 +1,6 @@
 //! Why there is no picture.
 
+use glanz_math::OverBudget;
 use glanz_picture::ChannelError;
 use glanz_picture::output::OutputError;
 use glanz_scene::ColorMode;
@@ -14,6 +15,9 @@ pub enum ShotError {
     /// The scene cannot be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
+    /// The picture takes more memory than it may.
+    #[error(transparent)]
+    Memory(#[from] OverBudget),
     /// The observer, the colour mode and the white do not fit together.
     #[error(transparent)]
     Observation(#[from] ObservationError),

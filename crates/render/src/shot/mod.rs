@@ -2,6 +2,7 @@
 
 mod draw;
 mod error;
+mod memory;
 mod mistaken;
 mod of_picture;
 mod options;

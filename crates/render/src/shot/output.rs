@@ -43,8 +43,9 @@ impl Shot {
     /// Draws the picture as a file keeps it; `step` is told how far it is.
     ///
     /// # Errors
-    /// As [`Shot::frame`]; and if spectra are asked for where there are none.
+    /// As [`Shot::frame`]; if there is no memory for it; and if spectra are asked for where there are none.
     pub fn picture(&mut self, kind: PictureKind, step: Step) -> Result<PictureData, ShotError> {
+        self.check_memory(kind)?;
         let (width, height) = (self.sight.view.width as usize, self.sight.view.height as usize);
         Ok(match kind {
             PictureKind::Codes8 => PictureData::Codes8 { width, height, rgba: self.rgba8_in_steps(step)? },

@@ -33,8 +33,9 @@ use thiserror::Error;
 use crate::Mesh;
 use crate::scene::access::known_names;
 
-/// The most triangles that a built-in or subdivided mesh may have.
-pub const MAX_TRIANGLES: u64 = 50_000_000;
+/// The most triangles that a mesh or a scene may have: so the numbers of their corners, at most three for each, stay below 2³¹.
+/// Whether there is memory for them is asked beforehand where a [`MemoryBudget`](glanz_math::MemoryBudget) is known.
+pub const MAX_TRIANGLES: u64 = 500_000_000;
 
 /// The least and greatest length that a built-in mesh may have, so that `f32` holds its coordinates
 /// and their squares well.

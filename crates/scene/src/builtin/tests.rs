@@ -288,8 +288,8 @@ fn parameters_out_of_range_are_refused_with_their_name() {
         "torus: minor must be less than major (1), but is 1"
     );
     assert_eq!(
-        message(Builtin::Icosphere { radius: 1.0, subdivisions: 11 }),
-        "icosphere: at most 50000000 triangles are made, but 83886080 are asked for"
+        message(Builtin::Icosphere { radius: 1.0, subdivisions: 13 }),
+        "icosphere: at most 500000000 triangles are made, but 1342177280 are asked for"
     );
     for length in [0.0, -1.0, f64::INFINITY, 1e-16, 1e16] {
         assert!(matches!(Builtin::Cube { size: length }.mesh(), Err(BuiltinError::Length { .. })));

@@ -5,7 +5,7 @@
 //! The tables of a file are described by [`schema`], with all keys, ranges and defaults.
 //!
 //! A file has at most 16 MiB, names no file outside of its folder unless that is allowed, and makes no
-//! more than 50 million triangles.
+//! more than 500 million triangles. What takes memory asks a budget first ([`LoadOptions::memory`]).
 //!
 //! ```
 //! use glanz_scene::file::{LoadOptions, parse_str, write};
@@ -36,6 +36,7 @@ mod write;
 use std::path::Path;
 
 pub use error::FileError;
+use glanz_math::MemoryBudget;
 pub use schema::schema;
 use serde::Deserialize;
 use toml::Spanned;
@@ -62,6 +63,8 @@ pub struct LoadOptions {
     pub sets: Vec<(String, String)>,
     /// The lights of a model, in place of its own; without them one that has none gets three lights. A scene file says its own.
     pub lights: Option<DefaultLights>,
+    /// What textures, environments and triangles may take of memory, by what is drawn of them.
+    pub memory: MemoryBudget,
 }
 
 /// What a scene file says.
@@ -92,7 +95,7 @@ pub fn parse_material(name: &str, text: &str) -> Result<Material, FileError> {
         let table = MaterialTable::deserialize(toml::de::Deserializer::from(root)).map_err(|error| {
             explain(&error, read_document(text, &[]).ok().as_ref().map(Paths::of).as_ref())
         })?;
-        table.build(name, &mut Builder::new(Path::new(""), false))
+        table.build(name, &mut Builder::new(Path::new(""), false, MemoryBudget::default()))
     };
     understand().map_err(|problem| source.error(problem))
 }
@@ -122,7 +125,7 @@ fn parse(path: &Path, text: &str, base: &Path, options: &LoadOptions) -> Result<
     let mut source = Source::new(path, text);
     check_length(path, text)?;
     let sets = sets::collect(&mut source, &options.sets);
-    let result = sets.and_then(|sets| understand(text, &sets, base, options.allow_outside));
+    let result = sets.and_then(|sets| understand(text, &sets, base, options));
     result.map_err(|problem| source.error(problem))
 }
 
@@ -161,10 +164,10 @@ fn understand(
     text: &str,
     sets: &[sets::Override],
     base: &Path,
-    allow_outside: bool,
+    options: &LoadOptions,
 ) -> Result<Loaded, Problem> {
     let table = read_table(text, sets)?;
-    let mut builder = Builder::new(base, allow_outside);
+    let mut builder = Builder::new(base, options.allow_outside, options.memory);
     builder.build(&table)?;
     Ok(Loaded { scene: builder.scene, notes: builder.input.notes })
 }

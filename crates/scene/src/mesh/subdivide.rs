@@ -336,7 +336,7 @@ mod tests {
     #[test]
     fn too_many_triangles_are_refused() {
         let cube = make(Builtin::Cube { size: 2.0 });
-        for levels in [12, 31, 32, u32::MAX] {
+        for levels in [13, 31, 32, u32::MAX] {
             assert_eq!(cube.subdivided(levels), Err(SubdivideError::TooLarge { triangles: 12, levels }));
         }
     }

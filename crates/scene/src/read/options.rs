@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use glanz_math::MemoryBudget;
+
 /// What a reader may do, and how much.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadOptions {
@@ -14,8 +16,8 @@ pub struct ReadOptions {
     pub max_bytes: u64,
     /// The most texels that a texture may have along one side.
     pub max_texture_side: u32,
-    /// The most bytes of memory that all decoded textures of a model may take.
-    pub max_texture_bytes: u64,
+    /// What textures, environments and triangles may take of memory, in all and by what is drawn of them.
+    pub memory: MemoryBudget,
 }
 
 impl Default for ReadOptions {
@@ -25,7 +27,7 @@ impl Default for ReadOptions {
             allow_outside: false,
             max_bytes: 16 << 30,
             max_texture_side: 16384,
-            max_texture_bytes: 4 << 30,
+            memory: MemoryBudget::default(),
         }
     }
 }

@@ -3,11 +3,13 @@
 use std::io::Cursor;
 
 use glanz_color::read::{Place, ReadError, excerpt};
+use glanz_math::MemoryBudget;
 use glanz_picture::wrong_png_palette;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use super::{ReadOptions, jpeg};
 use crate::Texture;
+use crate::memory::texture_bytes;
 
 /// The most texels that one byte of a file can stand for: deflate packs 1032 bytes into one, and a
 /// black-and-white PNG eight texels into a byte; a JPEG block of 64 texels takes at least one bit
@@ -20,7 +22,7 @@ const ALWAYS_ALLOWED_TEXELS: u64 = 1 << 16;
 ///
 /// The sides and the memory are limited by `options`; `name` is the file's name in messages.
 pub fn read_texture(bytes: &[u8], name: &str, options: &ReadOptions) -> Result<Texture, ReadError> {
-    decode(bytes, name, Place::File, options, &mut options.max_texture_bytes.clone())
+    decode(bytes, name, Place::File, options, &mut options.memory.clone())
 }
 
 /// What is odd about a picture that can be decoded: a JPEG that is cut. `name` is the file's name in the remark.
@@ -34,13 +36,13 @@ pub fn remark_of_texture(bytes: &[u8], name: &str) -> Option<String> {
     jpeg::is_cut(bytes).then(|| format!("the picture '{name}' {}", jpeg::CUT))
 }
 
-/// Decodes a picture that lies at `place` of `file`, and takes its size off `bytes_left`.
+/// Decodes a picture that lies at `place` of `file`, and takes its size off a budget.
 pub(super) fn decode(
     bytes: &[u8],
     file: &str,
     place: Place,
     options: &ReadOptions,
-    bytes_left: &mut u64,
+    memory: &mut MemoryBudget,
 ) -> Result<Texture, ReadError> {
     let format = format_of(bytes).ok_or_else(|| {
         let start = excerpt(&bytes[..bytes.len().min(8)]);
@@ -54,31 +56,29 @@ pub(super) fn decode(
         ReadError::malformed(file, place.clone(), "a complete picture", error.to_string())
     };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    reader.limits(limits(options, *bytes_left));
+    reader.limits(limits(options, *memory));
     let decoder = reader.into_decoder().map_err(picture)?;
     let (width, height) = decoder.dimensions();
     check_size((width, height), bytes.len(), file, &place, options)?;
-    spend(u64::from(width) * u64::from(height) * 4, file, &place, options, bytes_left)?;
+    // The decoder's picture and the texels are there at once.
+    let both = (u64::from(decoder.color_type().bytes_per_pixel()) + 4) * u64::from(width) * u64::from(height);
+    let over = |over| ReadError::memory(file, place.clone(), over);
+    memory.check(format_args!("a texture of {width}×{height} texels"), both).map_err(over)?;
+    spend((width, height), file, &place, memory)?;
     let rgba = DynamicImage::from_decoder(decoder).map_err(picture)?.into_rgba8();
     Ok(Texture { width, height, rgba: rgba.into_raw(), srgb: true, ..Texture::default() })
 }
 
-/// Takes the size of a texture off `bytes_left`.
+/// Takes the size of a texture off a budget.
 pub(super) fn spend(
-    size: u64,
+    (width, height): (u32, u32),
     file: &str,
     place: &Place,
-    options: &ReadOptions,
-    bytes_left: &mut u64,
+    memory: &mut MemoryBudget,
 ) -> Result<(), ReadError> {
-    *bytes_left = bytes_left.checked_sub(size).ok_or_else(|| ReadError::TooLarge {
-        file: file.to_owned(),
-        place: place.clone(),
-        limit: options.max_texture_bytes,
-        unit: "bytes of decoded textures",
-        found: options.max_texture_bytes - *bytes_left + size,
-    })?;
-    Ok(())
+    memory
+        .take(format_args!("a texture of {width}×{height} texels"), texture_bytes(width, height))
+        .map_err(|over| ReadError::memory(file, place.clone(), over))
 }
 
 /// The format after the first bytes.
@@ -95,11 +95,11 @@ fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
 }
 
 /// Limits for the decoder. Its memory may reach twice the picture's at 16 bits per channel.
-fn limits(options: &ReadOptions, bytes_left: u64) -> Limits {
+fn limits(options: &ReadOptions, memory: MemoryBudget) -> Limits {
     let mut limits = Limits::default();
     limits.max_image_width = Some(options.max_texture_side);
     limits.max_image_height = Some(options.max_texture_side);
-    limits.max_alloc = Some(bytes_left.saturating_mul(4));
+    limits.max_alloc = Some(memory.left().saturating_mul(4));
     limits
 }
 
@@ -196,10 +196,19 @@ pub(super) mod tests {
         let bytes = png(64, 2, &[0; 64 * 2 * 4]);
         let narrow = ReadOptions { max_texture_side: 63, ..ReadOptions::default() };
         assert!(read_texture(&bytes, "p", &narrow).is_err());
-        let small = ReadOptions { max_texture_bytes: 511, ..ReadOptions::default() };
-        assert!(read_texture(&bytes, "p", &small).is_err());
-        let exact = ReadOptions { max_texture_bytes: 512, max_texture_side: 64, ..ReadOptions::default() };
-        assert!(read_texture(&bytes, "p", &exact).is_ok());
+        let with = |bytes: u64| ReadOptions {
+            memory: MemoryBudget::of_bytes(bytes),
+            max_texture_side: 64,
+            ..ReadOptions::default()
+        };
+        // 128 texels of 4 bytes, and 4/3 of that again with the levels.
+        let error = read_texture(&bytes, "p", &with(1194)).unwrap_err().to_string();
+        assert!(
+            error.contains("expected at most 1.2 kB of memory, found 1.2 kB for a texture of 64×2 texels"),
+            "{error}"
+        );
+        assert!(error.contains("--memory 2kB allows as much"), "{error}");
+        assert!(read_texture(&bytes, "p", &with(1195)).is_ok());
     }
 
     #[test]

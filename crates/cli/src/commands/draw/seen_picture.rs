@@ -25,7 +25,7 @@ impl RenderArgs {
         let path = &self.input.input;
         let target = self.target.resolve(path, "_seen.png")?;
         let format = encode::format(&target)?;
-        let picture = PictureInput::read(path)?;
+        let picture = PictureInput::read(path, self.input.memory)?;
         picture.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
         let frame = picture.seen_by(&viewer)?.screen().map_err(Failure::from)?;
         let settings = self.develop.resolve(&RenderSettings::default())?;

@@ -31,7 +31,7 @@ impl Source {
         if !PictureInput::is_named(path) {
             return Ok(Self::Scene(Box::new(args.input.load(Some(&args.camera), More::default())?)));
         }
-        PictureInput::read(path).map(Self::Picture)
+        PictureInput::read(path, args.input.memory).map(Self::Picture)
     }
 
     /// What is odd about it.

@@ -64,14 +64,14 @@ impl CertifyArgs {
         let judged: Vec<_> =
             lobes.iter().zip(&certificates).map(|(lobe, found)| judged(lobe, found, &models)).collect();
         let error = error(&judged);
-        match self.format.is_json() {
+        let told = match self.format.is_json() {
             true => {
                 let error = error.as_ref().map(Report::facts);
-                print::json(&Document { certificates: judged, error })?;
+                print::json(&Document { certificates: judged, error })
             }
-            false => print::text(&text(&judged))?,
-        }
-        error.map_or(Ok(()), |error| Err(error.judged()))
+            false => print::text(&text(&judged)),
+        };
+        Report::of_judged(error, told)
     }
 }
 

@@ -3,6 +3,7 @@
 use core::fmt;
 use std::io;
 
+use glanz_math::OverBudget;
 use thiserror::Error;
 
 use crate::FeatureOff;
@@ -111,6 +112,16 @@ pub enum ReadError {
         /// How much there is.
         found: u64,
     },
+    /// More memory than the budget has.
+    #[error("{file}: {place}: {over}")]
+    Memory {
+        /// The file being read.
+        file: String,
+        /// Where in it.
+        place: Place,
+        /// What wants how much.
+        over: OverBudget,
+    },
     /// A reference leaves the folder that references must stay in.
     #[error(
         "{file}: {place}: expected a path inside {root}, found '{reference}', which leaves it (--allow-outside permits that)"
@@ -158,6 +169,11 @@ impl ReadError {
         Self::Unsupported { file: file.to_owned(), place, expected: expected.into(), found: found.into() }
     }
 
+    /// The file needs more memory than the budget has.
+    pub fn memory(file: &str, place: Place, over: OverBudget) -> Self {
+        Self::Memory { file: file.to_owned(), place, over }
+    }
+
     /// The format of the file needs a feature that this build does not have.
     pub fn feature_off(file: &str, off: FeatureOff) -> Self {
         Self::FeatureOff { file: file.to_owned(), place: Place::File, off }
@@ -171,6 +187,7 @@ impl ReadError {
             | Self::Unsupported { file, .. }
             | Self::FeatureOff { file, .. }
             | Self::TooLarge { file, .. }
+            | Self::Memory { file, .. }
             | Self::Outside { file, .. }
             | Self::Missing { file, .. } => file,
         }
@@ -184,6 +201,7 @@ impl ReadError {
             | Self::Unsupported { place, .. }
             | Self::FeatureOff { place, .. }
             | Self::TooLarge { place, .. }
+            | Self::Memory { place, .. }
             | Self::Outside { place, .. }
             | Self::Missing { place, .. } => place,
         }

@@ -33,7 +33,8 @@ impl<T: Sample> Kernel<T> {
         Self { from_middle: true, ..Self::new(weights) }
     }
 
-    fn radius(&self) -> usize {
+    /// Samples on either side of the middle.
+    pub(crate) fn radius(&self) -> usize {
         self.weights.len() / 2
     }
 

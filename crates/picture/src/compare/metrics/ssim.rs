@@ -5,8 +5,12 @@
 //! authors publish, the mean is over the pixels whose whole window lies in the picture; in a picture smaller
 //! than the window it is over all. At the edges of the map the picture goes on with its last pixels.
 
+use core::ops::Range;
+use std::borrow::Cow;
+
 use super::filter::{Kernel, filter};
 use crate::compare::Pair;
+use crate::compare::bands::in_bands;
 use crate::compare::rows::one_plane;
 
 /// Pixels from the middle of the window to its edge: 11×11 in all.
@@ -22,15 +26,23 @@ const LUMA: [f64; 3] = [0.299, 0.587, 0.114];
 
 /// 1 − SSIM of every pixel.
 pub(crate) fn map(pair: &Pair) -> Vec<f32> {
-    let (width, height) = (pair.width, pair.height);
-    let [reference, test] = pair.values();
-    let luma = |codes: &[Vec<f32>; 3], i: usize| {
-        let [r, g, b] = [0, 1, 2].map(|channel: usize| LUMA[channel] * f64::from(codes[channel][i]));
-        r + g + b
+    in_bands(pair.width, pair.height, RADIUS, |rows| band(pair, rows))
+}
+
+/// The same of these rows, as if they were the picture.
+fn band(pair: &Pair, rows: Range<usize>) -> Vec<f32> {
+    let (width, height) = (pair.width, rows.len());
+    let values = pair.values(rows);
+    let luma = |codes: &[Cow<'_, [f32]>; 3]| {
+        one_plane(width, height, |i| {
+            let [r, g, b] = [0, 1, 2].map(|channel: usize| LUMA[channel] * f64::from(codes[channel][i]));
+            r + g + b
+        })
     };
+    let [reference, test] = values.each_ref().map(luma);
     let window = window();
     let smooth = |value: &(dyn Fn(f64, f64) -> f64 + Sync)| {
-        let plane = one_plane(width, height, |i| value(luma(reference, i), luma(test, i)));
+        let plane = one_plane(width, height, |i| value(reference[i], test[i]));
         filter(&plane, width, &window, &window)
     };
     let (mean_x, mean_y) = (smooth(&|x, _| x), smooth(&|_, y| y));

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use glanz_color::FeatureOff;
+use glanz_math::OverBudget;
 use thiserror::Error;
 
 use super::limits::{MAX_PIXELS, MAX_SIDE};
@@ -62,6 +63,14 @@ pub enum ReadError {
         width: usize,
         /// Height in pixels.
         height: usize,
+    },
+    /// The picture takes more memory than it may.
+    #[error("{name}: {over}")]
+    Memory {
+        /// The file's name.
+        name: String,
+        /// What it takes.
+        over: OverBudget,
     },
     /// A pixel has no value.
     #[error("{name}: expected finite values, found {value} at pixel {x}, {y}")]

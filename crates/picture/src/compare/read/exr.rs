@@ -5,6 +5,7 @@ use glanz_color::models::RgbSpace;
 
 use super::super::rows::three_planes;
 use super::super::{Picture, Scale};
+use super::PLANES;
 use super::error::ReadError;
 use super::source::Source;
 
@@ -20,6 +21,9 @@ pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
     }
     let choice = Choice::of(&opened, source)?;
     let part = opened.parts()[choice.part].clone();
+    // Converting primaries makes the planes anew.
+    let anew = if part.space.is_some() { PLANES } else { 0 };
+    source.check_memory(part.width, part.height, anew)?;
     let planes = opened.planes(choice.part, &choice.channels).map_err(failed)?;
     let rgb = planes.try_into().expect("three channels give three planes");
     let (width, height, notes) = (part.width, part.height, choice.notes(&part));

@@ -15,11 +15,15 @@ use std::path::Path;
 pub use error::ReadError;
 pub use limits::{MAX_PIXELS, MAX_SIDE};
 
+use glanz_math::MemoryBudget;
+
 use super::Picture;
 use source::Source;
 
 /// The most bytes of a file: [`MAX_PIXELS`] of eight `f32` channels, not compressed.
 const MAX_FILE: u64 = (MAX_PIXELS * 8 * 4) as u64;
+/// What a pixel of a picture takes: three floats.
+const PLANES: u64 = 12;
 /// How a PNG begins (ISO/IEC 15948, 5.2).
 const PNG: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 /// How an OpenEXR file begins: 20000630, low byte first.
@@ -32,8 +36,13 @@ const EXR: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
 /// has them; they are premultiplied with alpha, linear, and of the primaries that the file names. The
 /// compressions B44 and B44A and deep data are not read.
 ///
-/// Memory grows with what the file holds, not with what it claims, up to [`MAX_PIXELS`].
+/// Memory grows with what the file holds, not with what it claims, up to [`MAX_PIXELS`] and the default budget.
 pub fn read_picture(path: impl AsRef<Path>) -> Result<Picture, ReadError> {
+    read_picture_within(path, &mut MemoryBudget::default())
+}
+
+/// The same within a budget, off which the picture is taken.
+pub fn read_picture_within(path: impl AsRef<Path>, memory: &mut MemoryBudget) -> Result<Picture, ReadError> {
     let path = path.as_ref();
     let failed = |source: io::Error| ReadError::File { path: path.to_owned(), source };
     let name = path.display().to_string();
@@ -48,12 +57,21 @@ pub fn read_picture(path: impl AsRef<Path>) -> Result<Picture, ReadError> {
     if bytes.len() as u64 > MAX_FILE {
         return Err(ReadError::FileTooLarge { path: path.to_owned(), limit: MAX_FILE });
     }
-    decode_picture(&bytes, &name)
+    decode_picture_within(&bytes, &name, memory)
 }
 
 /// The same from the bytes of a file that is called `name` in messages.
 pub fn decode_picture(bytes: &[u8], name: &str) -> Result<Picture, ReadError> {
-    let source = Source { bytes, name };
+    decode_picture_within(bytes, name, &mut MemoryBudget::default())
+}
+
+/// The same within a budget, off which the picture is taken.
+pub fn decode_picture_within(
+    bytes: &[u8],
+    name: &str,
+    memory: &mut MemoryBudget,
+) -> Result<Picture, ReadError> {
+    let source = Source { bytes, name, memory: *memory };
     let picture = if bytes.starts_with(&PNG) {
         png::decode(&source)?
     } else if bytes.starts_with(&EXR) {
@@ -62,5 +80,7 @@ pub fn decode_picture(bytes: &[u8], name: &str) -> Result<Picture, ReadError> {
         return Err(ReadError::Format { name: name.to_owned() });
     };
     source.check_finite(&picture)?;
+    let what = format_args!("a picture of {}×{} pixels", picture.width, picture.height);
+    memory.take(what, PLANES * picture.pixels() as u64).map_err(|over| source.over(over))?;
     Ok(picture)
 }

@@ -32,7 +32,9 @@ pub(super) fn decode(source: &Source) -> Result<Picture, ReadError> {
     let (width, height) = (header.width as usize, header.height as usize);
     source.check_size(width, height, PIXELS_PER_BYTE)?;
     let mut reader = decoder.read_info().map_err(failed)?;
-    let mut samples = vec![0; buffer_size(&reader, source)?];
+    let size = buffer_size(&reader, source)?;
+    source.check_memory(width, height, (size / (width * height).max(1)) as u64)?;
+    let mut samples = vec![0; size];
     let info = reader.next_frame(&mut samples).map_err(failed)?;
     samples.truncate(info.buffer_size());
     let wide = info.bit_depth == BitDepth::Sixteen;

@@ -1,5 +1,8 @@
 //! What both readers share.
 
+use glanz_math::{MemoryBudget, OverBudget};
+
+use super::PLANES;
 use super::error::ReadError;
 use super::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::compare::Picture;
@@ -8,6 +11,8 @@ use crate::compare::Picture;
 pub(super) struct Source<'a> {
     pub(super) bytes: &'a [u8],
     pub(super) name: &'a str,
+    /// What may be taken.
+    pub(super) memory: MemoryBudget,
 }
 
 impl Source<'_> {
@@ -34,6 +39,17 @@ impl Source<'_> {
             return Err(self.content(expected, format_args!("a claim of {width}×{height}")));
         }
         Ok(())
+    }
+
+    pub(super) fn over(&self, over: OverBudget) -> ReadError {
+        ReadError::Memory { name: self.name.to_owned(), over }
+    }
+
+    /// That there is memory for a picture of this size, of which a decoder holds so many bytes a pixel beside the picture.
+    pub(super) fn check_memory(&self, width: usize, height: usize, decoder: u64) -> Result<(), ReadError> {
+        let bytes = (width as u64 * height as u64).saturating_mul(PLANES + decoder);
+        let what = format_args!("a picture of {width}×{height} pixels");
+        self.memory.check(what, bytes).map_err(|over| self.over(over))
     }
 
     /// That a picture of this size is within the limits.

@@ -49,26 +49,31 @@ pub(crate) fn bvh(prepared: &Prepared) -> Result<Bvh, PrepareError> {
     }
     let center = 0.5 * (low + high);
     let size = (high - low).length().max(1e-30) as f32;
-    let mut triangles = Vec::new();
-    for object in objects {
-        add(&mut triangles, prepared, object, center);
+    let triangles = || objects.iter().flat_map(|object| triangles_of(prepared, object, center));
+    let tree = tree(triangles().map(|triangle| bounds(&triangle, size * MARGIN)).collect());
+    // What is made anew costs less than what is kept: the triangles come once for their boxes and once into their places.
+    let nodes = nodes(&tree);
+    let order = { tree }.primitive_indices;
+    let mut place = vec![0_u32; order.len()];
+    order.iter().enumerate().for_each(|(to, from)| place[*from as usize] = to as u32);
+    drop(order);
+    let mut in_order = vec![[[0.0; 3]; 3]; place.len()];
+    for (triangle, place) in triangles().zip(place) {
+        in_order[place as usize] = triangle.map(|v| v.to_array());
     }
-    let boxes: Vec<Aabb> = triangles.iter().map(|triangle| bounds(triangle, size * MARGIN)).collect();
-    let indices = (0..triangles.len() as u32).collect();
-    let tree = PlocBuilder::with_capacity(boxes.len()).build(
+    Ok(Bvh { center: center.to_array(), triangles: in_order, nodes, size })
+}
+
+/// The tree over boxes, which are gone once it stands.
+fn tree(boxes: Vec<Aabb>) -> Bvh2 {
+    let indices = (0..boxes.len() as u32).collect();
+    PlocBuilder::with_capacity(boxes.len()).build(
         PlocSearchDistance::Medium,
         &boxes,
         indices,
         SortPrecision::U64,
         SEARCH_DEPTH,
-    );
-    let in_order = |i: &u32| triangles[*i as usize].map(|v| v.to_array());
-    Ok(Bvh {
-        center: center.to_array(),
-        triangles: tree.primitive_indices.iter().map(in_order).collect(),
-        nodes: nodes(&tree),
-        size,
-    })
+    )
 }
 
 fn nodes(tree: &Bvh2) -> Vec<BvhNode> {
@@ -81,20 +86,25 @@ fn nodes(tree: &Bvh2) -> Vec<BvhNode> {
     tree.nodes.iter().map(plain).collect()
 }
 
-fn add(triangles: &mut Vec<[Vec3A; 3]>, prepared: &Prepared, object: &PreparedObject, center: DVec3) {
+/// A corner of each triangle of an object, and the two edges from it.
+fn triangles_of<'a>(
+    prepared: &'a Prepared,
+    object: &PreparedObject,
+    center: DVec3,
+) -> impl Iterator<Item = [Vec3A; 3]> + use<'a> {
     let geometry = &prepared.geometry;
     let shift = (DVec3::from_array(object.anchor) - center).as_vec3();
-    for cluster in &geometry.clusters[object.clusters.clone()] {
-        let position = |vertex: u8| {
+    geometry.clusters[object.clusters.clone()].iter().flat_map(move |cluster| {
+        let position = move |vertex: u8| {
             let at = cluster.first_vertex as usize + vertex as usize;
             Vec3A::from(Vec3::from_array(core::array::from_fn(|axis| geometry.position[axis][at])) + shift)
         };
         let first = cluster.first_triangle as usize;
-        for triangle in &geometry.triangles[first..first + cluster.triangles as usize] {
+        geometry.triangles[first..first + cluster.triangles as usize].iter().map(move |triangle| {
             let [a, b, c] = triangle.map(position);
-            triangles.push([a, b - a, c - a]);
-        }
-    }
+            [a, b - a, c - a]
+        })
+    })
 }
 
 fn bounds([corner, first, second]: &[Vec3A; 3], margin: f32) -> Aabb {

@@ -1,38 +1,15 @@
 //! What must hold of a scene before it is prepared.
 
-use glanz_scene::builtin::MAX_TRIANGLES;
 use glanz_scene::{Background, LightKind, Material, Scene};
 
-use crate::prepare::PrepareError;
+use super::memory;
+use crate::prepare::{PrepareError, PrepareOptions};
 
-/// The most pairs of a light and a lobe: each takes 20 bytes in the table of tints.
-const MAX_TINTS: u64 = 50_000_000;
-
-/// That a scene can be drawn: every index names something, and the background exists, and it takes no more than there is.
-pub(crate) fn check(scene: &Scene) -> Result<(), PrepareError> {
+/// That a scene can be drawn: every index names something, and the background exists, and there is memory for it.
+pub(crate) fn check(scene: &Scene, options: &PrepareOptions) -> Result<(), PrepareError> {
     check_references(scene)?;
     check_background(scene)?;
-    check_amounts(scene)
-}
-
-/// That a scene has no more triangles and tints than fit into a machine; a short file can ask for any number of them.
-fn check_amounts(scene: &Scene) -> Result<(), PrepareError> {
-    let of_mesh: Vec<u64> = scene.meshes.iter().map(|mesh| mesh.triangle_count() as u64).collect();
-    let triangles = scene.objects.iter().fold(0, |sum: u64, object| sum.saturating_add(of_mesh[object.mesh]));
-    if triangles > MAX_TRIANGLES {
-        let what = format!("expected at most {MAX_TRIANGLES} triangles in a scene, found {triangles}");
-        return Err(PrepareError::Scene { what });
-    }
-    let lobes: u64 = scene.materials.iter().map(|material| material.lobes.len() as u64 + 1).sum();
-    let tints = lobes.saturating_mul(scene.lights.len() as u64 + 1);
-    if tints > MAX_TINTS {
-        let (lights, materials) = (scene.lights.len(), scene.materials.len());
-        let what = format!(
-            "expected at most {MAX_TINTS} pairs of a light and a lobe, found {tints}: {lights} lights and {materials} materials"
-        );
-        return Err(PrepareError::Scene { what });
-    }
-    Ok(())
+    memory::memory_beside(scene, options).map(|_| ())
 }
 
 /// Where the background is to be the environment, one must be there.

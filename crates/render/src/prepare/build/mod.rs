@@ -6,6 +6,7 @@ pub(crate) mod geometry;
 pub(crate) mod integrals;
 pub(crate) mod lights;
 pub(crate) mod materials;
+pub(crate) mod memory;
 pub(crate) mod programs;
 
 use std::sync::Arc;
@@ -23,7 +24,7 @@ use super::source::{Colors, Source};
 /// Where the scene cannot be drawn: an index that names nothing, a number that is not finite, an observer that
 /// does not fit the colour mode.
 pub fn prepare(scene: &Scene, options: &PrepareOptions) -> Result<Prepared, PrepareError> {
-    check::check(scene)?;
+    check::check(scene, options)?;
     let source = Source {
         colors: Arc::new(Colors::of(scene)),
         options: options.clone(),

@@ -51,10 +51,11 @@ impl<'a> Table<'a> {
         };
         let responses: Vec<Response> = lobes.iter().map(response).collect();
         let entry = |light: &LightRows, i: usize| short(responses[i].under(light.of(term_of(lobes[i]))));
-        self.directed()
-            .flat_map(|light| (0..lobes.len()).map(move |i| (light, i)))
-            .map(|(l, i)| entry(l, i))
-            .collect()
+        let pairs = self.directed().flat_map(|light| (0..lobes.len()).map(move |i| (light, i)));
+        // A vector that grows by itself takes up to twice as much.
+        let mut entries = Vec::with_capacity(self.directed().count() * lobes.len());
+        entries.extend(pairs.map(|(l, i)| entry(l, i)));
+        entries
     }
 
     /// The same for lobes whose tint depends on a cosine; empty curves for the others. Nothing at all

@@ -1,13 +1,16 @@
 //! The builder: what is known while tables become a scene.
 
 use std::collections::{BTreeMap, HashMap};
+use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::DMat4;
 use glanz_bsdf::FactorTable;
+use glanz_math::MemoryBudget;
 
+use crate::file::error::Problem;
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
 use crate::{Camera, EnvironmentMap, Material, Profile, Scene};
@@ -101,11 +104,12 @@ pub(in crate::file) struct Units {
 }
 
 impl Builder {
-    /// References are relative to `base` and do not leave it unless `allow_outside`.
-    pub(crate) fn new(base: &Path, allow_outside: bool) -> Self {
+    /// References are relative to `base` and do not leave it unless `allow_outside`; what they take is taken off `memory`.
+    pub(crate) fn new(base: &Path, allow_outside: bool, memory: MemoryBudget) -> Self {
         // An empty path is the current folder.
         let base = if base.as_os_str().is_empty() { PathBuf::from(".") } else { base.to_owned() };
-        let options = ReadOptions { root: Some(base.clone()), allow_outside, ..ReadOptions::default() };
+        let root = Some(base.clone());
+        let options = ReadOptions { root, allow_outside, memory, ..ReadOptions::default() };
         Self {
             scene: Scene::default(),
             input: Input { base, options, notes: Vec::new() },
@@ -113,6 +117,16 @@ impl Builder {
             made: Made::default(),
             units: Units::default(),
         }
+    }
+
+    /// Takes memory off the budget for what stands at `span`.
+    pub(in crate::file::build) fn take(
+        &mut self,
+        what: impl fmt::Display,
+        bytes: u64,
+        span: &Range<usize>,
+    ) -> Result<(), Problem> {
+        self.input.options.memory.take(what, bytes).map_err(|over| Problem::at(span, over.to_string()))
     }
 }
 

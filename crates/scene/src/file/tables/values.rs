@@ -101,8 +101,8 @@ number!(
 
 number!(
     /// The vertical field of view of a perspective camera.
-    FieldOfView, "degrees greater than 0 and less than 180", |v| v > 1e-3 && v < 179.999,
-    { "type": "number", "exclusiveMinimum": 0.0, "exclusiveMaximum": 180.0 }
+    FieldOfView, "degrees between 0.001 and 179.999", |v| (0.001..=179.999).contains(&v),
+    { "type": "number", "minimum": 0.001, "maximum": 179.999 }
 );
 
 number!(

@@ -4,6 +4,7 @@ mod errors;
 mod library;
 mod lights;
 mod materials;
+mod memory;
 mod programs;
 mod proptests;
 mod remarks;

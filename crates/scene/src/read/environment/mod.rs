@@ -25,8 +25,7 @@ const HEADER: usize = 4096;
 const MAX_VALUE: f32 = 1e12;
 
 /// Reads a Radiance HDR or, with the feature `exr`, an OpenEXR picture as an environment; its first bytes tell which. `file` is its name
-/// for messages. Sides and memory are limited by `max_texture_side` and `max_texture_bytes` of `options`,
-/// and to 16384×8192 pixels.
+/// for messages. Sides and memory are limited by `max_texture_side` and `memory` of `options`.
 ///
 /// Of OpenEXR the half or float channels R, G and B of the first part that has them are taken, else those of a layer,
 /// else Y as grey. Primaries other than those of sRGB are converted, CIE XYZ too. The answer has what was left out or changed, in words.

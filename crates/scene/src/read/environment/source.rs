@@ -4,15 +4,12 @@ use glanz_color::Matrix3;
 use glanz_color::models::RgbSpace;
 use glanz_color::read::{Place, ReadError};
 
+use crate::memory::environment_bytes;
 use crate::read::ReadOptions;
 use crate::read::notes::Notes;
 
-/// Bytes of a pixel in memory.
-pub(super) const PIXEL: u64 = 12;
 /// Twice the least area of a triangle of primaries.
 const LEAST_AREA: f64 = 1e-4;
-/// The most bytes of pixels: those of 16384×8192.
-const MAX_BYTES: u64 = 16_384 * 8192 * PIXEL;
 
 /// A file in memory, how it is read, and what is said of it.
 pub(super) struct Source<'a> {
@@ -44,13 +41,10 @@ impl Source<'_> {
             let expected = format!("a picture of 1 to {side} pixels along each side");
             return Err(self.malformed(Place::File, expected, format!("{width}×{height}")));
         }
-        let (found, limit) =
-            (width as u64 * height as u64 * PIXEL, self.options.max_texture_bytes.min(MAX_BYTES));
-        if found > limit {
-            let (file, place, unit) = (self.file.to_owned(), Place::File, "bytes of pixels");
-            return Err(ReadError::TooLarge { file, place, limit, unit, found });
-        }
-        Ok(())
+        // Decoding takes less: the picture beside its planes, 24 bytes a pixel.
+        let bytes = environment_bytes(width, height);
+        let what = format_args!("an environment of {width}×{height} pixels");
+        self.options.memory.check(what, bytes).map_err(|over| ReadError::memory(self.file, Place::File, over))
     }
 
     /// Brings CIE XYZ to linear sRGB. These are colours as they are: there is no white that they were balanced for.

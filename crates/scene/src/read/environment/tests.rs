@@ -5,7 +5,8 @@ use std::io::Cursor;
 use ::exr::prelude::{WritableImage, f16};
 use proptest::prelude::*;
 
-use super::source::PIXEL;
+use glanz_math::MemoryBudget;
+
 use super::*;
 
 type Rgbe = [u8; 4];
@@ -344,17 +345,29 @@ fn limits_of_side_and_memory_hold() {
     let bytes = exr(8, 4, |_, _| [1.0; 3]);
     let read = |options: ReadOptions| read_environment(&bytes, "sky", &options).map(|_| ());
     assert!(read(ReadOptions { max_texture_side: 7, ..ReadOptions::default() }).is_err());
-    assert!(read(ReadOptions { max_texture_bytes: 8 * 4 * PIXEL - 1, ..ReadOptions::default() }).is_err());
-    let exact =
-        ReadOptions { max_texture_bytes: 8 * 4 * PIXEL, max_texture_side: 8, ..ReadOptions::default() };
-    assert!(read(exact).is_ok());
+    let with = |bytes: u64| ReadOptions {
+        memory: MemoryBudget::of_bytes(bytes),
+        max_texture_side: 8,
+        ..ReadOptions::default()
+    };
+    assert!(matches!(read(with(8 * 4 * 28 - 1)), Err(ReadError::Memory { .. })));
+    assert!(read(with(8 * 4 * 28)).is_ok());
     let claim = radiance("", "-Y 16384 +X 16384", &[]);
-    assert!(error(&claim).contains("expected at most 1610612736 bytes of pixels, found 3221225472"));
+    let found = read_environment(
+        &claim,
+        "sky",
+        &ReadOptions { memory: MemoryBudget::of_bytes(6_000_000_000), ..ReadOptions::default() },
+    );
+    let found = found.unwrap_err().to_string();
+    assert!(
+        found.contains("expected at most 6 GB of memory, found 7.52 GB for an environment of 16384×16384"),
+        "{found}"
+    );
 }
 
 /// What holds of every answer.
 fn check(bytes: &[u8]) -> Result<(), TestCaseError> {
-    let options = ReadOptions { max_texture_bytes: 1 << 20, ..ReadOptions::default() };
+    let options = ReadOptions { memory: MemoryBudget::of_bytes(1 << 20), ..ReadOptions::default() };
     match read_environment(bytes, "sky", &options) {
         Ok((map, _)) => {
             prop_assert!(map.width > 0 && map.height > 0);

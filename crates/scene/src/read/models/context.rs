@@ -1,6 +1,7 @@
 //! What the readers of models share.
 
 use glanz_color::read::{Place, ReadError};
+use glanz_math::MemoryBudget;
 
 use crate::Texture;
 use crate::read::notes::Notes;
@@ -48,16 +49,16 @@ impl Context<'_> {
         bytes: &[u8],
         name: &str,
         place: &Place,
-        bytes_left: &mut u64,
+        memory: &mut MemoryBudget,
     ) -> Result<Option<Texture>, ReadError> {
-        let why = match texture::decode(bytes, name, place.clone(), self.options, bytes_left) {
+        let why = match texture::decode(bytes, name, place.clone(), self.options, memory) {
             Ok(texture) => {
                 if jpeg::is_cut(bytes) {
                     self.notes.add_at(&format!("the picture '{name}' {}", jpeg::CUT), place.clone());
                 }
                 return Ok(Some(texture));
             }
-            Err(error @ ReadError::TooLarge { .. }) => return Err(error),
+            Err(error @ (ReadError::TooLarge { .. } | ReadError::Memory { .. })) => return Err(error),
             Err(ReadError::Unsupported { expected, found, .. }) => {
                 format!("is not {expected}, but begins with {found}")
             }

@@ -36,13 +36,13 @@ impl Source<'_> {
 
     /// A number of things, at least 1.
     pub(super) fn count(&self, value: f64, line: u64, what: &str) -> Result<usize, ReadError> {
-        // That many would not fit into a file.
-        let most = MAX_PROFILE_BYTES as f64;
-        match value.fract() == 0.0 && (1.0..=most).contains(&value) {
+        // More would not fit into a file.
+        let most = MAX_PROFILE_BYTES;
+        match value.fract() == 0.0 && (1.0..=most as f64).contains(&value) {
             true => Ok(value as usize),
             false => Err(self.malformed(
                 Place::Line(line),
-                format!("{what}, a whole number of at least 1"),
+                format!("{what}, a whole number from 1 to {most}"),
                 value.to_string(),
             )),
         }

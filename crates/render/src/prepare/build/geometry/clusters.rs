@@ -27,6 +27,25 @@ pub(crate) fn append(geometry: &mut Geometry, mesh: &Mesh, placed: &Placed, obje
     first..geometry.clusters.len()
 }
 
+/// How many vertices the clusters of a mesh have, counted without making them.
+pub(crate) fn vertex_count(mesh: &Mesh) -> u64 {
+    let mut used = vec![u32::MAX; mesh.positions.len()];
+    let (mut count, mut cluster, mut vertices, mut triangles) = (0, 0, 0, 0);
+    for corners in mesh.triangles() {
+        if triangles == CLUSTER_TRIANGLES || vertices + 3 > CLUSTER_VERTICES {
+            count += vertices.next_multiple_of(VERTEX_ALIGN) as u64;
+            (cluster, vertices, triangles) = (cluster + 1, 0, 0);
+        }
+        triangles += 1;
+        for corner in corners {
+            let last = &mut used[corner as usize];
+            vertices += usize::from(*last != cluster);
+            *last = cluster;
+        }
+    }
+    count + vertices.next_multiple_of(VERTEX_ALIGN) as u64
+}
+
 /// Position, normal and tangent of a vertex in the world.
 struct InWorld {
     position: [f32; 3],

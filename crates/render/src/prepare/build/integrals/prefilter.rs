@@ -118,19 +118,33 @@ impl Pyramid {
     }
 }
 
-/// The environment, more or less coarse.
+/// The environment, more or less coarse, with the directions of its pixels by rows and columns.
 struct PyramidLevel {
     map: Arc<EnvironmentMap>,
-    directions: Vec<Vec<glam::Vec3>>,
+    /// Of each row the radius and the height of its ring.
+    rings: Vec<[f64; 2]>,
+    /// Of each column x and z on a ring of radius 1.
+    columns: Vec<[f64; 2]>,
 }
 
 impl PyramidLevel {
     fn of(map: Arc<EnvironmentMap>) -> Self {
         let [width, height] = map.size();
-        let row =
-            |row| (0..width).map(|column| DVec3::from_array(map.direction(row, column)).as_vec3()).collect();
-        let directions = crate::parallel::collect(height, row);
-        Self { map, directions }
+        let ring = |row| {
+            let theta = (row as f64 + 0.5) / height as f64 * PI;
+            [libm::sin(theta), libm::cos(theta)]
+        };
+        let column = |column| {
+            let phi = ((column as f64 + 0.5) / width as f64 - 0.5) * 2.0 * PI;
+            [libm::sin(phi), -libm::cos(phi)]
+        };
+        Self { rings: (0..height).map(ring).collect(), columns: (0..width).map(column).collect(), map }
+    }
+
+    /// The direction of a pixel, to single precision.
+    fn direction(&self, row: usize, column: usize) -> DVec3 {
+        let ([radius, y], [x, z]) = (self.rings[row], self.columns[column]);
+        DVec3::new(radius * x, y, radius * z).as_vec3().as_dvec3()
     }
 }
 
@@ -169,7 +183,7 @@ fn rings<'a>(profile: &Profile, levels: &'a [PyramidLevel]) -> Vec<Ring<'a>> {
 
 /// The mean over a ring around a direction.
 fn mean(ring: &Ring, profile: &Profile, middle: DVec3) -> [f64; 3] {
-    let PyramidLevel { map, directions } = ring.level;
+    let map = &ring.level.map;
     let [width, height] = map.size();
     let theta = libm::acos(middle.y.clamp(-1.0, 1.0));
     let row_of = |theta: f64| theta / PI * height as f64 - 0.5;
@@ -178,10 +192,10 @@ fn mean(ring: &Ring, profile: &Profile, middle: DVec3) -> [f64; 3] {
     let center = EnvironmentColumn::of(middle, width);
     let (inner, outer) = (libm::cos(ring.from), libm::cos(ring.to));
     let (mut sum, mut weight) = ([0.0; 3], 0.0);
-    for (row, directions) in directions.iter().enumerate().take(last + 1).skip(first) {
+    for row in first..=last {
         let solid = map.solid_angle(row);
         for column in center.around(PI * (row as f64 + 0.5) / height as f64, theta, ring.to) {
-            let cosine = directions[column].as_dvec3().dot(middle);
+            let cosine = ring.level.direction(row, column).dot(middle);
             if cosine > inner || cosine <= outer {
                 continue;
             }

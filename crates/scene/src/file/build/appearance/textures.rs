@@ -9,6 +9,7 @@ use crate::file::near::{did_you_mean, list};
 use crate::file::tables::appearance::textures::TextureValue;
 use crate::file::tables::scene::SceneTable;
 use crate::file::tables::values::At;
+use crate::memory::texture_bytes;
 use crate::read::{FolderFiles, Resolver, read_texture, remark_of_texture};
 use crate::{Texture, TextureFilter, TextureUse, Wrap};
 
@@ -118,12 +119,8 @@ impl Builder {
         if let Some(remark) = remark_of_texture(&bytes, file) {
             self.input.notes.push(remark);
         }
-        // What all textures of a scene may take together; each alone is limited by its reader.
-        let taken: u64 = self.scene.textures.iter().map(|texture| texture.rgba.len() as u64).sum();
-        if taken + texture.rgba.len() as u64 > self.input.options.max_texture_bytes {
-            let limit = self.input.options.max_texture_bytes;
-            return Err(Problem::at(span, format!("the textures take more than {limit} bytes of memory")));
-        }
+        let bytes = texture_bytes(texture.width, texture.height);
+        self.take(format_args!("'{file}'"), bytes, span)?;
         Ok(Texture { wrap, filter, srgb, ..texture })
     }
 }

@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use glam::{DMat4, Vec4};
 
 use super::place::PlaceKeys;
-use crate::builtin::{Builtin, MAX_TRIANGLES};
+use crate::builtin::Builtin;
 use crate::file::build::builder::{Builder, FileModel, Part};
 use crate::file::error::Problem;
 use crate::file::near::{did_you_mean, list};
 use crate::file::tables::geometry::objects::{ColorsName, ColorsValue, MeshValue, NormalsName, ObjectTable};
 use crate::file::tables::values::At;
+use crate::memory::{check_triangles, texture_bytes};
 use crate::read::{Model, read_model};
 use crate::{Camera, Material, Mesh, Normals, Object, Projection};
 
@@ -226,7 +227,9 @@ impl Builder {
     fn read_file(&mut self, path: &Path, span: &Range<usize>) -> Result<FileModel, Problem> {
         let mut model =
             read_model(path, &self.input.options).map_err(|error| Problem::at(span, error.to_string()))?;
+        let textures = model.textures.iter().map(|texture| texture_bytes(texture.width, texture.height));
         let file = file_name(path);
+        self.take(format_args!("the textures of '{file}'"), textures.sum(), span)?;
         self.input.notes.extend(model.notes.iter().map(|note| format!("{file}: {note}")));
         let cameras = std::mem::take(&mut model.cameras);
         let lights = Model { lights: std::mem::take(&mut model.lights), ..Model::default() };
@@ -272,17 +275,10 @@ impl Builder {
         self.check_budget(0, span)
     }
 
-    /// Refuses more triangles than can be drawn, before they are made.
+    /// Refuses more triangles than can be drawn, or than there is memory for, before they are made.
     pub(in crate::file::build) fn check_budget(&self, more: u64, span: &Range<usize>) -> Result<(), Problem> {
-        match self.made.triangles.saturating_add(more) {
-            0..=MAX_TRIANGLES => Ok(()),
-            found => {
-                let message = format!(
-                    "expected at most {MAX_TRIANGLES} triangles in a scene, found {found} up to here"
-                );
-                Err(Problem::at(span, message))
-            }
-        }
+        let triangles = self.made.triangles.saturating_add(more);
+        check_triangles(triangles, self.input.options.memory).map_err(|message| Problem::at(span, message))
     }
 
     /// Takes out the meshes of files of which only others were made.

@@ -9,7 +9,8 @@ use crate::file::error::Problem;
 use crate::file::tables::lights::LightTable;
 use crate::file::tables::settings::BackgroundValue;
 use crate::file::tables::values::At;
-use crate::read::{ReadOptions, read_environment};
+use crate::memory::environment_bytes;
+use crate::read::read_environment;
 use crate::{Background, EnvironmentMap, LightKind};
 
 impl LightTable {
@@ -33,17 +34,16 @@ impl LightTable {
 }
 
 impl Builder {
-    /// The picture of a file, read once. All of a scene take at most the memory that its textures may.
+    /// The picture of a file, read once. What it takes is taken off the budget.
     fn environment_map(&mut self, file: &At<String>) -> Result<Arc<EnvironmentMap>, Problem> {
         if let Some(map) = self.made.environments.get(&file.value) {
             return Ok(map.clone());
         }
         let bytes = self.read_beside(file)?;
-        let taken: usize = self.made.environments.values().map(|map| size_of_val(&map.pixels[..])).sum();
-        let max_texture_bytes = self.input.options.max_texture_bytes.saturating_sub(taken as u64);
-        let options = ReadOptions { max_texture_bytes, ..self.input.options.clone() };
-        let (map, notes) = read_environment(&bytes, file, &options)
+        let (map, notes) = read_environment(&bytes, file, &self.input.options)
             .map_err(|error| Problem::at(&file.span, error.to_string()))?;
+        let size = environment_bytes(map.width, map.height);
+        self.take(format_args!("'{}'", file.value), size, &file.span)?;
         self.input.notes.extend(notes.iter().map(|note| format!("'{}': {note}", file.value)));
         let map = Arc::new(map);
         self.made.environments.insert(file.value.clone(), map.clone());

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use glanz_bsdf::Shape;
 use glanz_color::Rgb;
 use glanz_color::read::{Place, ReadError, excerpt};
+use glanz_math::MemoryBudget;
 
 use super::super::context::Context;
 use super::super::model::Model;
@@ -48,9 +49,9 @@ pub(super) fn read(
     model: &mut Model,
     context: &mut Context<'_>,
 ) -> Result<(), ReadError> {
-    let left = context.options.max_texture_bytes;
+    let memory = context.options.memory;
     let (known, decoded) = (HashMap::new(), HashMap::new());
-    let mut reader = Reader { source, textures: Vec::new(), known, decoded, left };
+    let mut reader = Reader { source, textures: Vec::new(), known, decoded, memory };
     let standard = json::Material::default();
     for index in used {
         let (json, path) = match index {
@@ -70,8 +71,8 @@ struct Reader<'a> {
     known: HashMap<(usize, bool), Option<usize>>,
     /// The first texture here of each image of the file.
     decoded: HashMap<usize, usize>,
-    /// Bytes that textures may still take.
-    left: u64,
+    /// What textures may still take.
+    memory: MemoryBudget,
 }
 
 impl Reader<'_> {
@@ -249,8 +250,7 @@ impl Reader<'_> {
         let webp = extensions.webp.as_ref().map(|webp| webp.source);
         for index in [webp, texture.source].into_iter().flatten() {
             if let Some(known) = self.decoded.get(&index).map(|known| &self.textures[*known]) {
-                let size = known.rgba.len() as u64;
-                texture::spend(size, self.source.file, &user, context.options, &mut self.left)?;
+                texture::spend((known.width, known.height), self.source.file, &user, &mut self.memory)?;
                 return Ok(Some((index, known.clone())));
             }
             if let Some(picture) = self.image(index, &user, context)? {
@@ -306,7 +306,7 @@ impl Reader<'_> {
         };
         let number = format!("images[{index}]");
         let name = if name.is_empty() { &number } else { name };
-        let picture = context.decode_picture(bytes, name, &place, &mut self.left)?;
+        let picture = context.decode_picture(bytes, name, &place, &mut self.memory)?;
         Ok(picture.map(|picture| Texture { name: image.name.chars().take(MAX_NAME).collect(), ..picture }))
     }
 

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use glanz_color::read::{Place, ReadError};
+use glanz_math::MemoryBudget;
 
 use super::super::context::Context;
 use super::super::lines::{Lines, float, without_comment, words};
@@ -99,13 +100,13 @@ pub(super) struct Pictures {
     pub(super) textures: Vec<Texture>,
     /// By name, use and clamp; `None` for those that cannot be used.
     known: HashMap<(String, Use, bool), Option<usize>>,
-    left: u64,
+    memory: MemoryBudget,
 }
 
 impl Pictures {
     /// None yet, and so many bytes that they may take.
-    pub(super) fn new(left: u64) -> Self {
-        Self { textures: Vec::new(), known: HashMap::new(), left }
+    pub(super) fn new(memory: MemoryBudget) -> Self {
+        Self { textures: Vec::new(), known: HashMap::new(), memory }
     }
 
     /// The texture of a statement, if it can be used.
@@ -151,8 +152,7 @@ impl Pictures {
             Some(colored) => self.textures[colored.texture].clone(),
             None => Texture { rgba: vec![255; mask.rgba.len()], srgb: true, ..mask.clone() },
         };
-        let size = base.rgba.len() as u64;
-        texture::spend(size, context.file, &opacity.line, context.options, &mut self.left)?;
+        texture::spend((base.width, base.height), context.file, &opacity.line, &mut self.memory)?;
         self.textures.push(with_alpha(base, &mask));
         let texture = self.textures.len() - 1;
         Ok((Some(TextureUse { texture, transform: opacity.transform, scale: 1.0 }), true))
@@ -167,7 +167,7 @@ impl Pictures {
     ) -> Result<Option<Texture>, ReadError> {
         let reference = &map.reference;
         let Some(bytes) = context.find_picture(&map.candidates(), &map.line) else { return Ok(None) };
-        let Some(texture) = context.decode_picture(&bytes, reference, &map.line, &mut self.left)? else {
+        let Some(texture) = context.decode_picture(&bytes, reference, &map.line, &mut self.memory)? else {
             return Ok(None);
         };
         if purpose == Use::Bump && !holds_normals(&texture) {

@@ -102,7 +102,7 @@ impl Library {
         names: &[Option<String>],
         context: &mut Context<'_>,
     ) -> Result<(Vec<Material>, Vec<Texture>), ReadError> {
-        let mut pictures = Pictures::new(context.options.max_texture_bytes);
+        let mut pictures = Pictures::new(context.options.memory);
         let mut materials = Vec::with_capacity(names.len());
         for name in names {
             materials.push(match name.as_ref().and_then(|name| self.find(name)) {

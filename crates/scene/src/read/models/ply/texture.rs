@@ -23,8 +23,8 @@ pub(super) fn material(
         return Ok(plain);
     }
     let Some(bytes) = context.find_picture(std::slice::from_ref(name), place) else { return Ok(plain) };
-    let mut left = context.options.max_texture_bytes;
-    let Some(picture) = context.decode_picture(&bytes, name, place, &mut left)? else { return Ok(plain) };
+    let mut memory = context.options.memory;
+    let Some(picture) = context.decode_picture(&bytes, name, place, &mut memory)? else { return Ok(plain) };
     let white = ClassicMaterial {
         ambient: Rgb::WHITE.into(),
         diffuse: Rgb::WHITE.into(),

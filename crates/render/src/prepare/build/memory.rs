@@ -1,0 +1,127 @@
+//! What a scene takes of memory once it is prepared and drawn, asked before any of it is taken.
+//!
+//! The figures are sizes of arrays, and measurements where arrays come and go; docs/SCENE.md has the measurements.
+
+use std::collections::HashMap;
+
+use glanz_math::MemoryBudget;
+use glanz_scene::builtin::MAX_TRIANGLES;
+use glanz_scene::memory::{environment_bytes, texture_bytes};
+use glanz_scene::{LightKind, Material, Mesh, Scene};
+
+use super::geometry::clusters::vertex_count;
+use super::geometry::objects::needs_tangents;
+use crate::prepare::color::tint_coordinate::coordinate_of;
+use crate::prepare::color::tint_table::rows;
+use crate::prepare::data::{Cluster, TintCoordinate};
+use crate::prepare::{PrepareError, PrepareOptions};
+
+/// Of each triangle: corners, facet, and its part of a cluster, which has 85 triangles or more in a mesh that shares no vertex.
+const TRIANGLE: u64 = 11 + size_of::<Cluster>() as u64 / 85 + 1;
+/// What drawing holds of each triangle that is seen. Measured: 37 bytes.
+const DRAWING: u64 = 40;
+/// Beside it with shadows: boxes and all that the builder holds of them, more than what is kept. Measured: 218 bytes.
+const SHADOW: u64 = 225;
+/// Position, normal and number of a vertex of a cluster.
+const VERTEX: u64 = 28;
+/// The three channels of an entry of the tint table, and its part of what is there per light and per material. Measured: 13.4 bytes.
+const TINT: u64 = 14;
+/// A tint that depends on an angle: at most 32 terms.
+const SERIES: u64 = 24 + 32 * TINT;
+
+/// The budget without what a scene takes of it. The scene must be valid.
+///
+/// # Errors
+/// If it has more triangles than can be drawn, or takes more than there is; a short file can ask for any amount.
+pub(crate) fn memory_beside(scene: &Scene, options: &PrepareOptions) -> Result<MemoryBudget, PrepareError> {
+    let mut memory = options.memory.whole();
+    let textures = scene.textures.iter().map(|texture| texture_bytes(texture.width, texture.height));
+    memory.take(format_args!("{} textures", scene.textures.len()), textures.sum())?;
+    let maps = scene.lights.iter().filter_map(|light| match &light.kind {
+        LightKind::Environment { map: Some(map), .. } => Some(environment_bytes(map.width, map.height)),
+        _ => None,
+    });
+    memory.take("environments", maps.sum())?;
+    let (lights, materials) = (scene.lights.len(), scene.materials.len());
+    let what = format_args!("the tints of {lights} lights on {materials} materials");
+    memory.take(what, tints(scene))?;
+    check_triangles(scene, &mut memory)?;
+    Ok(memory)
+}
+
+/// The tint table: an entry for each pair of a light and a lobe, three more where textures mix spectra.
+fn tints(scene: &Scene) -> u64 {
+    let lights: u64 = scene.lights.iter().map(|light| rows(light) as u64).sum();
+    let of_material = |material: &Material| {
+        let (lobes, is_curve) = (&material.lobes, |lobe| coordinate_of(lobe) != TintCoordinate::None);
+        let mixed = if material.base_color.is_some() { 3 * TINT } else { 0 };
+        let series = if lobes.iter().any(is_curve) { SERIES } else { 0 };
+        (lobes.len() as u64).saturating_mul(lights).saturating_mul(TINT + mixed + series)
+    };
+    scene.materials.iter().map(of_material).fold(0, u64::saturating_add)
+}
+
+/// Triangles and their shadows. Vertices of clusters are counted one by one only where the most that they can
+/// be matters.
+fn check_triangles(scene: &Scene, memory: &mut MemoryBudget) -> Result<(), PrepareError> {
+    let triangles_of = |number: usize| scene.meshes[number].triangle_count() as u64;
+    let numbers = || scene.objects.iter().map(|object| object.mesh);
+    let triangles = numbers().map(triangles_of).fold(0, u64::saturating_add);
+    if triangles > MAX_TRIANGLES {
+        let what = format!("expected at most {MAX_TRIANGLES} triangles in a scene, found {triangles}");
+        return Err(PrepareError::Scene { what });
+    }
+    let meshes: u64 = scene.meshes.iter().map(mesh_bytes).sum();
+    let vertex = vertex_bytes(scene);
+    let fixed = meshes + completed(scene) + triangles * (TRIANGLE + DRAWING);
+    let shadows = if scene.render.shadows { triangles * SHADOW } else { 0 };
+    let most = fixed.saturating_add(3 * triangles * vertex).saturating_add(shadows);
+    if most <= memory.left() / 8 {
+        memory.take("triangles", most)?;
+        return Ok(());
+    }
+    let mut known = HashMap::new();
+    let count = |number: usize| *known.entry(number).or_insert_with(|| vertex_count(&scene.meshes[number]));
+    let vertices: u64 = numbers().map(count).sum();
+    memory.take(format_args!("{triangles} triangles"), fixed + vertices * vertex)?;
+    memory.take(format_args!("the shadows of {triangles} triangles"), shadows)?;
+    Ok(())
+}
+
+/// The arrays of a mesh.
+fn mesh_bytes(mesh: &Mesh) -> u64 {
+    let arrays = [
+        size_of_val(&mesh.positions[..]),
+        size_of_val(&mesh.normals[..]),
+        size_of_val(&mesh.uvs[..]),
+        size_of_val(&mesh.colors[..]),
+        size_of_val(&mesh.tangents[..]),
+        size_of_val(&mesh.corners[..]),
+        size_of_val(&mesh.face_starts[..]),
+    ];
+    arrays.iter().sum::<usize>() as u64
+}
+
+/// Copies of meshes that lack normals or tangents, for each of their objects, and what making one of them takes.
+fn completed(scene: &Scene) -> u64 {
+    let copies = scene.objects.iter().map(|object| {
+        let (mesh, material) = (&scene.meshes[object.mesh], &scene.materials[object.material]);
+        let vertices = mesh.positions.len() as u64;
+        let normals = if mesh.normals.is_empty() { 12 * vertices } else { 0 };
+        let lacks_tangents = needs_tangents(material) && mesh.tangents.is_empty() && !mesh.uvs.is_empty();
+        let tangents = if lacks_tangents { 16 * vertices } else { 0 };
+        if normals + tangents > 0 { mesh_bytes(mesh) + normals + tangents } else { 0 }
+    });
+    let (sum, most) =
+        copies.fold((0_u64, 0), |(sum, most), bytes| (sum.saturating_add(bytes), bytes.max(most)));
+    sum.saturating_add(most)
+}
+
+/// A vertex of a cluster: all have what any mesh has.
+fn vertex_bytes(scene: &Scene) -> u64 {
+    let any = |has: &dyn Fn(&Mesh) -> bool| scene.meshes.iter().any(has);
+    let tangents = any(&|mesh| !mesh.tangents.is_empty()) || scene.materials.iter().any(needs_tangents);
+    let optional =
+        [(any(&|mesh| !mesh.uvs.is_empty()), 8), (any(&|mesh| !mesh.colors.is_empty()), 16), (tangents, 16)];
+    VERTEX + optional.iter().filter(|(is_there, _)| *is_there).map(|(_, bytes)| bytes).sum::<u64>()
+}
