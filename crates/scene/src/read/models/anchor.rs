@@ -84,7 +84,7 @@ mod tests {
     fn far_positions_keep_their_digits_wherever_the_first_far_one_comes() {
         let points = [[0.0, 0.0, 0.0], [5e6 + 0.25, -3e6 + 0.125, 12.5], [5e6 + 0.375, -3e6, 13.0]];
         let (mut anchor, mut positions) = (Anchor::default(), Vec::new());
-        points.map(|point| anchor.push(DVec3::from(point), &mut positions));
+        points.iter().for_each(|point| anchor.push(DVec3::from(*point), &mut positions));
         for (position, point) in positions.iter().zip(points) {
             let found = anchor.transform().transform_point3(position.as_dvec3());
             assert!((found - DVec3::from(point)).length() < 1e-9 * DVec3::from(point).length(), "{found}");

@@ -82,7 +82,7 @@ impl<'a> Buffers<'a> {
         let mut total = 0u64;
         for (index, buffer) in root.buffers.iter().enumerate() {
             let path = || Place::Path(format!("buffers[{index}]"));
-            if buffer.is_placeholder() {
+            if buffer.is_fallback() {
                 buffers.push(Cow::Borrowed(&[][..]));
                 continue;
             }
@@ -134,21 +134,32 @@ impl<'a> Buffers<'a> {
             let expected = format!("one of {} bufferViews", root.buffer_views.len());
             ReadError::malformed(file, path(), expected, "none")
         })?;
-        let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
-            let expected = format!("one of {} buffers", self.buffers.len());
-            ReadError::malformed(file, path(), expected, format!("buffer {}", view.buffer))
-        })?;
-        let end = view.byte_offset.checked_add(view.byte_length);
-        let end = end.filter(|end| *end <= buffer.len() as u64).ok_or_else(|| {
-            let expected = format!("bytes within the {} of buffer {}", buffer.len(), view.buffer);
-            let found = format!("{} bytes from byte {} on", view.byte_length, view.byte_offset);
-            ReadError::malformed(file, path(), expected, found)
-        })?;
+        let bytes = self.slice(view.buffer, view.byte_offset, view.byte_length, file, path)?;
         let stride = view.byte_stride.map(|stride| match stride {
             1..=252 => Ok(stride as usize),
             _ => Err(ReadError::malformed(file, path(), "a byteStride of 4 to 252", stride.to_string())),
         });
-        Ok((&buffer[view.byte_offset as usize..end as usize], stride.transpose()?))
+        Ok((bytes, stride.transpose()?))
+    }
+
+    /// Some bytes of a buffer, as the part of the file at `path` says.
+    pub(super) fn slice(
+        &self,
+        index: usize,
+        offset: u64,
+        length: u64,
+        file: &str,
+        path: impl Fn() -> Place,
+    ) -> Result<&[u8], ReadError> {
+        let buffer = self.buffers.get(index).ok_or_else(|| {
+            let expected = format!("one of {} buffers", self.buffers.len());
+            ReadError::malformed(file, path(), expected, format!("buffer {index}"))
+        })?;
+        let end = offset.checked_add(length).filter(|end| *end <= buffer.len() as u64).ok_or_else(|| {
+            let expected = format!("bytes within the {} of buffer {index}", buffer.len());
+            ReadError::malformed(file, path(), expected, format!("{length} bytes from byte {offset} on"))
+        })?;
+        Ok(&buffer[offset as usize..end as usize])
     }
 }
 
