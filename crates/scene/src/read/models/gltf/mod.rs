@@ -4,10 +4,10 @@
 //! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
 //! `KHR_texture_transform`, `KHR_mesh_quantization` and of `KHR_materials_…`: `unlit`,
 //! `emissive_strength`, `ior`, `specular`, `clearcoat`, `sheen`, `transmission`, `volume`,
-//! `anisotropy`, `iridescence` and `pbrSpecularGlossiness`; `EXT_mesh_gpu_instancing`, `EXT_texture_webp`. Other
-//! extensions are ignored with a note, also where the file requires them if they are about materials and pictures alone,
-//! else refused there. Skins are in the pose of the nodes, morph targets have the weights of the file; animations are
-//! ignored.
+//! `anisotropy`, `iridescence` and `pbrSpecularGlossiness`; `EXT_mesh_gpu_instancing`, `EXT_texture_webp`;
+//! `KHR_draco_mesh_compression`, `EXT_meshopt_compression`, `KHR_meshopt_compression`. Other extensions are ignored
+//! with a note, also where the file requires them if they are about materials and pictures alone, else refused there.
+//! Skins are in the pose of the nodes, morph targets have the weights of the file; animations are ignored.
 //!
 //! # Materials
 //! As Appendix B of the specification (Khronos Group, glTF 2.0, 2021) and the extensions have them.

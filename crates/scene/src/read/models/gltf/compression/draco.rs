@@ -91,11 +91,11 @@ impl<'a> Source<'a> {
         // The indices of a strip are others than those of the triangles that it is compressed as.
         let indices = primitive.indices.as_ref().filter(|_| primitive.mode.is_none_or(|mode| mode == 4));
         let triangles = accessor(indices).map(|indices| indices.count / 3);
-        let (bytes, _) = self.view(compressed.buffer_view)?;
         let expected = || match triangles {
             Some(triangles) => format!("{triangles} triangles of {} vertices", position.count),
             None => format!("triangles of {} vertices", position.count),
         };
+        let (bytes, _) = self.view(compressed.buffer_view)?;
         let mesh = decode(bytes, triangles, self.budget.left()).map_err(|error| {
             wrong((expected(), format!("what cannot be decompressed ({})", error.message())))
         })?;
@@ -104,23 +104,33 @@ impl<'a> Source<'a> {
             return Err(wrong((expected(), format!("{faces} triangles of {points} vertices"))));
         }
         self.budget.spend(12 * faces, self.file, || path.to_owned())?;
-        let corners = corners(&mesh).map_err(wrong)?;
-        let mut decoded = Decoded { corners: Some(corners), items: HashMap::new() };
+        let corners = Some(corners(&mesh).map_err(wrong)?);
+        Ok(Decoded { corners, items: self.items_of(&mesh, primitive, compressed, path)? })
+    }
+
+    /// For each accessor its items without gaps, or why there are none.
+    fn items_of(
+        &self,
+        mesh: &Mesh,
+        primitive: &Primitive,
+        compressed: &Compressed,
+        path: &str,
+    ) -> Result<HashMap<usize, Result<Vec<u8>, Mismatch>>, ReadError> {
+        let mut all = HashMap::new();
         for (name, &number) in &compressed.attributes {
             let Some(&index) = primitive.attributes.get(name) else { continue };
-            let Some(accessor) = accessor(Some(&index)) else { continue };
-            let items = checked_attribute(&mesh, number, accessor);
-            let items = match items {
+            let Some(accessor) = self.root.accessors.get(index) else { continue };
+            let items = match checked_attribute(mesh, number, accessor) {
                 Ok(attribute) => {
-                    let size = points * attribute.byte_stride().unsigned_abs();
+                    let size = accessor.count * attribute.byte_stride().unsigned_abs();
                     self.budget.spend(size, self.file, || path.to_owned())?;
                     items_of(attribute, mesh.num_points())
                 }
                 Err(mismatch) => Err(mismatch),
             };
-            decoded.items.insert(index, items);
+            all.insert(index, items);
         }
-        Ok(decoded)
+        Ok(all)
     }
 }
 
@@ -144,19 +154,24 @@ fn corners(mesh: &Mesh) -> Result<Vec<u32>, Mismatch> {
     }
 }
 
-/// The attribute of this number, if it is of the accessor's type.
+/// The attribute of this number, if it is as the accessor says.
 fn checked_attribute<'m>(
     mesh: &'m Mesh,
     number: u32,
     accessor: &Accessor,
 ) -> Result<&'m PointAttribute, Mismatch> {
     let attribute = mesh.attribute_by_unique_id(number);
-    let found = attribute.map(|attribute| (attribute.num_components().into(), code(attribute.data_type())));
-    let expected = (accessor.width(), accessor.component_type);
+    let found = attribute.map(|attribute| {
+        let (width, points) = (attribute.num_components().into(), mesh.num_points() as u64);
+        (points, width, code(attribute.data_type()))
+    });
+    let expected = (accessor.count, accessor.width(), accessor.component_type);
     match attribute {
         Some(attribute) if found == Some(expected) => Ok(attribute),
         _ => {
-            let of = |(width, code): (usize, u32)| format!("{width} numbers of the componentType {code}");
+            let of = |(count, width, code): (u64, usize, u32)| {
+                format!("{count} items of {width} numbers of the componentType {code}")
+            };
             let found = found.map_or_else(|| "none".to_owned(), of);
             Err((format!("{} in the attribute {number} of {NAME}", of(expected)), found))
         }

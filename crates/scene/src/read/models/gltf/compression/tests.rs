@@ -212,7 +212,9 @@ fn draco_must_agree_with_the_accessors() {
     assert!(found.contains(&format!("{place} the positions among its attributes, found none")), "{found}");
     let found = error(&[(numbers, json!({ "POSITION": 77 }))]);
     assert!(
-        found.contains("accessors[0]: expected 3 numbers of the componentType 5126 in the attribute 77"),
+        found.contains(
+            "accessors[0]: expected 169 items of 3 numbers of the componentType 5126 in the attribute 77"
+        ),
         "{found}"
     );
     let view = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/bufferView";
@@ -223,6 +225,13 @@ fn draco_must_agree_with_the_accessors() {
         let left_out = "the attribute NORMAL is left out";
         assert!(model.notes.iter().any(|note| note.contains(left_out)), "{:?}", model.notes);
     }
+    let changes = [
+        ("/accessors/5/count", json!(9999)),
+        ("/skins", json!([{ "joints": [0] }])),
+        ("/nodes/0/skin", json!(0)),
+    ];
+    let model = read_bytes(&draco(&changes), Format::Gltf).unwrap();
+    assert!(model.notes.iter().any(|note| note.contains("drawn as it was bound")), "{:?}", model.notes);
 }
 
 #[test]
@@ -249,13 +258,20 @@ fn damaged_draco_is_an_error_or_a_model() {
         change(&mut cut, &[("/bufferViews/0/byteLength", json!(at))]);
         assert!(error_of(&glb(&cut, &stream), Format::Gltf).contains("cannot be decompressed"));
     }
-    assert!(errors > stream.len() / 2, "{errors}");
+    assert!(errors > stream.len() / 4, "{errors} of {} bytes", stream.len());
 }
 
 #[test]
-fn many_primitives_of_one_stream_cannot_fill_the_memory() {
-    let primitive = draco_document(&draco_stream(5))["meshes"][0]["primitives"][0].clone();
-    let found = error_of(&draco(&[("/meshes/0/primitives", json!(vec![primitive; 4000]))]), Format::Gltf);
+fn a_stream_that_is_used_many_times_cannot_fill_the_memory() {
+    // Each node has a mesh of its own, since it has a skin.
+    let nodes = vec![json!({ "mesh": 0, "skin": 0 }); 4000];
+    let roots: Vec<usize> = (0..nodes.len()).collect();
+    let changes = [
+        ("/nodes", json!(nodes)),
+        ("/scenes/0/nodes", json!(roots)),
+        ("/skins", json!([{ "joints": [0, 1] }])),
+    ];
+    let found = error_of(&draco(&changes), Format::Gltf);
     assert!(found.contains("bytes of memory for a file of this size"), "{found}");
 }
 
