@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::context::Context;
-use super::json::Root;
+use super::json::{Buffer, Root};
 
 const JSON_CHUNK: u32 = 0x4e4f_534a;
 const BINARY_CHUNK: u32 = 0x004e_4942;
@@ -75,33 +75,23 @@ impl<'a> Buffers<'a> {
     /// Loads all buffers, each with as many bytes as it should have.
     pub(super) fn load(
         root: &Root,
-        mut binary: Option<&'a [u8]>,
+        binary: Option<&'a [u8]>,
         context: &Context<'_>,
     ) -> Result<Self, ReadError> {
         let mut buffers = Vec::new();
         let mut total = 0u64;
+        let compressed = root.buffers_of_compressed_views();
         for (index, buffer) in root.buffers.iter().enumerate() {
             let path = || Place::Path(format!("buffers[{index}]"));
-            if buffer.is_fallback() {
+            // Only the first buffer may be the binary chunk.
+            let binary = binary.filter(|_| index == 0);
+            let has_bytes = buffer.uri.is_some() || binary.is_some();
+            // Some writers do not say of a buffer without bytes that its views are compressed elsewhere.
+            if buffer.is_fallback() || (!has_bytes && compressed.contains(&index)) {
                 buffers.push(Cow::Borrowed(&[][..]));
                 continue;
             }
-            let mut bytes = match &buffer.uri {
-                Some(uri) => Cow::Owned(load_uri(uri, path(), context)?),
-                // Only the first buffer may be the binary chunk.
-                None => Cow::Borrowed(binary.take().filter(|_| index == 0).ok_or_else(|| {
-                    ReadError::malformed(context.file, path(), "a uri or a binary chunk", "neither")
-                })?),
-            };
-            let found = bytes.len() as u64;
-            if found < buffer.byte_length {
-                let expected = format!("{} bytes (byteLength)", buffer.byte_length);
-                return Err(ReadError::malformed(context.file, path(), expected, format!("{found} bytes")));
-            }
-            match &mut bytes {
-                Cow::Owned(bytes) => bytes.truncate(buffer.byte_length as usize),
-                Cow::Borrowed(bytes) => *bytes = &bytes[..buffer.byte_length as usize],
-            }
+            let bytes = bytes_of(buffer, binary, path(), context)?;
             total += bytes.len() as u64;
             if total > context.options.max_bytes {
                 return Err(ReadError::TooLarge {
@@ -120,6 +110,11 @@ impl<'a> Buffers<'a> {
     /// How many bytes there are in all.
     pub(super) fn total(&self) -> u64 {
         self.buffers.iter().map(|buffer| buffer.len() as u64).sum()
+    }
+
+    /// Whether a buffer has no bytes.
+    pub(super) fn is_empty(&self, index: usize) -> bool {
+        self.buffers.get(index).is_some_and(|buffer| buffer.is_empty())
     }
 
     /// The bytes of a view and the distance between its items, if it tells one.
@@ -161,6 +156,32 @@ impl<'a> Buffers<'a> {
         })?;
         Ok(&buffer[offset as usize..end as usize])
     }
+}
+
+/// The bytes of a buffer, as many as it should have.
+fn bytes_of<'a>(
+    buffer: &Buffer,
+    binary: Option<&'a [u8]>,
+    place: Place,
+    context: &Context<'_>,
+) -> Result<Cow<'a, [u8]>, ReadError> {
+    let mut bytes = match (&buffer.uri, binary) {
+        (Some(uri), _) => Cow::Owned(load_uri(uri, place.clone(), context)?),
+        (None, Some(binary)) => Cow::Borrowed(binary),
+        (None, None) => {
+            return Err(ReadError::malformed(context.file, place, "a uri or a binary chunk", "neither"));
+        }
+    };
+    let found = bytes.len() as u64;
+    if found < buffer.byte_length {
+        let expected = format!("{} bytes (byteLength)", buffer.byte_length);
+        return Err(ReadError::malformed(context.file, place, expected, format!("{found} bytes")));
+    }
+    match &mut bytes {
+        Cow::Owned(bytes) => bytes.truncate(buffer.byte_length as usize),
+        Cow::Borrowed(bytes) => *bytes = &bytes[..buffer.byte_length as usize],
+    }
+    Ok(bytes)
 }
 
 /// The bytes that a URI holds or names.

@@ -1,6 +1,7 @@
 //! Views compressed by meshoptimizer's codecs (`EXT_meshopt_compression`, `KHR_meshopt_compression`).
 
 use std::cell::OnceCell;
+use std::collections::HashSet;
 
 use glanz_color::read::{Place, ReadError, excerpt};
 use meshoptimizer_rs::codec::{
@@ -38,9 +39,8 @@ impl<T> Extensions<T> {
 }
 
 /// What is said of a buffer whose views are compressed elsewhere.
-#[derive(Deserialize)]
+#[derive(Deserialize, Default)]
 #[serde(default)]
-#[derive(Default)]
 pub(in super::super) struct Fallback {
     fallback: bool,
 }
@@ -94,8 +94,16 @@ impl Compressed {
     }
 }
 
+impl Root {
+    /// The buffers of the views that are compressed elsewhere.
+    pub(in super::super) fn buffers_of_compressed_views(&self) -> HashSet<usize> {
+        let views = self.buffer_views.iter().filter(|view| view.extensions.get().is_some());
+        views.map(|view| view.buffer).collect()
+    }
+}
+
 impl Buffer {
-    /// Whether it is not needed: all its views are compressed elsewhere.
+    /// Whether it is said to be for readers without the extension alone.
     pub(in super::super) fn is_fallback(&self) -> bool {
         self.extensions.get().is_some_and(|(meshopt, _)| meshopt.fallback || self.uri.is_none())
     }
@@ -125,11 +133,8 @@ impl Source<'_> {
     /// The bytes of a view, decompressed where they are compressed and the buffer of the view does not have them
     /// uncompressed, and the distance between its items, if the view tells one.
     pub(in super::super) fn view(&self, index: usize) -> Result<(&[u8], Option<usize>), ReadError> {
-        let view = self.root.buffer_views.get(index);
-        let compressed = view.and_then(|view| {
-            let buffer = self.root.buffers.get(view.buffer)?;
-            view.extensions.get().filter(|_| buffer.is_fallback())
-        });
+        let view = self.root.buffer_views.get(index).filter(|view| self.buffers.is_empty(view.buffer));
+        let compressed = view.and_then(|view| view.extensions.get());
         let (Some((compressed, name)), Some(cell)) = (compressed, self.views.views.get(index)) else {
             return self.buffers.view(self.root, index, self.file);
         };
