@@ -4,6 +4,7 @@ use glam::{DVec3, Vec2, Vec3, Vec4};
 use glanz_color::Rgb;
 use serde_json::{Value, json};
 
+pub(crate) use super::compression::tests::compressed_samples;
 use crate::read::tests::{check, error_of, read_bytes};
 use crate::read::{Format, Model, texture};
 use crate::{AlphaMode, LightKind, Metalness, Projection, TextureFilter, Wrap};

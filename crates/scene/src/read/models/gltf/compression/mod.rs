@@ -4,4 +4,4 @@ pub(super) mod draco;
 pub(super) mod meshopt;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

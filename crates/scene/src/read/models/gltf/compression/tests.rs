@@ -365,6 +365,12 @@ fn document(file: &Meshopt) -> Value {
     })
 }
 
+/// A file compressed by Draco, and one by meshopt.
+pub(crate) fn compressed_samples() -> [Vec<u8>; 2] {
+    let (document, binary) = meshopt("EXT_meshopt_compression", 0, "TRIANGLES");
+    [draco(&[]), glb(&document, &binary)]
+}
+
 /// The largest error of the filters above, of 16 bits.
 const MESHOPT_TOLERANCE: f32 = 1e-4;
 
