@@ -62,6 +62,7 @@ fn samples() -> Vec<(Format, Vec<u8>)> {
         (Format::Stl, stl::tests::binary()),
     ];
     samples.extend(ply::tests::samples().map(|bytes| (Format::Ply, bytes)));
+    samples.extend(gltf::tests::compressed_samples().map(|bytes| (Format::Gltf, bytes)));
     samples
 }
 

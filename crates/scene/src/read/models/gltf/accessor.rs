@@ -92,6 +92,19 @@ impl<'a> Items<'a> {
     }
 }
 
+impl Accessor {
+    /// How many numbers an item has.
+    pub(super) fn width(&self) -> usize {
+        match self.kind.as_str() {
+            "SCALAR" => 1,
+            "VEC2" => 2,
+            "VEC3" => 3,
+            "MAT4" => 16,
+            _ => 4,
+        }
+    }
+}
+
 /// The place of an accessor.
 fn place(index: usize) -> Place {
     Place::Path(format!("accessors[{index}]"))
@@ -109,9 +122,12 @@ impl Source<'_> {
     /// The number of items of an accessor.
     pub(super) fn count(&self, index: usize, user: &str) -> Result<usize, ReadError> {
         let count = self.accessor(index, user)?.count;
+        if self.draco.items(index).is_some() {
+            return Ok(count as usize);
+        }
         // Each item must be used by something that takes at least a byte, in a buffer or as the
         // item itself: what is more can only be a claim.
-        let most = self.buffers.total().min(u64::from(u32::MAX));
+        let most = self.buffers.total().saturating_add(self.views.total()).min(u64::from(u32::MAX));
         match count {
             count if count <= most => Ok(count as usize),
             _ => Err(self.malformed(
@@ -125,13 +141,6 @@ impl Source<'_> {
     /// The items of an accessor, each of `width` numbers of one of the `kinds`.
     fn items(&self, index: usize, kinds: &[&str], user: &str) -> Result<Items<'_>, ReadError> {
         let accessor = self.accessor(index, user)?;
-        let width = match accessor.kind.as_str() {
-            "SCALAR" => 1,
-            "VEC2" => 2,
-            "VEC3" => 3,
-            "MAT4" => 16,
-            _ => 4,
-        };
         if !kinds.contains(&accessor.kind.as_str()) {
             let found = excerpt(accessor.kind.as_bytes());
             return Err(self.malformed(
@@ -144,21 +153,33 @@ impl Source<'_> {
             let expected = "a componentType of 5120, 5121, 5122, 5123, 5125 or 5126";
             self.malformed(place(index), expected, accessor.component_type.to_string())
         })?;
-        let size = component.size() * width;
+        let size = component.size() * accessor.width();
         let count = self.count(index, user)?;
-        let (bytes, stride) = match accessor.buffer_view {
-            Some(view) => {
-                let (bytes, stride) = self.buffers.view(self.root, view, self.file)?;
-                let stride = stride.unwrap_or(size);
-                (Some(self.slice(bytes, accessor.byte_offset, stride, size, count, index)?), stride)
-            }
-            None => (None, size),
-        };
+        let (bytes, stride) = self.dense(accessor, size, count, index)?;
         let sparse = match &accessor.sparse {
             Some(sparse) => Some(self.sparse(sparse, size, count, index)?),
             None => None,
         };
         Ok(Items { bytes, stride, count, component, normalized: accessor.normalized, sparse, size })
+    }
+
+    /// The items of an accessor without its sparse ones, `None` for zeros, and the distance between them.
+    fn dense(
+        &self,
+        accessor: &Accessor,
+        size: usize,
+        count: usize,
+        index: usize,
+    ) -> Result<(Option<&[u8]>, usize), ReadError> {
+        let (view, bytes) = (accessor.buffer_view, self.draco.items(index));
+        if let Some(bytes) = bytes {
+            let bytes = bytes.map_err(|(expected, found)| self.malformed(place(index), expected, found))?;
+            return Ok((Some(bytes), size));
+        }
+        let Some(view) = view else { return Ok((None, size)) };
+        let (bytes, stride) = self.view(view)?;
+        let stride = stride.unwrap_or(size);
+        Ok((Some(self.slice(bytes, accessor.byte_offset, stride, size, count, index)?), stride))
     }
 
     /// The items, each of `size` bytes, that replace some of the `count` items of an accessor, and which.
@@ -174,7 +195,7 @@ impl Source<'_> {
             let expected = format!("at most {count} sparse items");
             self.malformed(place(index), expected, sparse.count.to_string())
         })?;
-        let (values, _) = self.buffers.view(self.root, sparse.values.buffer_view, self.file)?;
+        let (values, _) = self.view(sparse.values.buffer_view)?;
         let values = self.slice(values, sparse.values.byte_offset, size, size, replaced, index)?;
         Ok((self.sparse_indices(&sparse.indices, replaced, count, index)?, values))
     }
@@ -216,7 +237,7 @@ impl Source<'_> {
             let expected = "a sparse componentType of 5121, 5123 or 5125";
             self.malformed(place(index), expected, part.component_type.to_string())
         })?;
-        let (bytes, _) = self.buffers.view(self.root, part.buffer_view, self.file)?;
+        let (bytes, _) = self.view(part.buffer_view)?;
         let size = component.size();
         let bytes = self.slice(bytes, part.byte_offset, size, size, replaced, index)?;
         let numbers: Vec<u32> = bytes.chunks_exact(size).map(|bytes| component.index(bytes)).collect();

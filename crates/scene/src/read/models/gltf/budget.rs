@@ -1,11 +1,13 @@
 //! How much memory a model may take.
 
+use std::cell::Cell;
+
 use glanz_color::read::{Place, ReadError};
 
 /// The memory that a model may still take. Nodes may use meshes, and primitives accessors, many
 /// times over: without a limit a small file could fill any memory.
 pub(super) struct Budget {
-    left: u64,
+    left: Cell<u64>,
     limit: u64,
 }
 
@@ -18,18 +20,19 @@ impl Budget {
 
     pub(super) fn new(bytes: u64) -> Self {
         let limit = bytes.saturating_mul(Self::PER_BYTE).saturating_add(Self::FREE);
-        Self { left: limit, limit }
+        Self { left: Cell::new(limit), limit }
     }
 
-    pub(super) fn spend(
-        &mut self,
-        bytes: u64,
-        file: &str,
-        place: impl Fn() -> String,
-    ) -> Result<(), ReadError> {
-        match self.left.checked_sub(bytes) {
+    /// The memory that is left.
+    pub(super) fn left(&self) -> u64 {
+        self.left.get()
+    }
+
+    pub(super) fn spend(&self, bytes: u64, file: &str, place: impl Fn() -> String) -> Result<(), ReadError> {
+        let left = self.left.get();
+        match left.checked_sub(bytes) {
             Some(left) => {
-                self.left = left;
+                self.left.set(left);
                 Ok(())
             }
             None => Err(ReadError::TooLarge {
@@ -37,7 +40,7 @@ impl Budget {
                 place: Place::Path(place()),
                 limit: self.limit,
                 unit: "bytes of memory for a file of this size",
-                found: (self.limit - self.left).saturating_add(bytes),
+                found: (self.limit - left).saturating_add(bytes),
             }),
         }
     }

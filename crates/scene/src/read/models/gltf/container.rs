@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glanz_color::read::{Place, ReadError, excerpt};
 
 use super::super::context::Context;
-use super::json::Root;
+use super::json::{Buffer, Root};
 
 const JSON_CHUNK: u32 = 0x4e4f_534a;
 const BINARY_CHUNK: u32 = 0x004e_4942;
@@ -75,33 +75,23 @@ impl<'a> Buffers<'a> {
     /// Loads all buffers, each with as many bytes as it should have.
     pub(super) fn load(
         root: &Root,
-        mut binary: Option<&'a [u8]>,
+        binary: Option<&'a [u8]>,
         context: &Context<'_>,
     ) -> Result<Self, ReadError> {
         let mut buffers = Vec::new();
         let mut total = 0u64;
+        let compressed = root.buffers_of_compressed_views();
         for (index, buffer) in root.buffers.iter().enumerate() {
             let path = || Place::Path(format!("buffers[{index}]"));
-            if buffer.is_placeholder() {
+            // Only the first buffer may be the binary chunk.
+            let binary = binary.filter(|_| index == 0);
+            let has_bytes = buffer.uri.is_some() || binary.is_some();
+            // Some writers do not say of a buffer without bytes that its views are compressed elsewhere.
+            if buffer.is_fallback() || (!has_bytes && compressed.contains(&index)) {
                 buffers.push(Cow::Borrowed(&[][..]));
                 continue;
             }
-            let mut bytes = match &buffer.uri {
-                Some(uri) => Cow::Owned(load_uri(uri, path(), context)?),
-                // Only the first buffer may be the binary chunk.
-                None => Cow::Borrowed(binary.take().filter(|_| index == 0).ok_or_else(|| {
-                    ReadError::malformed(context.file, path(), "a uri or a binary chunk", "neither")
-                })?),
-            };
-            let found = bytes.len() as u64;
-            if found < buffer.byte_length {
-                let expected = format!("{} bytes (byteLength)", buffer.byte_length);
-                return Err(ReadError::malformed(context.file, path(), expected, format!("{found} bytes")));
-            }
-            match &mut bytes {
-                Cow::Owned(bytes) => bytes.truncate(buffer.byte_length as usize),
-                Cow::Borrowed(bytes) => *bytes = &bytes[..buffer.byte_length as usize],
-            }
+            let bytes = bytes_of(buffer, binary, path(), context)?;
             total += bytes.len() as u64;
             if total > context.options.max_bytes {
                 return Err(ReadError::TooLarge {
@@ -122,6 +112,11 @@ impl<'a> Buffers<'a> {
         self.buffers.iter().map(|buffer| buffer.len() as u64).sum()
     }
 
+    /// Whether a buffer has no bytes.
+    pub(super) fn is_empty(&self, index: usize) -> bool {
+        self.buffers.get(index).is_some_and(|buffer| buffer.is_empty())
+    }
+
     /// The bytes of a view and the distance between its items, if it tells one.
     pub(super) fn view(
         &self,
@@ -134,22 +129,59 @@ impl<'a> Buffers<'a> {
             let expected = format!("one of {} bufferViews", root.buffer_views.len());
             ReadError::malformed(file, path(), expected, "none")
         })?;
-        let buffer = self.buffers.get(view.buffer).ok_or_else(|| {
-            let expected = format!("one of {} buffers", self.buffers.len());
-            ReadError::malformed(file, path(), expected, format!("buffer {}", view.buffer))
-        })?;
-        let end = view.byte_offset.checked_add(view.byte_length);
-        let end = end.filter(|end| *end <= buffer.len() as u64).ok_or_else(|| {
-            let expected = format!("bytes within the {} of buffer {}", buffer.len(), view.buffer);
-            let found = format!("{} bytes from byte {} on", view.byte_length, view.byte_offset);
-            ReadError::malformed(file, path(), expected, found)
-        })?;
+        let bytes = self.slice(view.buffer, view.byte_offset, view.byte_length, file, path)?;
         let stride = view.byte_stride.map(|stride| match stride {
             1..=252 => Ok(stride as usize),
             _ => Err(ReadError::malformed(file, path(), "a byteStride of 4 to 252", stride.to_string())),
         });
-        Ok((&buffer[view.byte_offset as usize..end as usize], stride.transpose()?))
+        Ok((bytes, stride.transpose()?))
     }
+
+    /// Some bytes of a buffer, as the part of the file at `path` says.
+    pub(super) fn slice(
+        &self,
+        index: usize,
+        offset: u64,
+        length: u64,
+        file: &str,
+        path: impl Fn() -> Place,
+    ) -> Result<&[u8], ReadError> {
+        let buffer = self.buffers.get(index).ok_or_else(|| {
+            let expected = format!("one of {} buffers", self.buffers.len());
+            ReadError::malformed(file, path(), expected, format!("buffer {index}"))
+        })?;
+        let end = offset.checked_add(length).filter(|end| *end <= buffer.len() as u64).ok_or_else(|| {
+            let expected = format!("bytes within the {} of buffer {index}", buffer.len());
+            ReadError::malformed(file, path(), expected, format!("{length} bytes from byte {offset} on"))
+        })?;
+        Ok(&buffer[offset as usize..end as usize])
+    }
+}
+
+/// The bytes of a buffer, as many as it should have.
+fn bytes_of<'a>(
+    buffer: &Buffer,
+    binary: Option<&'a [u8]>,
+    place: Place,
+    context: &Context<'_>,
+) -> Result<Cow<'a, [u8]>, ReadError> {
+    let mut bytes = match (&buffer.uri, binary) {
+        (Some(uri), _) => Cow::Owned(load_uri(uri, place.clone(), context)?),
+        (None, Some(binary)) => Cow::Borrowed(binary),
+        (None, None) => {
+            return Err(ReadError::malformed(context.file, place, "a uri or a binary chunk", "neither"));
+        }
+    };
+    let found = bytes.len() as u64;
+    if found < buffer.byte_length {
+        let expected = format!("{} bytes (byteLength)", buffer.byte_length);
+        return Err(ReadError::malformed(context.file, place, expected, format!("{found} bytes")));
+    }
+    match &mut bytes {
+        Cow::Owned(bytes) => bytes.truncate(buffer.byte_length as usize),
+        Cow::Borrowed(bytes) => *bytes = &bytes[..buffer.byte_length as usize],
+    }
+    Ok(bytes)
 }
 
 /// The bytes that a URI holds or names.

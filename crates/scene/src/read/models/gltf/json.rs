@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use super::compression::{draco, meshopt};
 use super::extensions::MaterialExtensions;
 
 #[derive(Deserialize, Default)]
@@ -81,15 +82,7 @@ pub(super) struct Buffer {
     pub byte_length: u64,
     pub uri: Option<String>,
     #[serde(default)]
-    pub extensions: MeshoptExtensions,
-}
-
-/// Of buffers and views that hold compressed data.
-#[derive(Deserialize, Default)]
-#[serde(default)]
-pub(super) struct MeshoptExtensions {
-    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
-    pub meshopt: Option<IgnoredAny>,
+    pub extensions: meshopt::Extensions<meshopt::Fallback>,
 }
 
 #[derive(Deserialize)]
@@ -101,7 +94,7 @@ pub(super) struct View {
     pub byte_length: u64,
     pub byte_stride: Option<u64>,
     #[serde(default)]
-    pub extensions: MeshoptExtensions,
+    pub extensions: meshopt::Extensions<meshopt::Compressed>,
 }
 
 #[derive(Deserialize)]
@@ -241,7 +234,7 @@ pub(super) struct Primitive {
 #[serde(default)]
 pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
-    pub draco: Option<IgnoredAny>,
+    pub draco: Option<draco::Compressed>,
 }
 
 #[derive(Deserialize)]

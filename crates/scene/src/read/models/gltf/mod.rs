@@ -4,10 +4,10 @@
 //! accessors, cameras, materials, textures, and the extensions `KHR_lights_punctual`,
 //! `KHR_texture_transform`, `KHR_mesh_quantization` and of `KHR_materials_…`: `unlit`,
 //! `emissive_strength`, `ior`, `specular`, `clearcoat`, `sheen`, `transmission`, `volume`,
-//! `anisotropy`, `iridescence` and `pbrSpecularGlossiness`; `EXT_mesh_gpu_instancing`, `EXT_texture_webp`. Other
-//! extensions are ignored with a note, also where the file requires them if they are about materials and pictures alone,
-//! else refused there. Skins are in the pose of the nodes, morph targets have the weights of the file; animations are
-//! ignored.
+//! `anisotropy`, `iridescence` and `pbrSpecularGlossiness`; `EXT_mesh_gpu_instancing`, `EXT_texture_webp`;
+//! `KHR_draco_mesh_compression`, `EXT_meshopt_compression`, `KHR_meshopt_compression`. Other extensions are ignored
+//! with a note, also where the file requires them if they are about materials and pictures alone, else refused there.
+//! Skins are in the pose of the nodes, morph targets have the weights of the file; animations are ignored.
 //!
 //! # Materials
 //! As Appendix B of the specification (Khronos Group, glTF 2.0, 2021) and the extensions have them.
@@ -52,6 +52,7 @@
 
 mod accessor;
 mod budget;
+mod compression;
 mod container;
 mod extensions;
 mod json;
@@ -71,12 +72,13 @@ use serde_json::Value;
 use super::context::Context;
 use super::model::Model;
 use budget::Budget;
+use compression::{draco, meshopt};
 use container::Buffers;
 use json::Root;
-use source::{Source, compressed_error};
+use source::Source;
 
 /// Extensions that are read.
-const SUPPORTED: [&str; 16] = [
+const SUPPORTED: [&str; 19] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_materials_emissive_strength",
@@ -93,11 +95,10 @@ const SUPPORTED: [&str; 16] = [
     "KHR_materials_pbrSpecularGlossiness",
     "EXT_mesh_gpu_instancing",
     "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
 ];
-
-/// Extensions that compress geometry.
-const COMPRESSION: [&str; 3] =
-    ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /// How the names of extensions begin without which the geometry is what it is: they are of materials, pictures, facts.
 const OF_APPEARANCE: [&str; 8] = [
@@ -120,10 +121,17 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, Rea
     check_extensions(&root, context)?;
     root.materials.iter_mut().for_each(specular_glossiness::convert);
     let buffers = Buffers::load(&root, binary, context)?;
-    let source = Source { file: context.file, root: &root, buffers: &buffers };
-    let mut budget = Budget::new(bytes.len() as u64 + buffers.total());
+    let budget = Budget::new(bytes.len() as u64 + buffers.total());
+    let source = Source {
+        file: context.file,
+        root: &root,
+        buffers: &buffers,
+        views: &meshopt::Views::new(&root),
+        budget: &budget,
+        draco: draco::Decoded::default(),
+    };
     let mut model = Model::default();
-    let mut builder = primitive::Builder::new(&source, &mut budget);
+    let mut builder = primitive::Builder::new(&source);
     nodes::read(&source, &mut builder, &mut model, &mut context.notes)?;
     let used = builder.finish(&mut model);
     material::read(&source, &used, &mut model, context)?;
@@ -184,11 +192,8 @@ fn check_extensions(root: &Root, context: &mut Context<'_>) -> Result<(), ReadEr
     let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
     for name in root.extensions_required.iter().filter(unknown) {
         let place = Place::Path("extensionsRequired".to_owned());
-        if COMPRESSION.contains(&name.as_str()) {
-            return Err(compressed_error(context.file, place, name));
-        }
         if !OF_APPEARANCE.iter().any(|start| name.starts_with(start)) {
-            let expected = format!("only extensions of {}", SUPPORTED.join(", "));
+            let expected = "extensions that docs/FORMATS.md names";
             return Err(ReadError::unsupported(context.file, place, expected, excerpt(name)));
         }
     }

@@ -7,7 +7,6 @@ use glanz_color::read::{Place, ReadError};
 
 use super::super::finish::{drop_faces_without_positions, finish_mesh};
 use super::super::model::Model;
-use super::budget::Budget;
 use super::json::Primitive;
 use super::pose::Pose;
 use super::source::Source;
@@ -23,7 +22,6 @@ type Posed = (usize, Option<usize>);
 /// Builds the meshes that nodes ask for, each once.
 pub(super) struct Builder<'a> {
     source: &'a Source<'a>,
-    budget: &'a mut Budget,
     meshes: Vec<Mesh>,
     /// For each mesh, its meshes and their materials here.
     built: HashMap<Posed, Vec<(usize, usize)>>,
@@ -34,14 +32,14 @@ pub(super) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(source: &'a Source<'a>, budget: &'a mut Budget) -> Self {
+    pub(super) fn new(source: &'a Source<'a>) -> Self {
         let (built, materials) = (HashMap::new(), HashMap::new());
-        Self { source, budget, meshes: Vec::new(), built, materials, used: Vec::new() }
+        Self { source, meshes: Vec::new(), built, materials, used: Vec::new() }
     }
 
     /// Takes memory off the budget.
     pub(super) fn spend(&mut self, bytes: u64, place: impl Fn() -> String) -> Result<(), ReadError> {
-        self.budget.spend(bytes, self.source.file, place)
+        self.source.budget.spend(bytes, self.source.file, place)
     }
 
     /// Gives the meshes to the model, and returns the file's materials in the order of use.
@@ -71,7 +69,7 @@ impl<'a> Builder<'a> {
             for (number, primitive) in mesh.primitives.iter().enumerate() {
                 let path = format!("meshes[{index}].primitives[{number}]");
                 self.spend(mesh.name.len() as u64, || path.clone())?;
-                if let Some(mut built) = build(source, self.budget, primitive, pose, &path, notes)? {
+                if let Some(mut built) = build(source, primitive, pose, &path, notes)? {
                     built.name.clone_from(&mesh.name);
                     parts.push((self.meshes.len(), self.material(primitive.material, &path, notes)));
                     self.meshes.push(built);
@@ -100,7 +98,6 @@ impl<'a> Builder<'a> {
 /// The mesh of a primitive; `None` with a note where it holds no triangles.
 fn build(
     source: &Source<'_>,
-    budget: &mut Budget,
     primitive: &Primitive,
     pose: &Pose,
     path: &str,
@@ -119,9 +116,9 @@ fn build(
         notes.add("glTF: primitives without positions are ignored");
         return Ok(None);
     };
-    source.check_compression(primitive, position, path)?;
+    let source = &mut source.of_primitive(primitive, path)?;
     let vertices = source.count(position, path)?;
-    let mut corners = triangles(corners(source, budget, primitive, vertices, path)?, mode, notes);
+    let mut corners = corners(source, primitive, vertices, path, notes)?;
     if corners.is_empty() {
         return Ok(None);
     }
@@ -140,21 +137,29 @@ fn build(
     Ok(Some(mesh))
 }
 
-/// The vertex of each corner, by the indices of the primitive if it has them.
+/// The vertex of each corner of the triangles, by the indices of the primitive if it has them.
 fn corners(
-    source: &Source<'_>,
-    budget: &mut Budget,
+    source: &mut Source<'_>,
     primitive: &Primitive,
     vertices: usize,
     path: &str,
+    notes: &mut Notes,
 ) -> Result<Vec<u32>, ReadError> {
-    let count = primitive.indices.map_or(Ok(vertices), |indices| source.count(indices, path))?;
-    let size = 16 * count as u64 + VERTEX_BYTES * vertices.min(count) as u64;
-    budget.spend(size, source.file, || path.to_owned())?;
-    match primitive.indices {
-        Some(indices) => source.indices(indices, vertices, &format!("{path}.indices")),
-        None => Ok((0..vertices as u32).collect()),
+    let spend = |count: usize, source: &Source<'_>| {
+        let size = 16 * count as u64 + VERTEX_BYTES * vertices.min(count) as u64;
+        source.budget.spend(size, source.file, || path.to_owned())
+    };
+    if let Some(corners) = source.draco.take_corners() {
+        spend(corners.len(), source)?;
+        return Ok(corners);
     }
+    let count = primitive.indices.map_or(Ok(vertices), |indices| source.count(indices, path))?;
+    spend(count, source)?;
+    let corners = match primitive.indices {
+        Some(indices) => source.indices(indices, vertices, &format!("{path}.indices"))?,
+        None => (0..vertices as u32).collect(),
+    };
+    Ok(triangles(corners, primitive.mode.unwrap_or(4), notes))
 }
 
 /// The corners of single triangles (glTF 2.0, §3.7.2.1).
