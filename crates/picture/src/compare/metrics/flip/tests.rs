@@ -173,7 +173,8 @@ fn a_greater_change_is_a_greater_error() {
 fn small_change_from_afar_is_not_seen() {
     let checkers = codes(|x, y, _| if (x + y) % 2 == 0 { 188 } else { 0 });
     let pair = pair(checkers, flat([137; 3]));
-    let at = |ppd| pair.measure(Metric::Flip, &MetricOptions { ppd, ..MetricOptions::default() }).unwrap().value;
+    let at =
+        |ppd| pair.measure(Metric::Flip, &MetricOptions { ppd, ..MetricOptions::default() }).unwrap().value;
     assert!(at(20.0) > 2.0 * at(120.0), "{} {}", at(20.0), at(120.0));
 }
 
