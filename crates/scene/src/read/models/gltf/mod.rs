@@ -121,7 +121,7 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, Rea
     check_extensions(&root, context)?;
     root.materials.iter_mut().for_each(specular_glossiness::convert);
     let buffers = Buffers::load(&root, binary, context)?;
-    let budget = Budget::new(bytes.len() as u64 + buffers.total());
+    let budget = Budget::new(bytes.len() as u64 + buffers.total(), compression::is_in(&root));
     let source = Source {
         file: context.file,
         root: &root,

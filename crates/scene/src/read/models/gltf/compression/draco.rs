@@ -96,6 +96,8 @@ impl<'a> Source<'a> {
             None => format!("triangles of {} vertices", position.count),
         };
         let (bytes, _) = self.view(compressed.buffer_view)?;
+        let memory = FACE_BYTES.saturating_mul(triangles.unwrap_or(0));
+        self.budget.check(memory, self.file, || path.to_owned())?;
         let mesh = decode(bytes, triangles, self.budget.left()).map_err(|error| {
             wrong((expected(), format!("what cannot be decompressed ({})", error.message())))
         })?;
