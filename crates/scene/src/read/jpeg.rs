@@ -7,12 +7,12 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 /// What is said of a picture that is cut.
 pub(crate) const CUT: &str = "ends early: what lacks of the picture is grey";
 
-/// Fewer bytes than one for so many pixels are hardly a whole picture.
-const PIXELS_PER_BYTE: usize = 64;
+/// A baseline picture has at least two bits for each block of 64 pixels.
+const PIXELS_PER_BYTE: usize = 256;
 
 /// Whether a JPEG ends before its picture does: after its file was cut, or by a header that claims more than there is.
 ///
-/// Only files without an end, or with hardly any data, are decoded for it.
+/// Only files without an end are decoded for it.
 pub(crate) fn is_cut(bytes: &[u8]) -> bool {
     if !bytes.starts_with(b"\xff\xd8\xff") {
         return false;
@@ -23,8 +23,22 @@ pub(crate) fn is_cut(bytes: &[u8]) -> bool {
         return false;
     }
     let pixels = decoder.dimensions().map_or(0, |(width, height)| width.saturating_mul(height));
-    let is_sparse = pixels / PIXELS_PER_BYTE > bytes.len();
-    (is_sparse || !has_end(bytes)) && decoder.decode().is_err()
+    is_baseline(bytes) && pixels / PIXELS_PER_BYTE > bytes.len()
+        || !has_end(bytes) && decoder.decode().is_err()
+}
+
+/// Whether the frame is baseline or extended: coefficients one block after the other, none of which takes no bits.
+fn is_baseline(bytes: &[u8]) -> bool {
+    let mut at = 2;
+    while let Some(&[0xff, marker, high, low]) = bytes.get(at..).and_then(|rest| rest.first_chunk()) {
+        match marker {
+            0xc0 | 0xc1 => return true,
+            0xc2..=0xcf if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => return false,
+            0xda => return false,
+            _ => at += 2 + usize::from(u16::from_be_bytes([high, low])),
+        }
+    }
+    false
 }
 
 /// Whether there is an end of the picture after the last scan. Within the data of a scan no byte of 255 is followed by such ones.

@@ -2,8 +2,14 @@
 
 use glam::{DMat4, DVec3, Vec3};
 
+use crate::Mesh;
+use crate::read::notes::Notes;
+
 /// Coordinates from here on are far: 32-bit numbers are 6e-5 apart there.
 const FAR: f64 = 1024.0;
+
+/// The greatest distance of neighbouring 32-bit numbers, in parts of a mesh's diagonal.
+const COARSE: f64 = 1e-4;
 
 /// The place that the positions of a mesh are relative to: the origin, unless one of them is far from it.
 ///
@@ -24,6 +30,23 @@ impl Anchor {
             }
         }
         positions.push((position - self.0).as_vec3());
+    }
+
+    /// Tells of positions whose 32-bit numbers are farther apart than the surface needs: what a file of such numbers has lost.
+    pub(super) fn tell_of_steps(&self, mesh: &Mesh, notes: &mut Notes) {
+        let bounds = mesh.bounds();
+        if bounds.is_empty() || bounds.diagonal() == 0.0 {
+            return;
+        }
+        let [low, high] = [bounds.min, bounds.max].map(|corner| (corner + self.0).abs());
+        let farthest = low.max(high).max_element() as f32;
+        let step = f64::from(farthest.next_up() - farthest);
+        if step > COARSE * bounds.diagonal() {
+            notes.add(&format!(
+                "positions lie so far from the origin ({farthest:.3e}) that 32-bit numbers are {step} apart there: surfaces are drawn \
+                 in such steps, unless the file has positions near the origin, or 64-bit ones"
+            ));
+        }
     }
 
     /// From the mesh to the file's coordinates.
@@ -87,7 +110,7 @@ mod tests {
         points.iter().for_each(|point| anchor.push(DVec3::from(*point), &mut positions));
         for (position, point) in positions.iter().zip(points) {
             let found = anchor.transform().transform_point3(position.as_dvec3());
-            assert!((found - DVec3::from(point)).length() < 1e-9 * DVec3::from(point).length(), "{found}");
+            assert!((found - DVec3::from(point)).length() <= 1e-9 * DVec3::from(point).length(), "{found}");
         }
     }
 

@@ -54,32 +54,12 @@ pub(super) fn finish_mesh(mesh: &mut Mesh, notes: &mut Notes) {
         fill_normals(mesh);
     }
     finish_tangents(mesh, notes);
-    tell_of_coarse_positions(mesh, notes);
     let long = mesh.face_starts.windows(2).filter(|pair| (pair[1] - pair[0]) as usize > MOST_CORNERS).count();
     let note = format!("faces of more than {MOST_CORNERS} corners are drawn as fans, as if they were convex");
     notes.add_times(&note, long as u64);
     mesh.positions.shrink_to_fit();
     mesh.corners.shrink_to_fit();
 }
-
-/// Tells of positions whose 32-bit numbers are farther apart than the surface needs: what the file itself has lost.
-fn tell_of_coarse_positions(mesh: &Mesh, notes: &mut Notes) {
-    let bounds = mesh.bounds();
-    if bounds.is_empty() {
-        return;
-    }
-    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element() as f32;
-    let step = f64::from(farthest.next_up() - farthest);
-    if step > COARSE * bounds.diagonal() && bounds.diagonal() > 0.0 {
-        notes.add(&format!(
-            "positions lie so far from the origin ({farthest:.3e}) that 32-bit numbers are {step} apart there: surfaces are drawn in \
-             such steps, unless the file has positions near the origin, or 64-bit ones"
-        ));
-    }
-}
-
-/// The greatest distance of neighbouring 32-bit numbers, in parts of a mesh's diagonal.
-const COARSE: f64 = 1e-4;
 
 /// The unit vector of this direction. In double precision, where no float overflows or vanishes.
 fn unit(vector: Vec3) -> Option<Vec3> {

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use glam::{Vec2, Vec3, Vec4};
 use glanz_color::read::{Place, ReadError};
 
+use super::super::anchor::Anchor;
 use super::super::finish::{drop_faces_without_positions, finish_mesh};
 use super::super::model::Model;
 use super::json::Primitive;
@@ -133,6 +134,7 @@ fn build(
         );
     }
     drop_faces_without_positions(&mut mesh, notes);
+    Anchor::default().tell_of_steps(&mesh, notes);
     finish_mesh(&mut mesh, notes);
     Ok(Some(mesh))
 }

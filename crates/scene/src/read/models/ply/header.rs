@@ -178,6 +178,15 @@ pub(super) struct Header {
 }
 
 impl Header {
+    /// Whether positions are 32-bit floats, as bytes: texts have their digits whatever type they tell.
+    pub(super) fn has_short_positions(&self) -> bool {
+        let is_short = |property: &Property| {
+            matches!(property.role, Some(Role::Position(_))) && property.scalar == Scalar::F32
+        };
+        self.encoding != Encoding::Text
+            && self.elements.iter().flat_map(|element| &element.properties).any(is_short)
+    }
+
     /// Reads it, and returns it with the reader behind it and the number of lines that it has.
     pub(super) fn read<R: BufRead>(
         reader: R,

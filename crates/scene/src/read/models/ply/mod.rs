@@ -51,6 +51,9 @@ pub(super) fn read(reader: impl BufRead, len: u64, context: &mut Context<'_>) ->
     check_corners(&mesh, context.file)?;
     let mut mesh = data.give_to(mesh);
     drop_faces_without_positions(&mut mesh, &mut context.notes);
+    if header.has_short_positions() {
+        anchor.tell_of_steps(&mesh, &mut context.notes);
+    }
     finish_mesh(&mut mesh, &mut context.notes);
     let object = Object {
         name: String::new(),

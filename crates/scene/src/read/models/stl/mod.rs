@@ -46,6 +46,9 @@ pub(super) fn read(
     };
     let (mut meshes, mut objects) = (Vec::new(), Vec::new());
     for Weld { mut mesh, anchor, .. } in solids {
+        if is_binary {
+            anchor.tell_of_steps(&mesh, &mut context.notes);
+        }
         finish_mesh(&mut mesh, &mut context.notes);
         objects.push(Object {
             name: mesh.name.clone(),
