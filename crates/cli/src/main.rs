@@ -32,8 +32,8 @@ Examples:
 /// Shown after the examples.
 const VARIABLES: &str = "\
 Environment:
-  GLANZ_SIMD  The SIMD instructions that draw, for measurements: sse2, avx2, avx512, neon, simd128, scalar;
-              pictures are the same bytes with each [default: the best that the processor has]";
+  GLANZ_SIMD  The instructions that draw: sse2, avx2, avx512, neon, simd128 or scalar [default: the
+              best that the processor has]; pictures are the same bytes with each";
 
 /// Draw real things under real lights, and tell how right the picture is
 #[derive(Parser, Debug)]

@@ -6,8 +6,8 @@ use glam::{DMat3, DVec3};
 use glanz_bsdf::LightTerm;
 use glanz_color::Rgb;
 
-use crate::stage::studio;
-use crate::{Light, LightColor, LightColors, LightKind, Material, Scene, Space};
+use crate::stage::{coarse_studio, studio};
+use crate::{EnvironmentMap, Light, LightColor, LightColors, LightKind, Material, Scene, Space};
 
 /// Lights that a model without any gets.
 ///
@@ -53,14 +53,14 @@ impl DefaultLights {
                 if scene.objects.iter().any(|object| only_mirrors(&scene.materials[object.material])) {
                     let specular = LightColor::from(Rgb::gray(FAINT));
                     let colors = LightColors { specular, ..LightColors::ambient(LightColor::BLACK) };
-                    scene.lights.push(surroundings(colors));
+                    scene.lights.push(surroundings(coarse_studio(), colors));
                 }
             }
             Self::Studio => {
                 scene.lights.push(ambient(0.35));
                 scene.lights.push(lamp("key", DVec3::new(1.0, -1.1, -1.2), 0.35));
                 scene.lights.push(lamp("rim", DVec3::new(-0.9, -0.5, 1.0), 0.35));
-                scene.lights.push(surroundings(LightColors::direct(Rgb::gray(1.0))));
+                scene.lights.push(surroundings(studio(), LightColors::direct(Rgb::gray(1.0))));
             }
         }
     }
@@ -96,8 +96,8 @@ fn lamp(name: &str, direction: DVec3, value: f32) -> Light {
     Light { name: name.to_owned(), space: Space::Camera, ..light }
 }
 
-fn surroundings(colors: LightColors) -> Light {
-    let map = Some(Arc::new(studio()));
+fn surroundings(map: EnvironmentMap, colors: LightColors) -> Light {
+    let map = Some(Arc::new(map));
     let light = Light::new(LightKind::Environment { map, rotation: DMat3::IDENTITY }, colors);
     Light { name: "studio".to_owned(), ..light }
 }

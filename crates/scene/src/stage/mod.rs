@@ -15,6 +15,7 @@ mod studio;
 
 pub use lobe::LobeStage;
 pub use material::MaterialStage;
+pub(crate) use studio::coarse_studio;
 pub use studio::studio;
 
 use glam::{DMat4, DVec3};
