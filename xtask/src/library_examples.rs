@@ -2,22 +2,21 @@
 
 use std::path::Path;
 
-use crate::workspace::{Workspace, run, run_quietly};
+use crate::workspace::{Profile, Workspace, run_quietly};
 use crate::{Failure, Result};
 
 /// Builds and runs all examples of the library, with a folder for what they write.
 pub(crate) fn run_all(workspace: &Workspace) -> Result<()> {
     let sources = workspace.path("crates/glanz/examples");
     let folder = workspace.target_folder("library-examples")?;
-    run(&mut workspace.cargo("build --quiet --package glanz --examples --all-features"))?;
     let entries = std::fs::read_dir(&sources).map_err(Failure::during(sources.display()))?;
     let mut names: Vec<_> =
         entries.filter_map(|entry| Some(entry.ok()?.path().file_stem()?.to_owned())).collect();
     names.sort();
+    workspace.glanz(Profile::Dev)?;
     for name in &names {
         let name = name.to_string_lossy();
-        let program = format!("debug/examples/{name}{}", std::env::consts::EXE_SUFFIX);
-        let mut command = workspace.command(workspace.target().join(program));
+        let mut command = workspace.command(workspace.program(&format!("debug/examples/{name}"))?);
         // Those that write nothing take a model's name, or nothing.
         if !matches!(&*name, "certify" | "compare") {
             command.arg(&folder);

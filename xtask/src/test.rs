@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::steps::{Outcome, Steps};
-use crate::workspace::{Profile, Workspace, run, run_quietly, works};
+use crate::workspace::{Profile, WHOLE, Workspace, run, run_quietly, works};
 use crate::{
     Failure, Result, advisories, data, features, gallery, golden, library_examples, licenses, packages,
     reference, tour, wasm,
@@ -29,7 +29,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     let mut steps = Steps::new(options.keep_going, options.only.clone());
     steps.run("format", || format(workspace));
     steps.run("lint", || {
-        run(&mut workspace.cargo("clippy --workspace --all-targets --all-features --quiet -- -D warnings"))
+        run(&mut workspace.cargo(&format!("clippy {WHOLE} --all-targets --quiet -- -D warnings")))
     });
     steps.run("unit and integration tests", || tests(workspace));
     if options.quick {
@@ -37,8 +37,9 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
         return steps;
     }
     steps.run("drawing without optimisation", || {
+        // Dependencies stay optimised, and so are there already.
         run(&mut workspace
-            .cargo("test --quiet --package glanz-render --test stack --config profile.dev.opt-level=0"))
+            .cargo(&format!("test --quiet {WHOLE} --test stack --config profile.dev.opt-level=0")))
     });
     steps.run("gold pictures, every path", || golden::compare(workspace, golden::Paths::All));
     steps.run("colours against colour-science", || {
@@ -49,9 +50,8 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     });
     steps.run("models against Mitsuba", || {
         oracle(workspace, |workspace| {
-            run(&mut workspace.cargo("build --quiet --package glanz-bsdf --example eval"))?;
-            let eval = format!("debug/examples/eval{}", std::env::consts::EXE_SUFFIX);
-            compare(workspace, "models", MITSUBA, ("GLANZ_EVAL", &workspace.target().join(eval)))
+            let eval = workspace.built("examples/eval")?;
+            compare(workspace, "models", MITSUBA, ("GLANZ_EVAL", &eval))
         })
     });
     steps.run("measured reflectance against Mitsuba and Radiance", || oracle(workspace, measured));
@@ -60,13 +60,9 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     steps.run("examples", || gallery::try_examples(workspace));
     steps.run("what the README shows", || tour::run(workspace));
     steps.run("reference of the scene file", || reference::check(workspace));
-    steps.run("documentation tests", || {
-        run(&mut workspace.cargo("test --workspace --doc --all-features --quiet"))
-    });
+    steps.run("documentation tests", || run(&mut workspace.cargo(&format!("test {WHOLE} --doc --quiet"))));
     steps.run("documentation", || {
-        run(workspace
-            .cargo("doc --workspace --all-features --no-deps --quiet")
-            .env("RUSTDOCFLAGS", "-D warnings"))
+        run(workspace.cargo(&format!("doc {WHOLE} --no-deps --quiet")).env("RUSTDOCFLAGS", "-D warnings"))
     });
     steps.run("licences of libraries", || licenses::check(workspace));
     steps.run("advisories", || advisories::check(workspace, None));
@@ -96,12 +92,10 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
 
 /// Tables that the virtual goniometer writes, as Mitsuba and Radiance's library read them.
 fn measured(workspace: &Workspace) -> Result<()> {
-    run(&mut workspace.cargo("build --quiet --package glanz-measure --example eval_measured"))?;
+    let eval = workspace.built("examples/eval_measured")?;
     let glanz = workspace.glanz(Profile::Dev)?;
     let folder = workspace.target().join("measured");
     std::fs::create_dir_all(&folder).map_err(Failure::during(folder.display()))?;
-    let eval =
-        workspace.target().join(format!("debug/examples/eval_measured{}", std::env::consts::EXE_SUFFIX));
     std::fs::copy(&eval, folder.join("eval_measured")).map_err(Failure::during(eval.display()))?;
     for (name, words) in [
         ("glossy.bsdf", "ggx --set alpha=0.15 --diffuse 0.3"),
@@ -122,9 +116,7 @@ const MESA: &str = "libegl1 libgl1 libgl1-mesa-dri";
 
 /// Shaders on the lane machine against Mesa's llvmpipe, where OpenGL without a screen can be had.
 fn shaders(workspace: &Workspace) -> Outcome {
-    let built = oracle(workspace, |workspace| {
-        run(&mut workspace.cargo("build --quiet --package glanz-shader --example oracle"))
-    });
+    let built = oracle(workspace, |workspace| workspace.built("examples/oracle").map(drop));
     if built != Outcome::Passed {
         return built;
     }
@@ -178,10 +170,10 @@ fn tests(workspace: &Workspace) -> Outcome {
         if let Err(failure) = run(&mut workspace.cargo("install cargo-nextest --locked")) {
             println!("!!! {failure}");
             println!("!!! cargo-nextest could not be installed: running the slower `cargo test` instead");
-            return run(&mut workspace.cargo("test --workspace --all-targets")).into();
+            return run(&mut workspace.cargo(&format!("test {WHOLE} --all-targets"))).into();
         }
     }
-    run(&mut workspace.cargo("nextest run --workspace --no-fail-fast --status-level slow")).into()
+    run(&mut workspace.cargo(&format!("nextest run {WHOLE} --no-fail-fast --status-level slow"))).into()
 }
 
 fn has_nextest(workspace: &Workspace) -> bool {

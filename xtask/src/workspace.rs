@@ -10,6 +10,9 @@ pub(crate) struct Workspace {
     root: PathBuf,
 }
 
+/// What every build chooses, so that they share what they compile.
+pub(crate) const WHOLE: &str = "--workspace --all-features";
+
 /// How the `glanz` command is built.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Profile {
@@ -62,14 +65,27 @@ impl Workspace {
 
     /// Builds the `glanz` command and tells where it is.
     pub(crate) fn glanz(&self, profile: Profile) -> Result<PathBuf> {
-        let (args, folder) = match profile {
-            // The whole workspace at once, so that dependencies have the features of the test build
-            // and nothing is compiled twice.
-            Profile::Dev => ("build --workspace --exclude xtask --bins", "debug"),
-            Profile::Release => ("build --release --package glanz-cli", "release"),
-        };
-        run(&mut self.cargo(args))?;
-        let program = self.target().join(folder).join(format!("glanz{}", std::env::consts::EXE_SUFFIX));
+        match profile {
+            Profile::Dev => self.built("glanz"),
+            Profile::Release => {
+                run(&mut self.cargo("build --release --package glanz-cli"))?;
+                self.program("release/glanz")
+            }
+        }
+    }
+
+    /// A program of the development build: `glanz`, or `examples/eval`.
+    ///
+    /// All programs and examples are built at once, with all features and what examples need, as the tests build them:
+    /// whatever is chosen by itself has other features, and then dependencies are compiled again for it.
+    pub(crate) fn built(&self, name: &str) -> Result<PathBuf> {
+        run(&mut self.cargo(&format!("build --quiet {WHOLE} --bins --examples")))?;
+        self.program(&format!("debug/{name}"))
+    }
+
+    /// A program that is built already, by its path below the target folder.
+    pub(crate) fn program(&self, name: &str) -> Result<PathBuf> {
+        let program = self.target().join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
         match program.is_file() {
             true => Ok(program),
             false => Err(Failure::new(format!("{} was not built", program.display()))),
