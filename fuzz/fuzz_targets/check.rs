@@ -10,7 +10,7 @@ pub fn read(bytes: &[u8], format: Format) {
 
 /// Reads bytes whose references `files` resolves.
 pub fn read_with(bytes: &[u8], format: Format, files: &dyn Resolver) {
-    let options = ReadOptions { max_texture_bytes: 64 << 20, ..ReadOptions::default() };
+    let options = ReadOptions { memory: glanz_math::MemoryBudget::of_bytes(64 << 20), ..ReadOptions::default() };
     match read_model_bytes(bytes, format, "file", files, &options) {
         Ok(model) => {
             model.meshes.iter().for_each(|mesh| assert_eq!(mesh.validate(), Ok(())));

@@ -37,8 +37,17 @@ impl InputArgs {
             let message = "--lights is for a model, which may have none; a scene says its lights itself";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let mut options =
-            LoadOptions { allow_outside: self.allow_outside, sets, lights: self.lights, memory: self.memory };
+        if is_scene && self.variant.is_some() {
+            let message = "--variant is for a model; a scene says it of an object: variant = \"NAME\"";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let mut options = LoadOptions {
+            allow_outside: self.allow_outside,
+            sets,
+            lights: self.lights,
+            variant: self.variant.clone(),
+            memory: self.memory,
+        };
         let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
         options.sets.extend(camera.map(|name| ("camera".to_owned(), format!("{name:?}"))));
         let opened = match self.is_stdin() {

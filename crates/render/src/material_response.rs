@@ -1,9 +1,9 @@
 //! A material under one light, as numbers: its BRDF in X, Y and Z.
 
-use glanz_bsdf::{DirectionPair, Shape, Side};
+use glanz_bsdf::{DirectionPair, LayerWeight, Shape, Side};
 use glanz_color::{Observer, ObserverKind, Spectrum};
 use glanz_math::Vec3;
-use glanz_scene::{ColorMode, Light, LightColor, Lobe, Material, Metalness, Scene, Tint};
+use glanz_scene::{ColorMode, Light, LightColor, Lobe, Material, Metalness, RoughnessMap, Scene, Tint};
 
 use crate::prepare::{Observation, PrepareError, PrepareOptions, PreparedMaterial, TintCoordinate, prepare};
 
@@ -144,13 +144,21 @@ fn prepared(
     lamp: &LightColor,
     observer: &Observer,
 ) -> Result<PreparedMaterial, PrepareError> {
-    let plain = Material {
+    let mut plain = Material {
         base_color: None,
         normal_map: None,
         emission_map: None,
         metal_rough_map: None,
+        occlusion: None,
         ..material.clone()
     };
+    for lobe in &mut plain.lobes {
+        let weight: f64 = lobe.masks.drain(..).map(|mask| mask.to).product();
+        lobe.roughness = RoughnessMap::Material;
+        if weight != 1.0 {
+            lobe.layers.push(LayerWeight::Constant(weight));
+        }
+    }
     let mut scene = Scene::new().with_light(Light::directional([0.0, -1.0, 0.0], lamp.clone()));
     scene.materials.push(plain);
     let observation = Observation::new(ColorMode::Spectral, Some(observer.clone()))?;
@@ -199,7 +207,7 @@ mod tests {
         // The table is in f32.
         assert!((y(&mirror(1.0)) - 1.0).abs() < 1e-6 && (y(&mirror(0.25)) - 0.25).abs() < 1e-6);
         let mut weighed = mirror(1.0);
-        weighed.lobes[0].layers.push(glanz_bsdf::LayerWeight::Constant(0.5));
+        weighed.lobes[0].layers.push(LayerWeight::Constant(0.5));
         assert!((y(&weighed) - 0.5).abs() < 1e-6);
         let matte = of_lambert(Tint::Spectrum(std::sync::Arc::new(Spectrum::ONE)));
         assert_eq!(y(&matte), 0.0);

@@ -11,8 +11,8 @@ use common::everything::{GLASS, everything, punctual};
 use glanz_bsdf::{FactorTable, LayerWeight, Shape};
 use glanz_math::Chebyshev;
 use glanz_render::prepare::{
-    AreaIntegral, EnvironmentMap, LightShape, LobeIntegrals, NO_RECORD, Packed, Pool, PreparedLight,
-    PreparedMaterial, PreparedObject, Section, TintCoordinate, TintSeries,
+    AreaIntegral, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, NO_RECORD, Packed, Pool,
+    PreparedLight, PreparedMask, PreparedMaterial, PreparedObject, Section, TintCoordinate, TintSeries,
 };
 use glanz_render::{Observation, PrepareOptions, Prepared, prepare};
 use glanz_scene::{AlphaMode, AreaShape, ColorMode, Metalness, Object, Scene, Shading, Space, TextureUse};
@@ -129,6 +129,7 @@ fn check_geometry(reader: &mut Reader, prepared: &Prepared) {
     }
     reader.same(Section::Normals, 0, &geometry.normals);
     reader.same(Section::Uvs, 0, &geometry.uvs);
+    reader.same(Section::Uvs2, 0, &geometry.uvs2);
     reader.same(Section::Colors, 0, &geometry.colors);
     reader.same(Section::Tangents, 0, &geometry.tangents);
     for i in 0..geometry.triangle_count() {
@@ -147,8 +148,9 @@ fn check_object(reader: &mut Reader, number: usize, object: &PreparedObject) {
     let flags = record[4];
     assert_eq!([flags & 3, flags >> 2 & 3], [object.shading as u32, object.interpolation as u32]);
     let attributes = object.attributes;
-    let bits = [4, 5, 6, 7].map(|bit| flags >> bit & 1 == 1);
-    assert_eq!(bits, [object.closed, attributes.uv, attributes.color, attributes.tangent]);
+    let bits = [4, 5, 6, 7, 8].map(|bit| flags >> bit & 1 == 1);
+    let expected = [object.closed, attributes.uv, attributes.color, attributes.tangent, attributes.uv2];
+    assert_eq!(bits, expected);
     let places = reader.floats(Section::ObjectPlaces, number);
     is_at(&places[..6], object.anchor);
     assert_eq!(&places[6..], object.bounds.map(short).as_flattened());
@@ -178,7 +180,8 @@ fn check_object(reader: &mut Reader, number: usize, object: &PreparedObject) {
 fn check_texture_use(reader: &mut Reader, number: u32, expected: Option<TextureUse>) {
     assert_eq!(number == NO_RECORD, expected.is_none());
     let Some(expected) = expected else { return };
-    assert_eq!(reader.words(Section::TextureUses, number as usize), [expected.texture as u32]);
+    let words = [expected.texture as u32, u32::from(expected.second_uvs)];
+    assert_eq!(reader.words(Section::TextureUses, number as usize), words);
     let values = reader.floats(Section::TextureUseValues, number as usize);
     assert_eq!((&values[..6], values[6]), (expected.transform.as_flattened(), expected.scale));
 }
@@ -210,6 +213,16 @@ fn check_material(reader: &mut Reader, number: usize, material: &PreparedMateria
     for (own, expected) in record[10..14].iter().zip(uses) {
         check_texture_use(reader, *own, expected);
     }
+    assert_eq!(record[17] as usize, material.channels.len());
+    for (i, channel) in material.channels.iter().enumerate() {
+        let [map, number] = *reader.words(Section::Channels, record[16] as usize + i) else { unreachable!() };
+        assert_eq!(number, channel.channel as u32);
+        check_texture_use(reader, map, Some(channel.map));
+    }
+    assert_eq!(record[18] == NO_RECORD, material.occlusion.is_none());
+    if let Some(mask) = &material.occlusion {
+        check_mask(reader, record[18] as usize, mask);
+    }
     let flags = [0, 1, 2, 3].map(|bit| record[14] >> bit & 1 == 1);
     let expected = [material.two_sided, material.cull_back, material.anisotropic, material.transmits];
     assert_eq!(flags, expected);
@@ -222,6 +235,11 @@ fn check_material(reader: &mut Reader, number: usize, material: &PreparedMateria
     assert_eq!((record[15], values[12]), (mode, cutoff));
     assert_eq!((&values[..6], &values[6..9]), (material.ambient.as_flattened(), &material.emission[..]));
     assert_eq!((&values[9..11], values[11]), (&short(material.aniso)[..], material.alpha));
+}
+
+fn check_mask(reader: &mut Reader, number: usize, mask: &PreparedMask) {
+    assert_eq!(reader.words(Section::Masks, number), [mask.channel as u32]);
+    assert_eq!(reader.floats(Section::MaskValues, number), [mask.from as f32, mask.to as f32]);
 }
 
 fn check_mix(reader: &mut Reader, record: &[u32], material: &PreparedMaterial) {
@@ -257,6 +275,16 @@ fn check_lobe(reader: &mut Reader, number: usize, material: &PreparedMaterial, l
         Metalness::Dielectric { factor } => (2, factor as f32),
     };
     assert_eq!((record[6], values[1]), (metalness, factor));
+    assert_eq!(record[10] as usize, lobe.masks.len());
+    for (i, mask) in lobe.masks.iter().enumerate() {
+        check_mask(reader, record[9] as usize + i, mask);
+    }
+    let roughness = match lobe.roughness {
+        LobeRoughness::Material => 0,
+        LobeRoughness::Uniform => 1,
+        LobeRoughness::Channel(number) => number as u32 + 2,
+    };
+    assert_eq!(record[11], roughness);
     assert_eq!(record[8] as usize, lobe.layers.len());
     for (i, layer) in lobe.layers.iter().enumerate() {
         check_layer(reader, record[7] as usize + i, layer);

@@ -19,8 +19,8 @@ use glanz_render::{
     Change, DrawOptions, Frame, Observation, PrepareError, PrepareOptions, Prepared, View, draw, prepare,
 };
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Background, ColorMode, Interpolation, LightColors, LightKind, Scene,
-    Shading, TextureUse, White,
+    AlphaMode, AreaShape, Attenuation, Background, ColorMode, Interpolation, LightColors, LightKind, Lobe,
+    RoughnessMap, Scene, Shading, TextureUse, White,
 };
 
 /// A change of a scene, its name, and what the update is told.
@@ -198,11 +198,16 @@ fn add_texture(scene: &mut Scene) {
     scene.materials[PHONG].base_color = Some(TextureUse::plain(scene.textures.len() - 1));
 }
 
+fn without_masks(lobe: &Lobe) -> Lobe {
+    Lobe { masks: Vec::new(), roughness: RoughnessMap::Material, ..lobe.clone() }
+}
+
 fn drop_textures(scene: &mut Scene) {
     scene.textures.clear();
     for material in &mut scene.materials {
         (material.base_color, material.normal_map) = (None, None);
         (material.emission_map, material.metal_rough_map) = (None, None);
+        (material.occlusion, material.lobes) = (None, material.lobes.iter().map(without_masks).collect());
     }
 }
 

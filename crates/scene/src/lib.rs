@@ -46,9 +46,9 @@ pub use light::{
     Luminaire, Profile, Space, add_default_lights,
 };
 pub use material::{
-    Absorption, AlphaMode, Boundary, ClassicMaterial, Coat, CoatedBoundary, Film, LightColor, Lobe, Material,
-    Metalness, Pane, ParameterError, Polarization, Texture, TextureFilter, TextureUse, Tint, Transmittance,
-    Wrap,
+    Absorption, AlphaMode, Boundary, ChannelUse, ClassicMaterial, Coat, CoatedBoundary, Film, LightColor,
+    Lobe, Mask, Material, Metalness, Pane, ParameterError, Polarization, RoughnessMap, Texture,
+    TextureChannel, TextureFilter, TextureUse, Tint, Transmittance, Wrap,
 };
 pub use mesh::{Bounds, Mesh, MeshError, Normals, SubdivideError};
 pub use mistake::{Mistake, NoEffect};

@@ -85,7 +85,8 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     let settings = file::parse_str(text, path.parent().unwrap_or(Path::new("")), options)?;
     let mut opened = Opened::of_loaded(settings, options);
     let LoadOptions { allow_outside, memory, .. } = *options;
-    let read = ReadOptions { allow_outside, memory, ..ReadOptions::default() };
+    let read =
+        ReadOptions { allow_outside, memory, variant: options.variant.clone(), ..ReadOptions::default() };
     let mut model = read_model(path, &read)?;
     check_budget(&model, path, memory)?;
     opened.notes.append(&mut model.notes);

@@ -34,6 +34,10 @@ pub(crate) struct InputArgs {
     #[arg(long, value_name = "WHICH", value_parser = lights(), help_heading = "Scene")]
     pub lights: Option<DefaultLights>,
 
+    /// The variant of a glTF model whose materials it has; glanz info names them
+    #[arg(long, value_name = "NAME", help_heading = "Scene")]
+    pub variant: Option<String>,
+
     /// How much memory the scene and its picture may take, in B, kB, MB, GB or GiB: more is refused beforehand
     #[arg(long, value_name = "SIZE", default_value_t, help_heading = "Machine")]
     pub memory: MemoryBudget,

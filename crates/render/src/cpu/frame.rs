@@ -49,6 +49,8 @@ pub(crate) struct Layout {
     /// The normal that is kept beside light which is not found per pixel.
     pub normal: Option<usize>,
     pub uv: Option<usize>,
+    /// The second set of texture coordinates.
+    pub uv2: Option<usize>,
     pub color: Option<usize>,
     pub tangent: Option<usize>,
     /// Vertex alpha and tangent sign.
@@ -212,11 +214,10 @@ impl Layout {
                 layout.groups - 1
             })
         };
-        let Attributes { uv: has_uv, color: has_color, tangent: has_tangent } = object.attributes;
+        let Attributes { uv: has_uv, uv2: has_uv2, color: has_color, tangent: has_tangent } =
+            object.attributes;
         let per_pixel = object.shading == Shading::Phong;
-        let maps =
-            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
-        let textured = has_uv && maps.iter().any(Option::is_some);
+        let textured = has_uv && material.textures().next().is_some();
         let turned = material.normal_map.is_some() || material.anisotropic;
         let bent = per_pixel && has_uv && has_tangent && turned;
         let plain = group(!per_pixel && textured);
@@ -224,9 +225,10 @@ impl Layout {
         group(mix.is_some());
         let normal = group(!per_pixel && options.aovs.normal);
         let uv = group(textured || has_uv && options.show == DebugView::Uv);
+        let uv2 = group(textured && has_uv2 && material.textures().any(|map| map.second_uvs));
         let color = group(per_pixel && has_color);
         let tangent = group(bent);
         let extra = group(bent || has_color && material.alpha_mode != AlphaMode::Opaque);
-        Self { plain, mix, normal, uv, color, tangent, extra, ..layout }
+        Self { plain, mix, normal, uv, uv2, color, tangent, extra, ..layout }
     }
 }

@@ -68,6 +68,8 @@ fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMa
         anisotropic: false,
         transmits: false,
         metal_rough_map: None,
+        channels: Vec::new(),
+        occlusion: None,
         transmittance: None,
         series: Vec::new(),
         ambient: Default::default(),

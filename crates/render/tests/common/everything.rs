@@ -4,13 +4,13 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DVec3, Vec4};
+use glam::{DMat3, DMat4, DVec3, Vec2, Vec4};
 use glanz_bsdf::Shape;
 use glanz_color::{Ior, Rgb, Spectrum};
 use glanz_scene::{
-    AlphaMode, AreaShape, Attenuation, Builtin, Coat, EnvironmentMap, Interpolation, Light, LightKind, Lobe,
-    Luminaire, Material, Mesh, Pane, Profile, Scene, Shading, Texture, TextureFilter, TextureUse, Tint,
-    Transmittance,
+    AlphaMode, AreaShape, Attenuation, Builtin, ChannelUse, Coat, EnvironmentMap, Interpolation, Light,
+    LightKind, Lobe, Luminaire, Mask, Material, Mesh, Pane, Profile, RoughnessMap, Scene, Shading, Texture,
+    TextureChannel, TextureFilter, TextureUse, Tint, Transmittance,
 };
 
 use super::{add, builtin, camera, empty, light, rectangle, shiny, sphere};
@@ -55,6 +55,9 @@ pub(crate) fn everything() -> Scene {
     add_ground(&mut scene, ground());
     add(&mut scene, colored(sphere(8, 6)), glass(), at(0.3, -0.2, 0.7));
     add(&mut scene, sphere(24, 13), shiny("phong", 12.0), at(0.0, 0.9, -0.5));
+    for mesh in &mut scene.meshes {
+        mesh.uvs2 = mesh.uvs.iter().map(|uv| Vec2::new(uv.y, 0.3 + 0.5 * uv.x)).collect();
+    }
     scene.objects[COATED].shading = Some(Shading::Flat);
     scene.objects[GLASS].shading = Some(Shading::Gouraud);
     scene.objects[GLASS].interpolation = Some(Interpolation::Scanline);
@@ -114,20 +117,30 @@ pub(crate) fn glass() -> Material {
     Material { opacity: 0.4, alpha_mode: AlphaMode::Blend, ..shiny("phong", 3.0) }
 }
 
-/// With all four maps, which leaves holes.
+/// With all four maps, which leaves holes, masks, and roughness by a picture.
 fn textured() -> Material {
     let scaled = TextureUse { scale: 0.5, ..TextureUse::plain(1) };
+    let second = TextureUse { second_uvs: true, ..TextureUse::plain(1) };
+    let channel = |map, channel| ChannelUse { map, channel };
+    let by_blue = channel(second, TextureChannel::Blue);
+    let shiny = shiny("blinn-phong", 4.0);
+    let masked =
+        Lobe { roughness: RoughnessMap::Own(by_blue), ..Lobe::new(of("ggx", &[("alpha", 0.3)]), gold()) }
+            .masked(Mask { of: channel(TextureUse::plain(1), TextureChannel::Red), from: 0.2, to: 0.9 })
+            .masked(Mask::of(by_blue));
     Material {
+        lobes: shiny.lobes.iter().cloned().chain([masked]).collect(),
+        occlusion: Some(Mask { of: channel(second, TextureChannel::Green), from: 0.5, to: 1.0 }),
         base_color: Some(TextureUse {
             transform: [[2.0, 0.0, 0.1], [0.0, 3.0, 0.2]],
             ..TextureUse::plain(0)
         }),
         normal_map: Some(scaled),
-        emission_map: Some(TextureUse::plain(0)),
+        emission_map: Some(TextureUse { second_uvs: true, ..TextureUse::plain(0) }),
         metal_rough_map: Some(TextureUse::plain(1)),
         alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
         two_sided: true,
-        ..shiny("blinn-phong", 4.0)
+        ..shiny
     }
 }
 

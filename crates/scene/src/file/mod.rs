@@ -63,6 +63,8 @@ pub struct LoadOptions {
     pub sets: Vec<(String, String)>,
     /// The lights of a model, in place of its own; without them one that has none gets three lights. A scene file says its own.
     pub lights: Option<DefaultLights>,
+    /// The variant of a glTF model whose materials are taken, in place of its own. A scene file says it of each object.
+    pub variant: Option<String>,
     /// What textures, environments and triangles may take of memory, by what is drawn of them.
     pub memory: MemoryBudget,
 }

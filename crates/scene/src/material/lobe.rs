@@ -6,7 +6,7 @@ use glanz_bsdf::{LayerWeight, Shape};
 use glanz_color::Spectrum;
 use serde::{Deserialize, Serialize};
 
-use crate::Tint;
+use crate::{ChannelUse, Mask, RoughnessMap, TextureUse, Tint};
 
 /// One term of a material: a shape times a tint.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,13 +24,27 @@ pub struct Lobe {
     pub absorption: Option<Arc<Absorption>>,
     /// Which part of the surface it belongs to.
     pub metalness: Metalness,
+    /// Factors that pictures say.
+    #[serde(default)]
+    pub masks: Vec<Mask>,
+    /// What says how rough it is.
+    #[serde(default)]
+    pub roughness: RoughnessMap,
 }
 
 impl Lobe {
     /// A bare lobe that textures do not touch.
     pub fn new(shape: Shape, tint: impl Into<Tint>) -> Self {
-        let (tint, metalness) = (tint.into(), Metalness::Any);
-        Self { shape, tint, textured: false, layers: Vec::new(), absorption: None, metalness }
+        Self {
+            shape,
+            tint: tint.into(),
+            textured: false,
+            layers: Vec::new(),
+            absorption: None,
+            metalness: Metalness::Any,
+            masks: Vec::new(),
+            roughness: RoughnessMap::Material,
+        }
     }
 
     /// The same, multiplied by textures and vertex colours.
@@ -42,6 +56,30 @@ impl Lobe {
     pub fn under(mut self, layer: LayerWeight) -> Self {
         self.layers.push(layer);
         self
+    }
+
+    /// The same with one more mask.
+    pub fn masked(mut self, mask: Mask) -> Self {
+        self.masks.push(mask);
+        self
+    }
+
+    /// The channels of pictures that it asks for.
+    pub fn channels(&self) -> impl Iterator<Item = ChannelUse> {
+        let own = match self.roughness {
+            RoughnessMap::Own(channel) => Some(channel),
+            RoughnessMap::Material | RoughnessMap::Uniform => None,
+        };
+        self.masks.iter().map(|mask| mask.of).chain(own)
+    }
+
+    /// Its uses of textures, to be changed.
+    pub(crate) fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureUse> {
+        let own = match &mut self.roughness {
+            RoughnessMap::Own(channel) => Some(channel),
+            RoughnessMap::Material | RoughnessMap::Uniform => None,
+        };
+        self.masks.iter_mut().map(|mask| &mut mask.of).chain(own).map(|channel| &mut channel.map)
     }
 }
 

@@ -3,7 +3,7 @@
 use glanz_color::Rgb;
 use serde::{Deserialize, Serialize};
 
-use crate::{ClassicMaterial, Lobe, Transmittance};
+use crate::{ClassicMaterial, Lobe, Mask, Transmittance};
 
 /// A texture and how a material applies it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,12 +14,15 @@ pub struct TextureUse {
     pub transform: [[f32; 3]; 2],
     /// Factor; for normal maps the scale of x and y.
     pub scale: f32,
+    /// Whether it lies by the mesh's second set of texture coordinates.
+    #[serde(default)]
+    pub second_uvs: bool,
 }
 
 impl TextureUse {
     /// The texture as it is.
     pub const fn plain(texture: usize) -> Self {
-        Self { texture, transform: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], scale: 1.0 }
+        Self { texture, transform: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], scale: 1.0, second_uvs: false }
     }
 }
 
@@ -67,6 +70,9 @@ pub struct Material {
     pub emission_map: Option<TextureUse>,
     /// glTF metallic-roughness map: green scales roughness, blue is metalness.
     pub metal_rough_map: Option<TextureUse>,
+    /// How much of ambient light and of surroundings arrives.
+    #[serde(default)]
+    pub occlusion: Option<Mask>,
     /// The angle from the mesh's tangent to the x axis of lobes that know one, in radians.
     pub aniso: f64,
     /// How much of the light from behind reaches the viewer, beside what `opacity` leaves open.
@@ -90,12 +96,30 @@ impl Material {
             normal_map: None,
             emission_map: None,
             metal_rough_map: None,
+            occlusion: None,
             aniso: 0.0,
             transmittance: None,
             opacity: 1.0,
             alpha_mode: AlphaMode::Opaque,
             cull_back: false,
         }
+    }
+
+    /// All uses of textures, those of lobes too.
+    pub fn textures(&self) -> impl Iterator<Item = TextureUse> {
+        let maps = [self.base_color, self.normal_map, self.emission_map, self.metal_rough_map];
+        let channels = self.occlusion.iter().map(|mask| mask.of);
+        let channels = channels.chain(self.lobes.iter().flat_map(Lobe::channels));
+        maps.into_iter().flatten().chain(channels.map(|channel| channel.map))
+    }
+
+    /// Changes all uses of textures, those of lobes too.
+    pub fn change_textures(&mut self, change: impl FnMut(&mut TextureUse)) {
+        let maps =
+            [&mut self.base_color, &mut self.normal_map, &mut self.emission_map, &mut self.metal_rough_map];
+        let channels = self.occlusion.iter_mut().map(|mask| &mut mask.of.map);
+        let channels = channels.chain(self.lobes.iter_mut().flat_map(Lobe::textures_mut));
+        maps.into_iter().flatten().chain(channels).for_each(change);
     }
 
     /// The material of objects that name none: light grey, with a weak highlight.

@@ -88,6 +88,7 @@ impl Mesh {
             positions: pick(&self.positions, sources),
             normals: pick(&self.normals, sources),
             uvs: pick(&self.uvs, sources),
+            uvs2: pick(&self.uvs2, sources),
             colors: pick(&self.colors, sources),
             ..Self::default()
         }

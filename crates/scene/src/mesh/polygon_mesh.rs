@@ -68,6 +68,9 @@ pub struct Mesh {
     pub normals: Vec<Vec3>,
     /// Texture coordinates, v downwards as in glTF.
     pub uvs: Vec<Vec2>,
+    /// A second set of them, for textures that ask for it.
+    #[serde(default)]
+    pub uvs2: Vec<Vec2>,
     /// Unit tangents along +u; w is the sign of the bitangent.
     pub tangents: Vec<Vec4>,
     /// Linear RGB and alpha.
@@ -174,6 +177,7 @@ impl Mesh {
         let lengths = [
             ("normals", self.normals.len()),
             ("texture coordinates", self.uvs.len()),
+            ("second texture coordinates", self.uvs2.len()),
             ("tangents", self.tangents.len()),
             ("colors", self.colors.len()),
         ];
@@ -190,6 +194,7 @@ impl Mesh {
         finite("position", self.positions.iter().position(|v| !v.is_finite()))?;
         finite("normal", self.normals.iter().position(|v| !v.is_finite()))?;
         finite("texture coordinate", self.uvs.iter().position(|v| !v.is_finite()))?;
+        finite("second texture coordinate", self.uvs2.iter().position(|v| !v.is_finite()))?;
         finite("tangent", self.tangents.iter().position(|v| !v.is_finite()))?;
         finite("color", self.colors.iter().position(|v| !v.is_finite()))
     }

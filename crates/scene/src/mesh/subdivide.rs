@@ -64,6 +64,7 @@ struct Net {
     fixed: Vec<bool>,
     point_of: Vec<u32>,
     uvs: Vec<Vec2>,
+    uvs2: Vec<Vec2>,
     colors: Vec<Vec4>,
     /// Triangles of vertices.
     triangles: Vec<[u32; 3]>,
@@ -95,6 +96,7 @@ impl Net {
             fixed: faces_at.iter().map(|&count| count == 1).collect(),
             triangles: mesh.triangles().filter(distinct).collect(),
             uvs: mesh.uvs.clone(),
+            uvs2: mesh.uvs2.clone(),
             colors: mesh.colors.clone(),
             point_of,
         }
@@ -157,8 +159,8 @@ impl Net {
             }
         }
         for &[a, b] in &seams.ends {
-            if !self.uvs.is_empty() {
-                self.uvs.push((self.uvs[a as usize] + self.uvs[b as usize]) * 0.5);
+            for uvs in [&mut self.uvs, &mut self.uvs2].into_iter().filter(|uvs| !uvs.is_empty()) {
+                uvs.push((uvs[a as usize] + uvs[b as usize]) * 0.5);
             }
             if !self.colors.is_empty() {
                 self.colors.push((self.colors[a as usize] + self.colors[b as usize]) * 0.5);
@@ -171,6 +173,7 @@ impl Net {
             name,
             positions: self.point_of.iter().map(|&p| self.points[p as usize].as_vec3()).collect(),
             uvs: self.uvs,
+            uvs2: self.uvs2,
             colors: self.colors,
             corners: self.triangles.into_flattened(),
             ..Mesh::default()

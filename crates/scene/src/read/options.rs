@@ -18,6 +18,8 @@ pub struct ReadOptions {
     pub max_texture_side: u32,
     /// What textures, environments and triangles may take of memory, in all and by what is drawn of them.
     pub memory: MemoryBudget,
+    /// The variant of a glTF file whose materials are taken (`KHR_materials_variants`), in place of the file's own.
+    pub variant: Option<String>,
 }
 
 impl Default for ReadOptions {
@@ -28,6 +30,7 @@ impl Default for ReadOptions {
             max_bytes: 16 << 30,
             max_texture_side: 16384,
             memory: MemoryBudget::default(),
+            variant: None,
         }
     }
 }

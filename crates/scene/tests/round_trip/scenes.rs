@@ -131,8 +131,14 @@ fn lobe() -> impl Strategy<Value = Lobe> {
     ];
     let absorption = proptest::option::of((spectrum(), 1.0..2.0f64));
     let layers = proptest::collection::vec(layer(), 0..3);
-    (shape(), tint(), any::<bool>(), layers, absorption, metalness).prop_map(
-        |(shape, tint, textured, layers, absorption, metalness)| {
+    let masks = proptest::collection::vec(mask(), 0..3);
+    let roughness = prop_oneof![
+        Just(RoughnessMap::Material),
+        Just(RoughnessMap::Uniform),
+        channel_use().prop_map(RoughnessMap::Own),
+    ];
+    (shape(), tint(), any::<bool>(), layers, absorption, metalness, masks, roughness).prop_map(
+        |(shape, tint, textured, layers, absorption, metalness, masks, roughness)| {
             let info = shape.info();
             let glows = info.term == glanz_bsdf::LightTerm::Emission;
             let passes = info.side == glanz_bsdf::Side::Transmission;
@@ -146,7 +152,10 @@ fn lobe() -> impl Strategy<Value = Lobe> {
             let specular = info.term == glanz_bsdf::LightTerm::Specular;
             let textured = textured && !(specular && tint.depends_on_angle());
             let absorption = absorption.map(|(depth, eta)| Arc::new(Absorption { depth, eta }));
-            Lobe { shape, tint, textured, layers, absorption, metalness }
+            let is_lit =
+                matches!(info.term, glanz_bsdf::LightTerm::Diffuse | glanz_bsdf::LightTerm::Specular);
+            let masks = if is_lit { masks } else { Vec::new() };
+            Lobe { shape, tint, textured, layers, absorption, metalness, masks, roughness }
         },
     )
 }
@@ -167,11 +176,19 @@ fn texture_use() -> impl Strategy<Value = TextureUse> {
         plain,
         [[-2.0..2.0f32, -2.0..2.0f32, -2.0..2.0f32], [-2.0..2.0f32, 0.0..1.0f32, 0.0..1.0f32]]
     ];
-    (0..2usize, transform, amount()).prop_map(|(texture, transform, scale)| TextureUse {
-        texture,
-        transform,
-        scale,
+    (0..2usize, transform, amount(), any::<bool>()).prop_map(|(texture, transform, scale, second_uvs)| {
+        TextureUse { texture, transform, scale, second_uvs }
     })
+}
+
+fn channel_use() -> impl Strategy<Value = ChannelUse> {
+    (texture_use(), 0..4usize)
+        .prop_map(|(map, channel)| ChannelUse { map, channel: TextureChannel::ALL[channel].0 })
+}
+
+fn mask() -> impl Strategy<Value = Mask> {
+    let number = || prop_oneof![Just(0.0), Just(1.0), 0.0..1.0f64];
+    (channel_use(), number(), number()).prop_map(|(of, from, to)| Mask { of, from, to })
 }
 
 fn material() -> impl Strategy<Value = Material> {
@@ -192,10 +209,14 @@ fn material() -> impl Strategy<Value = Material> {
         Just(AlphaMode::Blend),
         (0.0..1.0f32).prop_map(|cutoff| AlphaMode::Mask { cutoff })
     ];
-    let surface = (any::<bool>(), any::<bool>(), -4.0..4.0f64, 0.0..1.0f32, alpha);
+    let occlusion = proptest::option::of(mask());
+    let surface = (any::<bool>(), any::<bool>(), -4.0..4.0f64, 0.0..1.0f32, alpha, occlusion);
     (name(), lobes, maps, proptest::option::of(transmittance()), surface).prop_map(
         |(name, lobes, [base_color, normal_map, emission_map, metal_rough_map], transmittance, surface)| {
-            let (two_sided, cull_back, aniso, opacity, alpha_mode) = surface;
+            let (two_sided, cull_back, aniso, opacity, alpha_mode, occlusion) = surface;
+            let glows =
+                |lobe: &Lobe| lobe.textured && lobe.shape.info().term == glanz_bsdf::LightTerm::Emission;
+            let occlusion = occlusion.filter(|_| !lobes.iter().any(glows));
             Material {
                 name,
                 lobes,
@@ -204,6 +225,7 @@ fn material() -> impl Strategy<Value = Material> {
                 normal_map,
                 emission_map,
                 metal_rough_map,
+                occlusion,
                 aniso,
                 transmittance,
                 opacity,
@@ -312,7 +334,7 @@ fn light() -> impl Strategy<Value = Light> {
 
 fn mesh() -> impl Strategy<Value = Mesh> {
     let coordinate = || prop_oneof![Just(0.0f32), -1e6..1e6f32, Just(1e-40f32), Just(0.1f32)];
-    let soup = (3..90usize, name(), any::<[bool; 5]>(), coordinate(), coordinate()).prop_map(
+    let soup = (3..90usize, name(), any::<[bool; 6]>(), coordinate(), coordinate()).prop_map(
         |(vertices, name, has, a, b)| {
             let value = |i: usize| a + b * i as f32;
             let list = |has: bool| if has { vertices } else { 0 };
@@ -323,6 +345,7 @@ fn mesh() -> impl Strategy<Value = Mesh> {
                 positions: (0..vertices).map(|i| Vec3::new(value(i), a, b)).collect(),
                 normals: (0..list(has[0])).map(|i| Vec3::new(a, value(i), b)).collect(),
                 uvs: (0..list(has[1])).map(|i| Vec2::new(value(i), b)).collect(),
+                uvs2: (0..list(has[5])).map(|i| Vec2::new(b, value(i))).collect(),
                 tangents: (0..list(has[2])).map(|i| Vec4::new(value(i), a, b, -1.0)).collect(),
                 colors: (0..list(has[3])).map(|i| Vec4::new(value(i), a, b, 0.5)).collect(),
                 face_starts: if has[4] { vec![0, 2, end] } else { Vec::new() },

@@ -255,7 +255,8 @@ fn by_points<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> 
         let facing = wi.dot(axes[2]).abs();
         let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
         let pair = sum.pair(wi);
-        total = total + layered(lobe, shape_value(lobe, &pair), &pair) * solid;
+        let own = sum.own_pair(lobe, &pair);
+        total = total + layered(lobe, shape_value(lobe, own.as_ref().unwrap_or(&pair)), &pair) * solid;
     }
     total
 }

@@ -31,6 +31,9 @@ pub(crate) fn add<R: Real>(
         let pair = sum.typical_pair(lobe);
         let seen = seen(sum, environment, number, to_map, lobe, integrals);
         let mut fraction = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+        if let Some(arrives) = sum.arrives {
+            fraction = fraction * arrives;
+        }
         if lobe.shape.info().delta {
             fraction = layered(lobe, fraction, &pair);
         }

@@ -6,7 +6,7 @@ use glanz_scene::Metalness;
 
 use crate::cpu::lighting::point::{Reflected, ShadingPoint, add, literal, mixed};
 use crate::cpu::lighting::shade_material::ShadeMaterial;
-use crate::prepare::{DirectLobe, MixTints, TintCoordinate};
+use crate::prepare::{DirectLobe, LobeRoughness, MixTints, TintCoordinate};
 
 /// The least cosine of the view angle: interpolated normals may turn further away than the surface that is seen.
 const LEAST_COS_O: f64 = 1e-4;
@@ -15,10 +15,12 @@ const LEAST_COS_O: f64 = 1e-4;
 pub(crate) struct LightSum<'a, R> {
     pub material: &'a ShadeMaterial<'a>,
     pub mix: Option<(&'a MixTints, [R; 3])>,
-    pub point: &'a ShadingPoint<R>,
+    pub point: &'a ShadingPoint<'a, R>,
     pub cos_o: R,
     /// The axes of lobes that know a tangent.
     pub axes: Option<[Vec3<R>; 2]>,
+    /// How much of ambient light and of environments arrives, where a picture says it.
+    pub arrives: Option<R>,
     pub reflected: Reflected<R>,
 }
 
@@ -27,15 +29,21 @@ impl<'a, R: Real> LightSum<'a, R> {
     #[inline(always)]
     pub(crate) fn new(
         material: &'a ShadeMaterial<'a>,
-        point: &'a ShadingPoint<R>,
+        point: &'a ShadingPoint<'a, R>,
         texel: Option<[R; 3]>,
     ) -> Self {
         let like = point.normal.x;
         let mix = material.mix.as_deref().zip(texel);
-        let reflected = Reflected::ambient(like, material, &mix);
+        let mut reflected = Reflected::ambient(like, material, &mix);
+        let arrives = material.occlusion.as_ref().map(|mask| point.masked(mask));
+        if let Some(arrives) = arrives {
+            for sum in [&mut reflected.textured, &mut reflected.plain] {
+                sum.iter_mut().for_each(|value| *value = *value * arrives);
+            }
+        }
         let cos_o = point.normal.dot(point.wo).max(like.lit(LEAST_COS_O));
         let axes = material.anisotropic.then(|| axes(material, point));
-        Self { material, mix, point, cos_o, axes, reflected }
+        Self { material, mix, point, cos_o, axes, arrives, reflected }
     }
 
     /// The pair of viewer and light.
@@ -85,13 +93,33 @@ impl<'a, R: Real> LightSum<'a, R> {
 
     /// How much of a lobe there is at the point.
     #[inline(always)]
-    fn fraction(&self, lobe: &DirectLobe) -> Option<R> {
+    pub(crate) fn fraction(&self, lobe: &DirectLobe) -> Option<R> {
         let metal = self.point.metal;
-        match lobe.metalness {
+        let mut fraction = match lobe.metalness {
             Metalness::Any => None,
             Metalness::Metal { factor } => Some(metal * metal.lit(factor)),
             Metalness::Dielectric { factor } => Some(metal.one() - metal * metal.lit(factor)),
+        };
+        for mask in &lobe.masks {
+            let masked = self.point.masked(mask);
+            fraction = Some(fraction.map_or(masked, |fraction| fraction * masked));
         }
+        fraction
+    }
+
+    /// The pair as a lobe has it that is not as rough as the material's picture says; none where it is.
+    #[inline(always)]
+    pub(crate) fn own_pair(&self, lobe: &DirectLobe, pair: &DirectionPair<R>) -> Option<DirectionPair<R>> {
+        let one = self.cos_o.one();
+        let alpha_scale = match lobe.roughness {
+            LobeRoughness::Material => return None,
+            LobeRoughness::Uniform => one,
+            // The width of a lobe is the square of its roughness.
+            LobeRoughness::Channel(number) => {
+                self.point.channels.get(number).map_or(one, |value| value.sqr())
+            }
+        };
+        Some(DirectionPair { alpha_scale, ..*pair })
     }
 
     /// Adds a lobe's value for a light of the table; the pair says where a tint that is a curve is taken.

@@ -223,7 +223,7 @@ fn is_gray(&[r, g, b]: &[f32; 3]) -> bool {
 /// The loop for a model of the matte lobe.
 struct OnMatte<'a, R, const FADES: bool> {
     material: &'a MatteHighlight,
-    point: &'a ShadingPoint<R>,
+    point: &'a ShadingPoint<'a, R>,
 }
 
 impl<R: Real, const FADES: bool> ShapeVisitor for OnMatte<'_, R, FADES> {
@@ -251,7 +251,7 @@ impl<R: Real, const FADES: bool> ShapeVisitor for OnMatte<'_, R, FADES> {
 /// The loop for a model of the highlight, too.
 struct WithHighlight<'a, R, D, const FADES: bool> {
     material: &'a MatteHighlight,
-    point: &'a ShadingPoint<R>,
+    point: &'a ShadingPoint<'a, R>,
     matte: &'a D,
 }
 
@@ -325,7 +325,7 @@ mod tests {
         }
     }
 
-    fn points() -> impl Iterator<Item = ShadingPoint<f32>> {
+    fn points() -> impl Iterator<Item = ShadingPoint<'static, f32>> {
         (0..200).map(|i| {
             let (theta, phi) = (0.0157 * f64::from(i), 2.4 * f64::from(i));
             let of = |v: Vec3<f64>| Vec3::new(v.x as f32, v.y as f32, v.z as f32);
@@ -370,7 +370,7 @@ mod tests {
         [light.textured, light.plain].map(|part| part.map(f32::to_bits))
     }
 
-    fn both(a: &ShadingPoint<f32>, b: &ShadingPoint<f32>) -> ShadingPoint<Twice<f32>> {
+    fn both(a: &ShadingPoint<f32>, b: &ShadingPoint<f32>) -> ShadingPoint<'static, Twice<f32>> {
         let both = |a: Vec3<f32>, b: Vec3<f32>| Vec3::new(Twice(a.x, b.x), Twice(a.y, b.y), Twice(a.z, b.z));
         ShadingPoint::plain(both(a.position, b.position), both(a.normal, b.normal), both(a.wo, b.wo))
     }

@@ -3,11 +3,11 @@
 use glanz_math::inline::{inlined, three};
 use glanz_math::{Real, Vec3};
 
-use crate::prepare::{MixTints, PreparedMaterial};
+use crate::prepare::{MixTints, PreparedMask, PreparedMaterial};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
-pub(crate) struct ShadingPoint<R> {
+pub(crate) struct ShadingPoint<'a, R> {
     pub position: Vec3<R>,
     /// Unit normal; null where the surface shall not be lit.
     pub normal: Vec3<R>,
@@ -19,16 +19,31 @@ pub(crate) struct ShadingPoint<R> {
     pub alpha_scale: R,
     /// What a texture says of metal.
     pub metal: R,
+    /// What pictures say, by channels of the material; empty where there are none, and each counts as 1.
+    pub channels: &'a [R],
     /// Of a pixel, its width; see [`crate::view::lights::ViewLights::pixel`]. None of vertices and facets.
     pub pixel: Option<[f32; 2]>,
 }
 
-impl<R: Real> ShadingPoint<R> {
+impl<R: Real> ShadingPoint<'_, R> {
     /// A point of a surface without tangents and textures.
     #[inline(always)]
     pub(crate) fn plain(position: Vec3<R>, normal: Vec3<R>, wo: Vec3<R>) -> Self {
         let one = normal.x.one();
-        Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one, pixel: None }
+        Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one, channels: &[], pixel: None }
+    }
+
+    /// The factor that a mask is here.
+    #[inline(always)]
+    pub(crate) fn masked(&self, mask: &PreparedMask) -> R {
+        let lit = inlined(
+            #[inline(always)]
+            |value: f64| self.metal.lit(value),
+        );
+        match self.channels.get(mask.channel) {
+            Some(value) => lit(mask.from) + *value * lit(mask.to - mask.from),
+            None => lit(mask.to),
+        }
     }
 }
 

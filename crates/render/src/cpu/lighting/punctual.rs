@@ -19,7 +19,10 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
     let point = sum.point;
     let like = point.normal.x;
     let incident = arrive(light, point);
-    if let (Some(cone), Some(ambient)) = (incident.cone, sum.material.spot_ambient.get(row)) {
+    if let (Some(mut cone), Some(ambient)) = (incident.cone, sum.material.spot_ambient.get(row)) {
+        if let Some(arrives) = sum.arrives {
+            cone = cone * arrives;
+        }
         let textured = match &sum.mix {
             Some((mix, texel)) => mixed(&mix.spot_ambient[row], texel),
             None => literal(like, &ambient[0]),
@@ -44,7 +47,8 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
         }
         // Lobes of one shape under different layers stand together.
         if !sum.material.repeats[k] {
-            last = shape_value(lobe, &pair) * attenuation;
+            let own = sum.own_pair(lobe, &pair);
+            last = shape_value(lobe, own.as_ref().unwrap_or(&pair)) * attenuation;
         }
         let value = match sum.material.has_tables {
             true => known.layered(lobe, last, &pair),

@@ -31,8 +31,10 @@ impl<'a> ShadeMaterial<'a> {
     }
 
     fn new(data: Cow<'a, PreparedMaterial>) -> Self {
-        let fast_path = data.lobes.iter().all(is_simple) && data.metal_rough_map.is_none();
-        let pairs = data.lobes.windows(2).map(|pair| pair[0].shape == pair[1].shape);
+        let says_more = data.metal_rough_map.is_some() || data.occlusion.is_some();
+        let fast_path = data.lobes.iter().all(is_simple) && !says_more;
+        let like = |a: &DirectLobe, b: &DirectLobe| a.shape == b.shape && a.roughness == b.roughness;
+        let pairs = data.lobes.windows(2).map(|pair| like(&pair[0], &pair[1]));
         let repeats = std::iter::once(false).chain(pairs).collect();
         let mut layers = data.lobes.iter().flat_map(|lobe| &lobe.layers);
         let has_tables = layers.any(|layer| matches!(layer, LayerWeight::Table { .. }));
@@ -50,7 +52,7 @@ impl Deref for ShadeMaterial<'_> {
 /// Whether the fast path evaluates a lobe. It passes over whole blocks that no light reaches from the front, so
 /// light from behind is none of its business.
 fn is_simple(lobe: &DirectLobe) -> bool {
-    let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any;
+    let bare = lobe.layers.is_empty() && lobe.metalness == Metalness::Any && lobe.masks.is_empty();
     // A model of a program's own may say the same of itself, but the loop does not hold it.
     let listed = !matches!(lobe.shape, Shape::Custom(_));
     bare && listed

@@ -222,7 +222,7 @@ pub struct ProbedLobe {
     /// The shape's value with the cosine, in 1/sr, times π: 1 is a matte white surface that faces a light of value 1. None for
     /// light from many directions, of which only the integral is known.
     pub value: Option<f32>,
-    /// What layers above leave.
+    /// What layers above leave of how much of it there is here: by metal, and by masks.
     pub layers: Option<f32>,
     /// The tint under this light, over π where [`ProbedLobe::value`] is times it.
     pub tint: Option<[f32; 3]>,

@@ -155,6 +155,12 @@ impl Looked<'_> {
         }
         let object = &self.frame.objects[self.object];
         let material = &self.frame.materials[object.material];
+        let groups = (0..material.channels.len()).step_by(3);
+        let channels: Vec<f32> =
+            groups.flat_map(|first| self.record(renderer, Record::Channels(first))).collect();
+        if object.layout.uv.is_some() {
+            point.channels = &channels[..material.channels.len()];
+        }
         let varies = object.layout.color.is_some() || material.base_color.is_some();
         probed(&self.lit(&point, base, varies), PointPlace::Pixel, 1.0, world)
     }

@@ -76,7 +76,7 @@ pub(super) fn vertex(
     object: usize,
     v: usize,
     back: bool,
-) -> (ShadingPoint<f32>, [f32; 3]) {
+) -> (ShadingPoint<'static, f32>, [f32; 3]) {
     let geometry = &frame.prepared.geometry;
     let prepared = &frame.prepared.objects[object];
     let material = &frame.materials[prepared.material];
@@ -105,7 +105,7 @@ pub(super) fn centroid(
     object: usize,
     facet: u32,
     back: bool,
-) -> Option<(ShadingPoint<f32>, [f32; 3], [f32; 3])> {
+) -> Option<(ShadingPoint<'static, f32>, [f32; 3], [f32; 3])> {
     let prepared = &frame.prepared.objects[object];
     let material = &frame.materials[prepared.material];
     let facets = prepared.facets.as_ref()?;

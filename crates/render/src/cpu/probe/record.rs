@@ -26,6 +26,8 @@ pub(crate) enum Record {
     Uv,
     /// The opacity.
     Opacity,
+    /// What pictures say: the channels of the material from this one on.
+    Channels(usize),
 }
 
 /// Replaces a block's colours by what is recorded.
@@ -44,6 +46,9 @@ pub(crate) fn replace<S: Simd>(
         Record::Roughness => [point.alpha_scale, point.metal, flag(point.tangent.is_some())],
         Record::Tangent => point.tangent.map_or([zero; 3], |tangent| [tangent.x, tangent.y, tangent.z]),
         Record::Opacity => [alpha, zero, zero],
+        Record::Channels(first) => {
+            [0, 1, 2].map(|next| point.channels.get(first + next).copied().unwrap_or(zero))
+        }
         Record::Facet => facets(block),
         Record::Place => [place.u, place.v, zero],
         Record::Uv => [extra.uv[0], extra.uv[1], flag(block.object.layout.uv.is_some())],

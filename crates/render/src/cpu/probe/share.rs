@@ -17,7 +17,7 @@ use crate::view::lights::{ViewLight, ViewLights};
 pub(super) struct Lit<'a> {
     pub lights: &'a ShadeLights<'a>,
     pub material: &'a PreparedMaterial,
-    pub point: &'a ShadingPoint<f32>,
+    pub point: &'a ShadingPoint<'a, f32>,
     /// What multiplies textured lobes, or mixes their spectra.
     pub color: [f32; 3],
     /// Whether colours mix spectra here.
@@ -145,7 +145,7 @@ impl Lit<'_> {
         })
     }
 
-    /// A lobe's value, what its layers leave, and its tint.
+    /// A lobe's value, what its layers leave of how much of it there is, and its tint.
     fn parts(&self, row: usize, number: usize, arrival: &Arrival) -> (f32, f32, [f32; 3]) {
         let materials = ShadeMaterial::all(Cow::Borrowed(core::slice::from_ref(self.material)));
         let material = &materials[0];
@@ -154,7 +154,11 @@ impl Lit<'_> {
         let [x, y, z] = arrival.to_light;
         let pair = sum.pair(Vec3::new(x, y, z));
         // A lobe into a single direction has no value for light that comes from one.
-        let value = if lobe.shape.info().delta { 0.0 } else { shape_value(lobe, &pair) };
+        let value = if lobe.shape.info().delta {
+            0.0
+        } else {
+            shape_value(lobe, sum.own_pair(lobe, &pair).as_ref().unwrap_or(&pair))
+        };
         let entry = row * material.lobes.len() + number;
         let tint = match &material.mix {
             _ if lobe.coordinate != TintCoordinate::None => {
@@ -164,7 +168,8 @@ impl Lit<'_> {
             _ => literal(0.0, &material.tints[entry]),
         };
         let pi = PI as f32;
-        (value * pi, layered(lobe, 1.0, &pair), tint.map(|c| c / pi))
+        let there = sum.fraction(lobe).unwrap_or(1.0);
+        (value * pi, layered(lobe, there, &pair), tint.map(|c| c / pi))
     }
 }
 

@@ -79,7 +79,7 @@ struct VertexBlock<'a, S: Simd> {
     simd: S,
     frame: &'a FrameView<'a>,
     view: &'a ObjectView,
-    point: ShadingPoint<Lanes<S>>,
+    point: ShadingPoint<'a, Lanes<S>>,
     colors: Option<&'a [[f32; 4]]>,
 }
 

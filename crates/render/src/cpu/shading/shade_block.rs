@@ -164,7 +164,11 @@ impl<'a, S: Simd> ShadeBlock<'a, S> {
 
     /// Position, normal and viewer of the pixels, from the interpolated normal.
     #[inline(always)]
-    pub(crate) fn point(&self, place: &Place<S>, [x, y, z]: [Lanes<S>; 3]) -> ShadingPoint<Lanes<S>> {
+    pub(crate) fn point(
+        &self,
+        place: &Place<S>,
+        [x, y, z]: [Lanes<S>; 3],
+    ) -> ShadingPoint<'static, Lanes<S>> {
         let (position, wo) = self.frame.camera.unproject(self.px, self.py, place.distance);
         let normal = Vec3::new(x, y, z);
         let normal = if self.frame.options.raw_normals { normal } else { unit(normal) };

@@ -11,7 +11,7 @@ use crate::cpu::lighting::shade_material::ShadeMaterial;
 use crate::cpu::shading::polygons::{CORNER, PolygonView};
 use crate::cpu::shading::shade_block::{Place, ShadeBlock};
 use crate::cpu::shading::triangle_setup::GROUP;
-use crate::prepare::Mipmap;
+use crate::prepare::{Mipmap, PreparedMaterial};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
 
@@ -30,9 +30,14 @@ pub(crate) struct SurfaceAttributes<S: Simd> {
     /// Multiplies how metallic the surface is.
     pub metal: Lanes<S>,
     pub uv: [Lanes<S>; 2],
+    /// What pictures say, by channels of the material.
+    pub channels: [Lanes<S>; PreparedMaterial::MOST_CHANNELS],
     tangent: Option<(Vec3<Lanes<S>>, Lanes<S>)>,
     bend: [Lanes<S>; 3],
 }
+
+/// Texture coordinates of sixteen pixels, and how far each reaches in them.
+type UvSet = ([[f32; 16]; 2], [f32; 16]);
 
 impl<S: Simd> SurfaceAttributes<S> {
     #[inline(always)]
@@ -46,6 +51,7 @@ impl<S: Simd> SurfaceAttributes<S> {
             rough: one,
             metal: one,
             uv: [zero; 2],
+            channels: [one; PreparedMaterial::MOST_CHANNELS],
             tangent: None,
             bend: [zero, zero, one],
         }
@@ -72,9 +78,23 @@ impl<S: Simd> SurfaceAttributes<S> {
         if let Some(number) = layout.uv {
             let [u, v, _] = shade_block.attribute(number, place);
             self.uv = [u, v];
-            let across = shade_block.uv_at(rows, number, 1.0, 0.0);
-            let down = shade_block.uv_at(rows, number, 0.0, 1.0);
-            self.sample(shade_block, material, &footprint([u, v], across, down));
+            let covered = inlined(
+                #[inline(always)]
+                |number: usize, at: [Lanes<S>; 2]| {
+                    let across = shade_block.uv_at(rows, number, 1.0, 0.0);
+                    let down = shade_block.uv_at(rows, number, 0.0, 1.0);
+                    footprint(at, across, down)
+                },
+            );
+            let first = ([array(u), array(v)], covered(number, [u, v]));
+            let second = layout.uv2.map(
+                #[inline(always)]
+                |number| {
+                    let [u, v, _] = shade_block.attribute(number, place);
+                    ([array(u), array(v)], covered(number, [u, v]))
+                },
+            );
+            self.sample(shade_block, material, &[first, second.unwrap_or(first)]);
         }
         if let Some(number) = layout.tangent {
             let [x, y, z] = shade_block.attribute(number, place);
@@ -82,15 +102,15 @@ impl<S: Simd> SurfaceAttributes<S> {
         }
     }
 
-    /// Looks all the material's textures up at `self.uv`.
+    /// Looks all the material's textures up, by the first or second set of coordinates and footprints.
     #[inline(always)]
-    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &ShadeMaterial, footprint: &[f32; 16]) {
-        let uv = [array(self.uv[0]), array(self.uv[1])];
+    fn sample(&mut self, shade_block: &ShadeBlock<S>, material: &ShadeMaterial, sets: &[UvSet; 2]) {
         let textures = &shade_block.frame.prepared.textures;
         let look = inlined(
             #[inline(always)]
             |map: &TextureUse| {
-                let columns = lookup(&textures[map.texture], map, &uv, footprint);
+                let (uv, footprint) = &sets[usize::from(map.second_uvs)];
+                let columns = lookup(&textures[map.texture], map, uv, footprint);
                 columns.map(
                     #[inline(always)]
                     |column| Lanes::load(shade_block.simd, &column),
@@ -115,15 +135,28 @@ impl<S: Simd> SurfaceAttributes<S> {
             let [_, rough, metal, _] = look(map);
             (self.rough, self.metal) = (rough, metal);
         }
+        let channels = &material.channels[..];
+        for (number, own) in channels.iter().enumerate() {
+            // The first of several channels of a picture looks it up for all.
+            if channels[..number].iter().any(|other| other.map == own.map) {
+                continue;
+            }
+            let columns = look(&own.map);
+            for (value, other) in self.channels.iter_mut().zip(channels).skip(number) {
+                if other.map == own.map {
+                    *value = columns[other.channel as usize];
+                }
+            }
+        }
         if let Some(map) = &material.normal_map {
             let [x, y, z, _] = look(map);
             self.bend = tangent_space_normal([x, y, z], map.scale);
         }
     }
 
-    /// Gives a point what textures say of it: its normal, its roughness, its metal; and its tangent.
+    /// Gives a point what textures say of it: its normal, its roughness, its metal, its masks; and its tangent.
     #[inline(always)]
-    pub(crate) fn apply(&self, material: &ShadeMaterial, point: &mut ShadingPoint<Lanes<S>>) {
+    pub(crate) fn apply<'a>(&'a self, material: &ShadeMaterial, point: &mut ShadingPoint<'a, Lanes<S>>) {
         point.normal = self.bend(material, point.normal);
         if material.anisotropic {
             point.tangent = self.tangent.map(|(tangent, _)| tangent);
@@ -132,6 +165,7 @@ impl<S: Simd> SurfaceAttributes<S> {
             // The width of a lobe is the square of its roughness.
             (point.alpha_scale, point.metal) = (self.rough.sqr(), self.metal);
         }
+        point.channels = &self.channels[..material.channels.len()];
     }
 
     /// The normal, bent by the normal map.

@@ -227,6 +227,9 @@ impl TriangleSetups {
         if layout.uv.is_some() {
             self.group(corners, |v| [geometry.uvs[v][0], geometry.uvs[v][1], 0.0]);
         }
+        if layout.uv2.is_some() {
+            self.group(corners, |v| [geometry.uvs2[v][0], geometry.uvs2[v][1], 0.0]);
+        }
         if layout.color.is_some() {
             self.group(corners, |v| [color(v)[0], color(v)[1], color(v)[2]]);
         }
@@ -311,7 +314,7 @@ pub(crate) fn barycentric<R: Real>([a, b, c]: &[[R; 3]; 3]) -> ([R; GROUP], R::M
 struct FlatFacet<'a> {
     frame: &'a FrameView<'a>,
     material: &'a ShadeMaterial<'a>,
-    point: ShadingPoint<f32>,
+    point: ShadingPoint<'a, f32>,
     /// The facet's colour; white where it has none.
     color: [f32; 3],
 }

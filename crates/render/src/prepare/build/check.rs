@@ -51,6 +51,5 @@ pub(crate) fn check_material(scene: &Scene, material: &Material) -> Result<(), P
 
 /// Whether a scene has all textures that a material names.
 pub(crate) fn has_textures(scene: &Scene, material: &Material) -> bool {
-    let maps = [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
-    maps.iter().flatten().all(|map| map.texture < scene.textures.len())
+    material.textures().all(|map| map.texture < scene.textures.len())
 }

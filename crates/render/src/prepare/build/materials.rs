@@ -1,12 +1,14 @@
 //! Materials with their rows of the tint table.
 
 use glanz_bsdf::{LayerWeight, LightTerm, Side};
-use glanz_scene::{Lobe, Material, Tint};
+use glanz_scene::{ChannelUse, Lobe, Mask, Material, RoughnessMap, Tint};
 
 use crate::prepare::PrepareError;
 use crate::prepare::color::tint_coordinate::coordinate_of;
 use crate::prepare::color::tint_table::{Entry, Table, term_of};
-use crate::prepare::data::{DirectLobe, MixTints, PreparedMaterial, TintCoordinate};
+use crate::prepare::data::{
+    DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TintCoordinate,
+};
 
 /// Fills a material's rows of the tint table.
 pub(crate) fn prepare(
@@ -20,7 +22,17 @@ pub(crate) fn prepare(
         return Err(PrepareError::Scene { what });
     }
     let direct = direct_lobes(material, model)?;
-    let lobes = direct.iter().map(|lobe| direct_lobe(lobe, model)).collect::<Result<Vec<_>, _>>()?;
+    let mut channels = Channels::default();
+    let lobes =
+        direct.iter().map(|lobe| direct_lobe(lobe, model, &mut channels)).collect::<Result<Vec<_>, _>>()?;
+    let occlusion = material.occlusion.map(|mask| channels.mask(&mask));
+    let most = PreparedMaterial::MOST_CHANNELS;
+    if channels.0.len() > most {
+        let (name, count) = (&material.name, channels.0.len());
+        let what =
+            format!("material '{name}': its masks name {count} channels of pictures, more than {most}");
+        return Err(PrepareError::Scene { what });
+    }
     let terms = Terms::new(material);
     let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
@@ -42,6 +54,8 @@ pub(crate) fn prepare(
         normal_map: material.normal_map,
         emission_map: material.emission_map,
         metal_rough_map: material.metal_rough_map,
+        channels: channels.0,
+        occlusion,
         aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
         transmittance: material
             .transmittance
@@ -65,7 +79,11 @@ fn direct_lobes<'a>(material: &'a Material, model: Option<&str>) -> Result<Vec<&
     Ok(material.lobes.iter().filter(kept).collect())
 }
 
-fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareError> {
+fn direct_lobe(
+    lobe: &Lobe,
+    model: Option<&str>,
+    channels: &mut Channels,
+) -> Result<DirectLobe, PrepareError> {
     let term = term_of(lobe);
     let (shape, mut layers) = match model {
         Some(name) if term == LightTerm::Specular => (lobe.shape.as_model(name)?, lobe.layers.clone()),
@@ -78,7 +96,30 @@ fn direct_lobe(lobe: &Lobe, model: Option<&str>) -> Result<DirectLobe, PrepareEr
     // A texel has no say in a tint that is a curve.
     let coordinate = coordinate_of(lobe);
     let textured = lobe.textured && coordinate == TintCoordinate::None;
-    Ok(DirectLobe { shape, term, textured, coordinate, layers, metalness: lobe.metalness })
+    let masks = lobe.masks.iter().map(|mask| channels.mask(mask)).collect();
+    let roughness = match lobe.roughness {
+        RoughnessMap::Material => LobeRoughness::Material,
+        RoughnessMap::Uniform => LobeRoughness::Uniform,
+        RoughnessMap::Own(channel) => LobeRoughness::Channel(channels.number(channel)),
+    };
+    Ok(DirectLobe { shape, term, textured, coordinate, layers, metalness: lobe.metalness, masks, roughness })
+}
+
+/// The channels of pictures that a material asks for, each once.
+#[derive(Default)]
+struct Channels(Vec<ChannelUse>);
+
+impl Channels {
+    fn number(&mut self, channel: ChannelUse) -> usize {
+        self.0.iter().position(|known| *known == channel).unwrap_or_else(|| {
+            self.0.push(channel);
+            self.0.len() - 1
+        })
+    }
+
+    fn mask(&mut self, mask: &Mask) -> PreparedMask {
+        PreparedMask { channel: self.number(mask.of), from: mask.from, to: mask.to }
+    }
 }
 
 /// The tints of a material's lobes that no light with a direction touches.

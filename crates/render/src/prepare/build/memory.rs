@@ -97,6 +97,7 @@ fn mesh_bytes(mesh: &Mesh) -> u64 {
         size_of_val(&mesh.positions[..]),
         size_of_val(&mesh.normals[..]),
         size_of_val(&mesh.uvs[..]),
+        size_of_val(&mesh.uvs2[..]),
         size_of_val(&mesh.colors[..]),
         size_of_val(&mesh.tangents[..]),
         size_of_val(&mesh.corners[..]),
@@ -124,7 +125,11 @@ fn completed(scene: &Scene) -> u64 {
 fn vertex_bytes(scene: &Scene) -> u64 {
     let any = |has: &dyn Fn(&Mesh) -> bool| scene.meshes.iter().any(has);
     let tangents = any(&|mesh| !mesh.tangents.is_empty()) || scene.materials.iter().any(needs_tangents);
-    let optional =
-        [(any(&|mesh| !mesh.uvs.is_empty()), 8), (any(&|mesh| !mesh.colors.is_empty()), 16), (tangents, 16)];
+    let optional = [
+        (any(&|mesh| !mesh.uvs.is_empty()), 8),
+        (any(&|mesh| !mesh.uvs2.is_empty()), 8),
+        (any(&|mesh| !mesh.colors.is_empty()), 16),
+        (tangents, 16),
+    ];
     VERTEX + optional.iter().filter(|(is_there, _)| *is_there).map(|(_, bytes)| bytes).sum::<u64>()
 }

@@ -46,6 +46,8 @@ pub struct Geometry {
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates; empty if no object has them.
     pub uvs: Vec<[f32; 2]>,
+    /// A second set of them; empty if no object has one.
+    pub uvs2: Vec<[f32; 2]>,
     /// Vertex colours; empty if no object has them.
     pub colors: Vec<[f32; 4]>,
     /// Tangents in the world; empty if no object has them.

@@ -1,7 +1,7 @@
 //! Materials: their lobes, and their rows of the tint table.
 
 use glanz_bsdf::{LayerWeight, LightTerm, Shape};
-use glanz_scene::{AlphaMode, Metalness, TextureUse};
+use glanz_scene::{AlphaMode, ChannelUse, Metalness, TextureUse};
 
 use super::{LobeIntegrals, TintCoordinate, TintSeries};
 
@@ -20,6 +20,33 @@ pub struct DirectLobe {
     pub layers: Vec<LayerWeight>,
     /// Which part of the surface it belongs to.
     pub metalness: Metalness,
+    /// Factors that channels of pictures say.
+    pub masks: Vec<PreparedMask>,
+    /// What says how rough it is.
+    pub roughness: LobeRoughness,
+}
+
+/// A factor that a channel of a picture says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PreparedMask {
+    /// The channel's number among the material's.
+    pub channel: usize,
+    /// The factor where the channel is 0.
+    pub from: f64,
+    /// The factor where it is 1.
+    pub to: f64,
+}
+
+/// What says how rough a lobe is, beside its own width.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum LobeRoughness {
+    /// [`PreparedMaterial::metal_rough_map`], if there is one.
+    #[default]
+    Material,
+    /// Nothing.
+    Uniform,
+    /// The channel of this number among the material's.
+    Channel(usize),
 }
 
 /// A material with its rows of the tint table.
@@ -55,6 +82,10 @@ pub struct PreparedMaterial {
     pub emission_map: Option<TextureUse>,
     /// Green widens lobes, blue says where metal is.
     pub metal_rough_map: Option<TextureUse>,
+    /// The channels of pictures that masks and lobes name, at most [`PreparedMaterial::MOST_CHANNELS`].
+    pub channels: Vec<ChannelUse>,
+    /// How much of ambient light and of environments arrives.
+    pub occlusion: Option<PreparedMask>,
     /// Sine and cosine of the angle from the tangent to the x axis of lobes that know one.
     pub aniso: [f64; 2],
     /// Whether any lobe asks where the tangent is.
@@ -83,11 +114,31 @@ pub struct MixTints {
     pub emission: [[f32; 3]; 3],
 }
 
+impl PreparedMaterial {
+    /// The most channels of pictures beside the maps that all of a material has.
+    pub const MOST_CHANNELS: usize = 16;
+
+    /// All uses of textures.
+    pub fn textures(&self) -> impl Iterator<Item = TextureUse> {
+        let maps = [self.base_color, self.normal_map, self.emission_map, self.metal_rough_map];
+        maps.into_iter().flatten().chain(self.channels.iter().map(|channel| channel.map))
+    }
+}
+
 impl DirectLobe {
     /// A bare lobe.
     pub fn new(shape: Shape) -> Self {
         let (term, coordinate) = (shape.info().term, TintCoordinate::None);
-        Self { shape, term, textured: false, coordinate, layers: Vec::new(), metalness: Metalness::Any }
+        Self {
+            shape,
+            term,
+            textured: false,
+            coordinate,
+            layers: Vec::new(),
+            metalness: Metalness::Any,
+            masks: Vec::new(),
+            roughness: LobeRoughness::Material,
+        }
     }
 
     /// Whether it depends on where the tangent is: by its shape, or by a layer.

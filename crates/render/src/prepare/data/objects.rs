@@ -9,6 +9,8 @@ use glanz_scene::{Interpolation, Shading};
 pub struct Attributes {
     /// Texture coordinates.
     pub uv: bool,
+    /// A second set of them.
+    pub uv2: bool,
     /// Colours.
     pub color: bool,
     /// Tangents.

@@ -10,6 +10,7 @@ use glam::DMat4;
 use glanz_bsdf::FactorTable;
 use glanz_math::MemoryBudget;
 
+use super::geometry::objects::FileKey;
 use crate::file::error::Problem;
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
@@ -58,7 +59,7 @@ pub(in crate::file) struct Names {
 #[derive(Default)]
 pub(in crate::file) struct Made {
     /// The models of files.
-    pub files: HashMap<PathBuf, FileModel>,
+    pub files: HashMap<FileKey, FileModel>,
     /// What objects were made of, by their recipes.
     pub parts: HashMap<String, Vec<Part>>,
     /// The cameras of files, moved with their objects.

@@ -3,13 +3,15 @@
 use glanz_bsdf::{Angle, Chebyshev, LayerWeight, LightTerm, ModelSource, Shape};
 
 use super::color::{is_white, tint};
+use super::material::texture_use;
+use super::names::Names;
 use super::side_files::SideFiles;
 use super::text::{Table, inline, list, number, numbers, samples, string};
 use crate::file::factors;
-use crate::{Lobe, Metalness, Tint};
+use crate::{ChannelUse, Lobe, Mask, Metalness, RoughnessMap, TextureChannel, Tint};
 
 /// A lobe on one line.
-pub(super) fn lobe(lobe: &Lobe, files: &mut SideFiles) -> String {
+pub(super) fn lobe(lobe: &Lobe, names: &Names, files: &mut SideFiles) -> String {
     let mut table = Table::default();
     let info = lobe.shape.info();
     match lobe.shape.source() {
@@ -45,7 +47,28 @@ pub(super) fn lobe(lobe: &Lobe, files: &mut SideFiles) -> String {
         Metalness::Metal { factor } => table.put("metalness", inline([("metal", number(factor))])),
         Metalness::Dielectric { factor } => table.put("metalness", inline([("dielectric", number(factor))])),
     }
+    table.put_unless(lobe.masks.is_empty(), "masks", list(lobe.masks.iter().map(|own| mask(own, names))));
+    match lobe.roughness {
+        RoughnessMap::Material => {}
+        RoughnessMap::Uniform => table.put("rough_texture", "false"),
+        RoughnessMap::Own(of) => table.put("rough_texture", channel(&of, names).inline()),
+    }
     table.inline()
+}
+
+/// A factor that a picture says, on one line.
+pub(super) fn mask(mask: &Mask, names: &Names) -> String {
+    let mut table = channel(&mask.of, names);
+    table.put_unless(mask.from == 0.0, "from", number(mask.from));
+    table.put_unless(mask.to == 1.0, "to", number(mask.to));
+    table.inline()
+}
+
+fn channel(of: &ChannelUse, names: &Names) -> Table {
+    let mut table = Table::default();
+    table.put("picture", texture_use(&of.map, names));
+    table.put_unless(of.channel == TextureChannel::Red, "channel", string(of.channel.name()));
+    table
 }
 
 fn put_parameters(shape: &Shape, table: &mut Table) {

@@ -4,7 +4,7 @@ use glanz_bsdf::{LightTerm, Shape};
 
 use super::WriteError;
 use super::color::{tint, transmittance};
-use super::lobe::lobe;
+use super::lobe::{lobe, mask};
 use super::names::Names;
 use super::side_files::SideFiles;
 use super::text::{Document, Table, degrees, key, list, number, single, singles, string, tall_list};
@@ -31,7 +31,7 @@ pub(super) fn write(
     }
     match classic(material) {
         Some(block) => put_classic(&block, &mut table),
-        None => table.put("lobes", tall_list(material.lobes.iter().map(|own| lobe(own, files)))),
+        None => table.put("lobes", tall_list(material.lobes.iter().map(|own| lobe(own, names, files)))),
     }
     if let Some(value) = &material.transmittance {
         let value = transmittance(value).ok_or_else(|| wrong("a transmittance that depends on the angle"))?;
@@ -46,6 +46,9 @@ pub(super) fn write(
     ];
     for (map, value) in maps.into_iter().filter_map(|(map, value)| Some((map, value?))) {
         table.put(map, texture_use(&value, names));
+    }
+    if let Some(occlusion) = &material.occlusion {
+        table.put("occlusion_texture", mask(occlusion, names));
     }
     document.section(&format!("[materials.{}]", key(name)), &table, false);
     Ok(())
@@ -72,13 +75,14 @@ fn put_surface(material: &Material, table: &mut Table) {
     }
 }
 
-fn texture_use(map: &TextureUse, names: &Names) -> String {
+pub(super) fn texture_use(map: &TextureUse, names: &Names) -> String {
     let mut table = Table::default();
     table.put("texture", string(&names.textures[map.texture]));
     let plain = TextureUse::plain(map.texture);
     let rows = list(map.transform.iter().map(|row| singles(row)));
     table.put_unless(map.transform == plain.transform, "transform", rows);
     table.put_unless(map.scale == plain.scale, "scale", single(map.scale));
+    table.put_unless(!map.second_uvs, "uv_set", "1");
     table.inline()
 }
 

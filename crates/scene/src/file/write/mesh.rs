@@ -28,7 +28,9 @@ fn put_inline(mesh: &Mesh, table: &mut Table) {
     table.put("positions", list(mesh.positions.iter().map(|v| singles(&v.to_array()))));
     let normals = list(mesh.normals.iter().map(|v| singles(&v.to_array())));
     table.put_unless(mesh.normals.is_empty(), "normals", normals);
-    table.put_unless(mesh.uvs.is_empty(), "uvs", list(mesh.uvs.iter().map(|v| singles(&v.to_array()))));
+    for (name, uvs) in [("uvs", &mesh.uvs), ("uvs2", &mesh.uvs2)] {
+        table.put_unless(uvs.is_empty(), name, list(uvs.iter().map(|v| singles(&v.to_array()))));
+    }
     let tangents = list(mesh.tangents.iter().map(|v| singles(&v.to_array())));
     table.put_unless(mesh.tangents.is_empty(), "tangents", tangents);
     let colors = list(mesh.colors.iter().map(|v| singles(&v.to_array())));
@@ -47,6 +49,7 @@ fn data(mesh: &Mesh, files: &mut SideFiles) -> String {
     let attributes = [
         ("normals", mesh.normals.len()),
         ("uvs", mesh.uvs.len()),
+        ("uvs2", mesh.uvs2.len()),
         ("tangents", mesh.tangents.len()),
         ("colors", mesh.colors.len()),
     ];

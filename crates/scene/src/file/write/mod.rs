@@ -173,9 +173,7 @@ fn check(scene: &Scene) -> Result<(), WriteError> {
         mesh.validate().map_err(|source| WriteError::Mesh { index, source })?;
     }
     for material in &scene.materials {
-        let maps =
-            [material.base_color, material.normal_map, material.emission_map, material.metal_rough_map];
-        for map in maps.into_iter().flatten() {
+        for map in material.textures() {
             within("texture", map.texture, scene.textures.len())?;
         }
     }

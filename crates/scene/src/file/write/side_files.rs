@@ -95,7 +95,7 @@ pub(super) fn mesh_data(mesh: &Mesh) -> Vec<u8> {
         .iter()
         .flat_map(|v| v.to_array())
         .chain(mesh.normals.iter().flat_map(|v| v.to_array()))
-        .chain(mesh.uvs.iter().flat_map(|v| v.to_array()))
+        .chain(mesh.uvs.iter().chain(&mesh.uvs2).flat_map(|v| v.to_array()))
         .chain(mesh.tangents.iter().flat_map(|v| v.to_array()))
         .chain(mesh.colors.iter().flat_map(|v| v.to_array()));
     let words = floats.map(f32::to_bits).chain(mesh.corners.iter().chain(&mesh.face_starts).copied());

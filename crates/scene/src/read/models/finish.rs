@@ -91,7 +91,8 @@ fn fill_normals(mesh: &mut Mesh) {
     let sources = splitter.sources;
     let tangents = std::mem::take(&mut mesh.tangents);
     let split = mesh.pick_vertices(&sources);
-    (mesh.positions, mesh.uvs, mesh.colors) = (split.positions, split.uvs, split.colors);
+    (mesh.positions, mesh.colors) = (split.positions, split.colors);
+    (mesh.uvs, mesh.uvs2) = (split.uvs, split.uvs2);
     mesh.normals = normals;
     if !tangents.is_empty() {
         mesh.tangents = sources.iter().map(|&source| tangents[source as usize]).collect();

@@ -64,8 +64,7 @@ impl Model {
         if material_override.is_none() {
             scene.textures.extend(self.textures);
             scene.materials.extend(self.materials.into_iter().map(|mut material| {
-                let maps = [&mut material.base_color, &mut material.normal_map, &mut material.emission_map];
-                maps.into_iter().flatten().for_each(|map| map.texture += texture_base);
+                material.change_textures(|map| map.texture += texture_base);
                 material
             }));
         }

@@ -64,6 +64,10 @@ fn read_stream(
     options: &ReadOptions,
 ) -> Result<Model, ReadError> {
     let mut context = Context { file, options, resolver, notes: Notes::default() };
+    if let (Some(variant), false) = (&options.variant, format == Format::Gltf) {
+        let expected = "glTF, which alone has variants of materials";
+        return Err(ReadError::unsupported(file, Place::File, expected, excerpt(variant)));
+    }
     let model = match format {
         Format::Gltf => {
             let mut bytes = Vec::new();

@@ -75,6 +75,7 @@ fn push_vertex(geometry: &mut Geometry, mesh: &Mesh, placed: &Placed, vertex: us
     geometry.normals.push(normal);
     let number = geometry.normals.len() - 1;
     push_optional(&mut geometry.uvs, number, mesh.uvs.get(vertex).map(|uv| uv.to_array()), [0.0; 2]);
+    push_optional(&mut geometry.uvs2, number, mesh.uvs2.get(vertex).map(|uv| uv.to_array()), [0.0; 2]);
     push_optional(&mut geometry.colors, number, mesh.colors.get(vertex).map(|c| c.to_array()), [1.0; 4]);
     push_optional(&mut geometry.tangents, number, tangent, [1.0, 0.0, 0.0, 1.0]);
 }
@@ -178,6 +179,7 @@ fn repeat_last_vertex(geometry: &mut Geometry) {
     repeat(&mut geometry.sources);
     repeat(&mut geometry.normals);
     repeat(&mut geometry.uvs);
+    repeat(&mut geometry.uvs2);
     repeat(&mut geometry.colors);
     repeat(&mut geometry.tangents);
 }

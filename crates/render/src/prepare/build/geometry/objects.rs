@@ -45,6 +45,7 @@ fn add_object(prepared: &mut Prepared, scene: &Scene, object: &Object) -> Result
         clusters,
         attributes: Attributes {
             uv: !mesh.uvs.is_empty(),
+            uv2: !mesh.uvs2.is_empty(),
             color: !mesh.colors.is_empty(),
             tangent: !mesh.tangents.is_empty(),
         },

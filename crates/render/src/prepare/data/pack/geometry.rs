@@ -11,6 +11,7 @@ impl Packer {
         self.floats(Section::Positions, &positions);
         self.floats(Section::Normals, geometry.normals.as_flattened());
         self.floats(Section::Uvs, geometry.uvs.as_flattened());
+        self.floats(Section::Uvs2, geometry.uvs2.as_flattened());
         self.floats(Section::Colors, geometry.colors.as_flattened());
         self.floats(Section::Tangents, geometry.tangents.as_flattened());
         self.words(Section::Sources, &geometry.sources);

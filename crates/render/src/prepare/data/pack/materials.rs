@@ -2,11 +2,12 @@
 
 use glanz_bsdf::{FactorTable, LayerWeight};
 use glanz_math::Chebyshev;
-use glanz_scene::{AlphaMode, Metalness, TextureUse};
+use glanz_scene::{AlphaMode, ChannelUse, Metalness, TextureUse};
 
 use super::{NO_RECORD, Packer, Section};
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, LobeIntegrals, LtcTable, MixTints, PreparedMaterial, TintCoordinate,
+    AreaIntegral, DirectLobe, LobeIntegrals, LobeRoughness, LtcTable, MixTints, PreparedMask,
+    PreparedMaterial, TintCoordinate,
 };
 
 /// The least cosine of a sheen's albedo, and the terms of its series: those of the model.
@@ -38,6 +39,9 @@ impl Packer {
             self.texture_use(material.metal_rough_map),
             flags(material),
             alpha_mode,
+            self.channels(&material.channels),
+            material.channels.len() as u32,
+            material.occlusion.map_or(NO_RECORD, |mask| self.mask(&mask)),
         ];
         self.words(Section::Materials, &record);
         self.material_values(material);
@@ -50,11 +54,29 @@ impl Packer {
         self.floats(Section::MaterialValues, &values);
     }
 
+    fn channels(&mut self, channels: &[ChannelUse]) -> u32 {
+        let uses: Vec<u32> = channels.iter().map(|own| self.texture_use(Some(own.map))).collect();
+        let first = self.next(Section::Channels);
+        for (own, used) in channels.iter().zip(uses) {
+            self.words(Section::Channels, &[used, own.channel as u32]);
+        }
+        first
+    }
+
+    fn mask(&mut self, mask: &PreparedMask) -> u32 {
+        self.floats(Section::MaskValues, &[mask.from as f32, mask.to as f32]);
+        self.words(Section::Masks, &[mask.channel as u32])
+    }
+
     fn lobe(&mut self, lobe: &DirectLobe) {
         let params: Vec<f32> = lobe.shape.params().iter().map(|value| *value as f32).collect();
         let first_param = self.floats(Section::Params, &params);
         let first_layer = self.next(Section::Layers);
         lobe.layers.iter().for_each(|layer| self.layer(layer));
+        let first_mask = self.next(Section::Masks);
+        lobe.masks.iter().for_each(|mask| {
+            self.mask(mask);
+        });
         let (coordinate, eta) = match lobe.coordinate {
             TintCoordinate::None => (0, 0.0),
             TintCoordinate::HalfAngle => (1, 0.0),
@@ -75,6 +97,13 @@ impl Packer {
             metalness,
             first_layer,
             lobe.layers.len() as u32,
+            first_mask,
+            lobe.masks.len() as u32,
+            match lobe.roughness {
+                LobeRoughness::Material => 0,
+                LobeRoughness::Uniform => 1,
+                LobeRoughness::Channel(number) => number as u32 + 2,
+            },
         ];
         self.words(Section::Lobes, &record);
         self.floats(Section::LobeValues, &[eta as f32, factor as f32]);
@@ -153,9 +182,9 @@ impl Packer {
     }
 
     fn texture_use(&mut self, used: Option<TextureUse>) -> u32 {
-        let Some(TextureUse { texture, transform, scale }) = used else { return NO_RECORD };
+        let Some(TextureUse { texture, transform, scale, second_uvs }) = used else { return NO_RECORD };
         self.floats(Section::TextureUseValues, &[transform.as_flattened(), &[scale]].concat());
-        self.words(Section::TextureUses, &[texture as u32])
+        self.words(Section::TextureUses, &[texture as u32, u32::from(second_uvs)])
     }
 }
 

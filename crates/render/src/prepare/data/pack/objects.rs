@@ -60,4 +60,5 @@ fn flags(object: &PreparedObject) -> u32 {
         | u32::from(attributes.uv) << 5
         | u32::from(attributes.color) << 6
         | u32::from(attributes.tangent) << 7
+        | u32::from(attributes.uv2) << 8
 }

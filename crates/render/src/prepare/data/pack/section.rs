@@ -55,12 +55,13 @@ sections! {
     Positions: Floats 3, "of each vertex, relative to its object's anchor";
     Normals: Floats 3, "of each vertex, in the world, not normalised";
     Uvs: Floats 2, "texture coordinates of each vertex; no records if no object has them";
+    Uvs2: Floats 2, "texture coordinates of the second set; no records if no object has them";
     Colors: Floats 4, "of each vertex; no records if no object has them";
     Tangents: Floats 4, "of each vertex; no records if no object has them";
     Sources: Words 1, "of each vertex: the vertex of its object's mesh";
     Triangles: Words 2, "corners as vertices within the cluster in bits 0–7, 8–15, 16–23 and edges in bits 24–26, facet";
     Objects: Words 12, "material, first cluster, clusters, first facet among all, flags (bits 0–1 shading, 2–3 \
-        interpolation, 4 closed, 5 texture coordinates, 6 colours, 7 tangents), first of Facets, facets there, first of \
+        interpolation, 4 closed, 5 texture coordinates, 6 colours, 7 tangents, 8 a second set of texture coordinates), first of Facets, facets there, first of \
         FacetColors, first of PolygonStarts, first of PolygonCorners, first of PolygonUvs, first of PolygonColors";
     ObjectPlaces: Floats 12, "of each object: anchor as pairs(6), least corner relative to it(3), greatest(3)";
     Facets: Floats 6, "centroid relative to the anchor(3), normal(3)";
@@ -69,17 +70,21 @@ sections! {
     PolygonCorners: Floats 6, "position relative to the anchor(3), normal(3)";
     PolygonUvs: Floats 2, "texture coordinates of each corner";
     PolygonColors: Floats 4, "of each corner";
-    Materials: Words 16, "first lobe, lobes, first of Tints (entry light · lobes + lobe), first of Series with the same \
+    Materials: Words 19, "first lobe, lobes, first of Tints (entry light · lobes + lobe), first of Series with the same \
         entries, first of SpotAmbient, first of Integrals, first of MixTints, first of MixSpotAmbient, of MixValues, of \
         Series for the transmittance, TextureUses of base colour, normals, emission, metalness and roughness, flags (bit \
-        0 two-sided, 1 back faces are not drawn, 2 anisotropic, 3 transmits), alpha mode";
+        0 two-sided, 1 back faces are not drawn, 2 anisotropic, 3 transmits), alpha mode, first of Channels, channels, Mask of occlusion";
     MaterialValues: Floats 13, "of each material: ambient that textures multiply(3), the rest(3), emission(3), sine and \
         cosine of the tangent's angle, opacity, cutoff of masks";
-    TextureUses: Words 1, "texture";
+    TextureUses: Words 2, "texture, set of texture coordinates (0 or 1)";
     TextureUseValues: Floats 7, "of each use: rows of the map of coordinates(6), scale";
-    Lobes: Words 9, "model's stable number (Shape::id), first of Params, parameters, light term, whether textured, \
+    Channels: Words 2, "TextureUse, channel of it (0 red, 1 green, 2 blue, 3 alpha)";
+    Masks: Words 1, "channel's number among those of the material";
+    MaskValues: Floats 2, "of each mask: the factor where the channel is 0, and where it is 1";
+    Lobes: Words 12, "model's stable number (Shape::id), first of Params, parameters, light term, whether textured, \
         coordinate of the tint (0 none, 1 half angle, 2 path in a coat), metalness (0 any, 1 metal, 2 dielectric), first \
-        of Layers, layers";
+        of Layers, layers, first of Masks, masks, roughness (0 as the material's picture says, 1 uniform, 2 and more: that less 2 \
+        is the number of a channel of the material)";
     LobeValues: Floats 2, "of each lobe: the coat's index of refraction, the factor of its metalness; 0 where there is none";
     Params: Floats 1, "a parameter of a model, in the order of its list";
     Layers: Words 3, "kind (0 constant, 1 Schlick, 2 series, 3 coat, 4 sheen, 5 coat over a boundary, 6 table), angle or rank, ScalarSeries: of a \

@@ -57,7 +57,12 @@ impl LobeTable {
             self.absorption.as_ref().map(|table| Absorption { depth: table.depth.0, eta: table.eta.0 });
         let metalness = self.metalness.as_ref().map_or(Metalness::Any, MetalnessTable::metalness);
         let absorption = absorption.map(Arc::new);
-        Ok(Lobe { shape, tint, textured, layers, absorption, metalness })
+        if let (Some(mask), false) = (self.masks.first(), is_lit) {
+            return Err(Problem::at(&mask.picture.span, "'masks' are for terms that lights shine on"));
+        }
+        let masks = self.masks.iter().map(|table| builder.mask(table)).collect::<Result<_, _>>()?;
+        let roughness = builder.roughness(self.rough_texture.as_ref())?;
+        Ok(Lobe { shape, tint, textured, layers, absorption, metalness, masks, roughness })
     }
 
     fn shape(&self, builder: &mut Builder) -> Result<Shape, Problem> {

@@ -12,7 +12,7 @@ use crate::file::tables::appearance::materials::{AlphaModeName, MaterialTable, h
 use crate::file::tables::appearance::measured::MeasuredTable;
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::values::At;
-use crate::{AlphaMode, ClassicMaterial, Material, Tint};
+use crate::{AlphaMode, ClassicMaterial, Lobe, Material, Tint};
 
 impl Builder {
     pub(in crate::file::build) fn material(
@@ -33,6 +33,16 @@ impl Builder {
         material.normal_map = self.texture_use(table.normal_texture.as_ref(), false)?;
         material.metal_rough_map = self.texture_use(table.metal_rough_texture.as_ref(), false)?;
         material.emission_map = self.texture_use(table.emission_texture.as_ref(), true)?;
+        if let Some(occlusion) = &table.occlusion_texture {
+            let glows = |lobe: &Lobe| lobe.textured && lobe.shape.info().term == LightTerm::Emission;
+            if material.lobes.iter().any(glows) {
+                return Err(Problem::at(
+                    &occlusion.span,
+                    "'occlusion_texture' beside light of its own that is 'textured'",
+                ));
+            }
+            material.occlusion = Some(self.mask(occlusion)?);
+        }
         Ok(material)
     }
 }

@@ -6,12 +6,12 @@ use crate::file::build::builder::{Builder, in_order};
 use crate::file::build::files::unresolved;
 use crate::file::error::Problem;
 use crate::file::near::{did_you_mean, list};
-use crate::file::tables::appearance::textures::TextureValue;
+use crate::file::tables::appearance::textures::{MaskTable, RoughValue, TextureValue};
 use crate::file::tables::scene::SceneTable;
-use crate::file::tables::values::At;
+use crate::file::tables::values::{At, Fraction};
 use crate::memory::texture_bytes;
 use crate::read::{FolderFiles, Resolver, read_texture, remark_of_texture};
-use crate::{Texture, TextureFilter, TextureUse, Wrap};
+use crate::{ChannelUse, Mask, RoughnessMap, Texture, TextureChannel, TextureFilter, TextureUse, Wrap};
 
 /// The picture of a texture and how it is taken. Its `Debug` text names it.
 #[derive(Debug)]
@@ -65,8 +65,38 @@ impl Builder {
             }
             texture_use.transform = transform.value.map(|row| row.map(|number| number.0 as f32));
         }
+        texture_use.second_uvs = table.uv_set.0 == 1;
         texture_use.scale = table.scale.map_or(1.0, |scale| scale.0 as f32);
         Ok(Some(texture_use))
+    }
+
+    /// A channel of a picture.
+    pub(in crate::file::build) fn channel(
+        &mut self,
+        picture: &At<TextureValue>,
+        channel: TextureChannel,
+    ) -> Result<ChannelUse, Problem> {
+        let map = self.texture_use(Some(picture), false)?.expect("there is a picture");
+        Ok(ChannelUse { map, channel })
+    }
+
+    /// A factor that a picture says.
+    pub(in crate::file::build) fn mask(&mut self, table: &MaskTable) -> Result<Mask, Problem> {
+        let of = self.channel(&table.picture, table.channel)?;
+        let number = |value: &Option<At<Fraction>>, default| value.as_ref().map_or(default, |own| own.0);
+        Ok(Mask { of, from: number(&table.from, 0.0), to: number(&table.to, 1.0) })
+    }
+
+    /// What says how rough a lobe is.
+    pub(in crate::file::build) fn roughness(
+        &mut self,
+        value: Option<&RoughValue>,
+    ) -> Result<RoughnessMap, Problem> {
+        Ok(match value {
+            None => RoughnessMap::Material,
+            Some(RoughValue::Never) => RoughnessMap::Uniform,
+            Some(RoughValue::Own(table)) => RoughnessMap::Own(self.channel(&table.picture, table.channel)?),
+        })
     }
 
     /// The number of one of the scene's own textures.

@@ -28,6 +28,10 @@ impl Builder {
     }
 }
 
+fn vec2(values: &Option<Vec<[Number; 2]>>) -> Vec<Vec2> {
+    values.iter().flatten().map(|v| Vec2::from_array(v.map(|n| n.0 as f32))).collect()
+}
+
 fn vec3(list: &Option<Vec<[Number; 3]>>) -> Vec<Vec3> {
     list.iter().flatten().map(|v| Vec3::from_array(v.map(|n| n.0 as f32))).collect()
 }
@@ -69,7 +73,8 @@ impl MeshTable {
         let mut mesh = Mesh {
             positions: vec3(&self.positions),
             normals: vec3(&self.normals),
-            uvs: self.uvs.iter().flatten().map(|v| Vec2::from_array(v.map(|n| n.0 as f32))).collect(),
+            uvs: vec2(&self.uvs),
+            uvs2: vec2(&self.uvs2),
             tangents: vec4(&self.tangents),
             colors: vec4(&self.colors),
             corners: self.triangles.iter().flatten().flatten().copied().collect(),
@@ -108,6 +113,7 @@ impl MeshDataTable {
             match name {
                 AttributeName::Normals => mesh.normals = vectors(&words, Vec3::from_array),
                 AttributeName::Uvs => mesh.uvs = vectors(&words, Vec2::from_array),
+                AttributeName::Uvs2 => mesh.uvs2 = vectors(&words, Vec2::from_array),
                 AttributeName::Tangents => mesh.tangents = vectors(&words, Vec4::from_array),
                 AttributeName::Colors => mesh.colors = vectors(&words, Vec4::from_array),
             }

@@ -15,7 +15,7 @@ use crate::file::near::{did_you_mean, list};
 use crate::file::tables::geometry::objects::{ColorsName, ColorsValue, MeshValue, NormalsName, ObjectTable};
 use crate::file::tables::values::At;
 use crate::memory::{check_triangles, texture_bytes};
-use crate::read::{Model, read_model};
+use crate::read::{Model, ReadOptions, read_model};
 use crate::{Camera, Material, Mesh, Normals, Object, Projection};
 
 /// What a mesh is made from. Its `Debug` text names it: equal texts, equal meshes.
@@ -32,8 +32,12 @@ enum Source {
     Builtin(Builtin),
     /// One of the scene's own meshes.
     Own(usize),
-    File(PathBuf),
+    /// And the variant of its materials.
+    File(FileKey),
 }
+
+/// A file of models, and the variant of its materials.
+pub(in crate::file) type FileKey = (PathBuf, Option<String>);
 
 #[derive(Debug)]
 enum Colors {
@@ -63,14 +67,14 @@ impl Builder {
                 let parts = match &recipe.source {
                     Source::Builtin(builtin) => self.builtin(object, builtin, &recipe)?,
                     Source::Own(mesh) => self.own(object, *mesh, &recipe)?,
-                    Source::File(path) => self.file(object, path, &recipe)?,
+                    Source::File(key) => self.file(object, key, &recipe)?,
                 };
                 self.made.parts.insert(key, parts.clone());
                 parts
             }
         };
-        if let Source::File(path) = &recipe.source {
-            self.companions(object, path, &transform);
+        if let Source::File(key) = &recipe.source {
+            self.companions(object, key, &transform);
         }
         self.add_triangles(parts.iter().map(|part| part.triangles), &object.mesh.span)?;
         for part in &parts {
@@ -102,8 +106,14 @@ impl Builder {
                 Source::Builtin(*builtin)
             }
             MeshValue::Named(name) => Source::Own(self.own_mesh(name, &object.mesh.span)?),
-            MeshValue::File(file) => Source::File(self.resolve(file, &file.span)?),
+            MeshValue::File(file) => {
+                let variant = object.variant.as_ref().map(|variant| variant.value.clone());
+                Source::File((self.resolve(file, &file.span)?, variant))
+            }
         };
+        if let (Some(variant), false) = (&object.variant, matches!(source, Source::File(_))) {
+            return Err(Problem::at(&variant.span, "a variant is of the materials of a glTF file"));
+        }
         let builtin = matches!(source, Source::Builtin(_));
         let colors = match object.colors.as_ref().map(|colors| &colors.value) {
             None if builtin && object.material.is_some() => Colors::None,
@@ -195,12 +205,12 @@ impl Builder {
         self.scene.meshes.len() - 1
     }
 
-    fn file(&mut self, object: &ObjectTable, path: &Path, recipe: &Recipe) -> Result<Vec<Part>, Problem> {
-        if !self.made.files.contains_key(path) {
-            let model = self.read_file(path, &object.mesh.span)?;
-            self.made.files.insert(path.to_owned(), model);
+    fn file(&mut self, object: &ObjectTable, key: &FileKey, recipe: &Recipe) -> Result<Vec<Part>, Problem> {
+        if !self.made.files.contains_key(key) {
+            let model = self.read_file(key, object)?;
+            self.made.files.insert(key.clone(), model);
         }
-        let mut parts = self.made.files[path].parts.clone();
+        let mut parts = self.made.files[key].parts.clone();
         if recipe.is_plain() {
             return Ok(parts);
         }
@@ -224,9 +234,10 @@ impl Builder {
         Ok(parts)
     }
 
-    fn read_file(&mut self, path: &Path, span: &Range<usize>) -> Result<FileModel, Problem> {
-        let mut model =
-            read_model(path, &self.input.options).map_err(|error| Problem::at(span, error.to_string()))?;
+    fn read_file(&mut self, (path, variant): &FileKey, object: &ObjectTable) -> Result<FileModel, Problem> {
+        let options = ReadOptions { variant: variant.clone(), ..self.input.options.clone() };
+        let span = &object.mesh.span;
+        let mut model = read_model(path, &options).map_err(|error| Problem::at(span, error.to_string()))?;
         let textures = model.textures.iter().map(|texture| texture_bytes(texture.width, texture.height));
         let file = file_name(path);
         self.take(format_args!("the textures of '{file}'"), textures.sum(), span)?;
@@ -247,8 +258,8 @@ impl Builder {
     }
 
     /// Brings along what a file has beside its meshes.
-    fn companions(&mut self, object: &ObjectTable, path: &Path, transform: &DMat4) {
-        let file = &self.made.files[path];
+    fn companions(&mut self, object: &ObjectTable, key: &FileKey, transform: &DMat4) {
+        let (file, path) = (&self.made.files[key], &key.0);
         for (name, camera) in &file.cameras {
             self.made.cameras.push((name.clone(), moved(camera, transform)));
         }

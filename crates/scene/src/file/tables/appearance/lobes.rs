@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::layer_weights::{LayerTable, MetalnessTable};
 use super::shapes::{ShapeTable, brdf_schema};
+use super::textures::{MaskTable, RoughValue};
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::sampled::AbsorptionTable;
 use crate::file::tables::values::{At, Fraction, Number};
@@ -27,8 +28,18 @@ names! {
 }
 
 /// The keys of all lobes.
-pub(crate) const KEYS: [&str; 8] =
-    ["shape", "tint", "textured", "weight", "fresnel", "layers", "absorption", "metalness"];
+pub(crate) const KEYS: [&str; 10] = [
+    "shape",
+    "tint",
+    "textured",
+    "weight",
+    "fresnel",
+    "layers",
+    "absorption",
+    "metalness",
+    "masks",
+    "rough_texture",
+];
 
 /// One term of a general material: `shape`, `tint`, `textured`, `weight`, `fresnel`, and the parameters of the
 /// shape.
@@ -42,6 +53,8 @@ pub(crate) struct LobeTable {
     pub layers: Option<At<Vec<LayerTable>>>,
     pub absorption: Option<AbsorptionTable>,
     pub metalness: Option<MetalnessTable>,
+    pub masks: Vec<MaskTable>,
+    pub rough_texture: Option<RoughValue>,
     pub params: Vec<(At<String>, At<Number>)>,
 }
 
@@ -57,6 +70,7 @@ impl<'de> Deserialize<'de> for LobeTable {
                 let (mut shape, mut tint, mut textured) = (None, None, None);
                 let (mut weight, mut fresnel, mut params) = (None, None, Vec::new());
                 let (mut layers, mut absorption, mut metalness) = (None, None, None);
+                let (mut masks, mut rough_texture) = (Vec::new(), None);
                 while let Some(key) = map.next_key::<At<String>>()? {
                     match key.as_str() {
                         "shape" => shape = Some(map.next_value()?),
@@ -67,6 +81,8 @@ impl<'de> Deserialize<'de> for LobeTable {
                         "layers" => layers = Some(map.next_value()?),
                         "absorption" => absorption = Some(map.next_value()?),
                         "metalness" => metalness = Some(map.next_value()?),
+                        "masks" => masks = map.next_value()?,
+                        "rough_texture" => rough_texture = Some(map.next_value()?),
                         _ => params.push((key, map.next_value()?)),
                     }
                 }
@@ -80,6 +96,8 @@ impl<'de> Deserialize<'de> for LobeTable {
                     layers,
                     absorption,
                     metalness,
+                    masks,
+                    rough_texture,
                     params,
                 })
             }
@@ -101,11 +119,13 @@ impl JsonSchema for LobeTable {
 }
 
 /// The keys beside the shape and its parameters.
-fn keys_of_every_model(generator: &mut SchemaGenerator) -> [(&'static str, Value); 7] {
+fn keys_of_every_model(generator: &mut SchemaGenerator) -> [(&'static str, Value); 9] {
     let color = generator.subschema_for::<ColorValue>();
     let layers = generator.subschema_for::<LayerTable>();
     let absorption = generator.subschema_for::<AbsorptionTable>();
     let metalness = generator.subschema_for::<MetalnessTable>();
+    let masks = generator.subschema_for::<MaskTable>();
+    let rough = generator.subschema_for::<RoughValue>();
     let textured =
         "Whether textures and vertex colours multiply the tint; for ambient and diffuse shapes by default.";
     let fresnel = "How the tint depends on the angle: exact for indices of refraction, or Schlick's form, in which any tint is the reflectance at normal incidence.";
@@ -125,6 +145,12 @@ fn keys_of_every_model(generator: &mut SchemaGenerator) -> [(&'static str, Value
         ),
         ("absorption", absorption.to_value()),
         ("metalness", metalness.to_value()),
+        (
+            "masks",
+            json!({ "type": "array", "items": masks.to_value(),
+                "description": "Factors that pictures say at each place." }),
+        ),
+        ("rough_texture", rough.to_value()),
     ]
 }
 

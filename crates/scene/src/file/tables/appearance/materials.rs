@@ -12,7 +12,7 @@ use super::layers::{CoatTable, PaneTable};
 use super::lobes::LobeTable;
 use super::measured::MeasuredTable;
 use super::set_aside::{Other, SetAside};
-use super::textures::TextureValue;
+use super::textures::{MaskTable, TextureValue};
 use crate::file::tables::colors::ColorValue;
 use crate::file::tables::table;
 use crate::file::tables::values::{At, Exponent, Fraction, Number};
@@ -79,6 +79,8 @@ pub(crate) struct MaterialKeys {
     pub emission_texture: Option<At<TextureValue>>,
     /// Picture whose green scales roughness and whose blue scales metalness, as in glTF.
     pub metal_rough_texture: Option<At<TextureValue>>,
+    /// Picture that says how much of ambient light and of surroundings arrives.
+    pub occlusion_texture: Option<At<MaskTable>>,
     /// The same in radians, where degrees cannot say it exactly.
     pub aniso_rad: Option<At<Number>>,
     /// A name for people; that of the table by default.

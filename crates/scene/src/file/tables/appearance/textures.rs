@@ -9,8 +9,8 @@ use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::file::tables::table;
-use crate::file::tables::values::{Amount, At, Number};
-use crate::{TextureFilter, Wrap};
+use crate::file::tables::values::{Amount, At, Fraction, Number};
+use crate::{TextureChannel, TextureFilter, Wrap};
 
 /// A picture on a surface.
 #[derive(Debug, Default, Deserialize, JsonSchema)]
@@ -30,6 +30,24 @@ pub(crate) struct TextureTable {
     pub transform: Option<At<[[Number; 3]; 2]>>,
     /// Scale of the x and y of normals; 1 by default.
     pub scale: Option<Amount>,
+    /// By which set of texture coordinates it lies: 0, the mesh's `uvs`, or 1, its `uvs2`.
+    #[serde(default)]
+    pub uv_set: UvSet,
+}
+
+/// A set of texture coordinates: 0 or 1.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(try_from = "u32")]
+pub(crate) struct UvSet(#[schemars(range(max = 1))] pub u32);
+
+impl TryFrom<u32> for UvSet {
+    type Error = String;
+    fn try_from(number: u32) -> Result<Self, String> {
+        match number {
+            0 | 1 => Ok(Self(number)),
+            _ => Err(format!("expected 0 or 1, the number of a set of texture coordinates, found {number}")),
+        }
+    }
 }
 
 /// A texture that materials call by its name.
@@ -49,6 +67,76 @@ pub(crate) struct NamedTextureTable {
     /// How texels become values.
     #[serde(default)]
     pub filter: TextureFilter,
+}
+
+/// A number that a picture says at each place: a channel, and how the numbers 0 and 1 count.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MaskTable {
+    /// The picture.
+    pub picture: At<TextureValue>,
+    /// The channel that says it.
+    #[serde(default)]
+    pub channel: TextureChannel,
+    /// What counts where the channel is 0.
+    pub from: Option<At<Fraction>>,
+    /// What counts where the channel is 1.
+    pub to: Option<At<Fraction>>,
+}
+
+/// What says how rough a lobe is.
+#[derive(Debug)]
+pub(crate) enum RoughValue {
+    /// `false`: it is as rough everywhere, whatever the material's picture says.
+    Never,
+    /// By a picture of its own.
+    Own(TextureChannelTable),
+}
+
+impl<'de> Deserialize<'de> for RoughValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Rough;
+        impl<'de> Visitor<'de> for Rough {
+            type Value = RoughValue;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("false, or a picture: { picture = \"rough.png\", channel = \"green\" }")
+            }
+            fn visit_bool<E: serde::de::Error>(self, value: bool) -> Result<RoughValue, E> {
+                match value {
+                    false => Ok(RoughValue::Never),
+                    true => Err(E::invalid_value(serde::de::Unexpected::Bool(true), &self)),
+                }
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RoughValue, A::Error> {
+                TextureChannelTable::deserialize(MapAccessDeserializer::new(map)).map(RoughValue::Own)
+            }
+        }
+        deserializer.deserialize_any(Rough)
+    }
+}
+
+impl JsonSchema for RoughValue {
+    fn schema_name() -> Cow<'static, str> {
+        "Roughness".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let table = generator.subschema_for::<TextureChannelTable>();
+        json_schema!({
+            "description": "What scales how rough it is: the channel of a picture; false, nothing.",
+            "anyOf": [{ "const": false }, table],
+        })
+    }
+}
+
+/// A channel of a picture.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TextureChannelTable {
+    /// The picture.
+    pub picture: At<TextureValue>,
+    /// The channel that says it.
+    #[serde(default)]
+    pub channel: TextureChannel,
 }
 
 /// What happens outside 0 to 1: the same along u and v, or one for each.

@@ -21,6 +21,8 @@ pub(crate) struct MeshTable {
     pub normals: Option<Vec<[Number; 3]>>,
     /// Texture coordinates of the vertices, v downwards.
     pub uvs: Option<Vec<[Number; 2]>>,
+    /// A second set of texture coordinates, for textures with `uv_set = 1`.
+    pub uvs2: Option<Vec<[Number; 2]>>,
     /// Unit tangents along +u; the fourth number is the sign of the bitangent.
     pub tangents: Option<Vec<[Number; 4]>>,
     /// Linear RGB and alpha of the vertices.
@@ -59,6 +61,8 @@ names! {
         Normals = "normals",
         /// Two floats.
         Uvs = "uvs",
+        /// Two floats.
+        Uvs2 = "uvs2",
         /// Four floats.
         Tangents = "tangents",
         /// Four floats.
@@ -71,7 +75,7 @@ impl AttributeName {
     pub(crate) fn floats(self) -> usize {
         match self {
             Self::Normals => 3,
-            Self::Uvs => 2,
+            Self::Uvs | Self::Uvs2 => 2,
             Self::Tangents | Self::Colors => 4,
         }
     }

@@ -53,6 +53,8 @@ pub(crate) struct ObjectTable {
     pub program: Option<At<crate::file::tables::program::ProgramTable>>,
     /// Whether the lights of a glTF file come along; they do not by default.
     pub lights: Option<At<bool>>,
+    /// The variant of a glTF file whose materials it has, in place of the file's own.
+    pub variant: Option<At<String>>,
 }
 
 /// Vertex colours.

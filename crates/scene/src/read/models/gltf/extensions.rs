@@ -87,9 +87,9 @@ impl Default for IndexOfRefraction {
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Specular {
     pub specular_factor: f64,
-    pub specular_texture: Option<IgnoredAny>,
+    pub specular_texture: Option<TextureInfo>,
     pub specular_color_factor: [f64; 3],
-    pub specular_color_texture: Option<IgnoredAny>,
+    pub specular_color_texture: Option<TextureInfo>,
 }
 
 impl Default for Specular {
@@ -103,9 +103,9 @@ impl Default for Specular {
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Clearcoat {
     pub clearcoat_factor: f64,
-    pub clearcoat_texture: Option<IgnoredAny>,
+    pub clearcoat_texture: Option<TextureInfo>,
     pub clearcoat_roughness_factor: f64,
-    pub clearcoat_roughness_texture: Option<IgnoredAny>,
+    pub clearcoat_roughness_texture: Option<TextureInfo>,
     pub clearcoat_normal_texture: Option<IgnoredAny>,
 }
 
@@ -113,16 +113,16 @@ pub(super) struct Clearcoat {
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Sheen {
     pub sheen_color_factor: [f64; 3],
-    pub sheen_color_texture: Option<IgnoredAny>,
+    pub sheen_color_texture: Option<TextureInfo>,
     pub sheen_roughness_factor: f64,
-    pub sheen_roughness_texture: Option<IgnoredAny>,
+    pub sheen_roughness_texture: Option<TextureInfo>,
 }
 
 #[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Transmission {
     pub transmission_factor: f64,
-    pub transmission_texture: Option<IgnoredAny>,
+    pub transmission_texture: Option<TextureInfo>,
 }
 
 #[derive(Deserialize)]
@@ -130,7 +130,7 @@ pub(super) struct Transmission {
 pub(super) struct Volume {
     /// In metres.
     pub thickness_factor: f64,
-    pub thickness_texture: Option<IgnoredAny>,
+    pub thickness_texture: Option<TextureInfo>,
     /// In metres; without it nothing is absorbed.
     pub attenuation_distance: Option<f64>,
     pub attenuation_color: [f64; 3],
@@ -153,20 +153,20 @@ pub(super) struct Anisotropy {
     pub anisotropy_strength: f64,
     /// In radians.
     pub anisotropy_rotation: f64,
-    pub anisotropy_texture: Option<IgnoredAny>,
+    pub anisotropy_texture: Option<TextureInfo>,
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Iridescence {
     pub iridescence_factor: f64,
-    pub iridescence_texture: Option<IgnoredAny>,
+    pub iridescence_texture: Option<TextureInfo>,
     pub iridescence_ior: f64,
     /// In nm, where the texture is 0.
     pub iridescence_thickness_minimum: f64,
     /// In nm, where the texture is 1, and without one.
     pub iridescence_thickness_maximum: f64,
-    pub iridescence_thickness_texture: Option<IgnoredAny>,
+    pub iridescence_thickness_texture: Option<TextureInfo>,
 }
 
 impl Default for Iridescence {
@@ -179,27 +179,5 @@ impl Default for Iridescence {
             iridescence_thickness_maximum: 400.0,
             iridescence_thickness_texture: None,
         }
-    }
-}
-
-impl MaterialExtensions {
-    /// The textures of extensions, none of which is applied, with the names of what they would change.
-    pub(super) fn textures(&self) -> impl Iterator<Item = &'static str> {
-        let (coat, sheen, film) = (&self.clearcoat, &self.sheen, &self.iridescence);
-        let all = [
-            ("specular", &self.specular.specular_texture),
-            ("specular colour", &self.specular.specular_color_texture),
-            ("clear coat", &coat.clearcoat_texture),
-            ("clear coat roughness", &coat.clearcoat_roughness_texture),
-            ("clear coat normal", &coat.clearcoat_normal_texture),
-            ("sheen colour", &sheen.sheen_color_texture),
-            ("sheen roughness", &sheen.sheen_roughness_texture),
-            ("transmission", &self.transmission.transmission_texture),
-            ("thickness", &self.volume.thickness_texture),
-            ("anisotropy", &self.anisotropy.anisotropy_texture),
-            ("iridescence", &film.iridescence_texture),
-            ("iridescence thickness", &film.iridescence_thickness_texture),
-        ];
-        all.into_iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| name)
     }
 }

@@ -7,6 +7,7 @@ use serde::de::IgnoredAny;
 
 use super::compression::{draco, meshopt};
 use super::extensions::MaterialExtensions;
+use super::variants::{Mappings, Variants};
 
 #[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
@@ -35,6 +36,8 @@ pub(super) struct Root {
 pub(super) struct RootExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub lights: Lights,
+    #[serde(rename = "KHR_materials_variants")]
+    pub variants: Variants,
 }
 
 #[derive(Deserialize, Default)]
@@ -143,7 +146,7 @@ pub(super) struct Material {
     pub name: String,
     pub pbr_metallic_roughness: Pbr,
     pub normal_texture: Option<TextureInfo>,
-    pub occlusion_texture: Option<IgnoredAny>,
+    pub occlusion_texture: Option<TextureInfo>,
     pub emissive_texture: Option<TextureInfo>,
     pub emissive_factor: [f64; 3],
     pub alpha_mode: Option<String>,
@@ -182,6 +185,8 @@ pub(super) struct TextureInfo {
     pub tex_coord: u32,
     /// Of normal textures only.
     pub scale: Option<f64>,
+    /// Of occlusion textures only.
+    pub strength: Option<f64>,
     #[serde(default)]
     pub extensions: TextureExtensions,
 }
@@ -235,6 +240,8 @@ pub(super) struct Primitive {
 pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
     pub draco: Option<draco::Compressed>,
+    #[serde(rename = "KHR_materials_variants")]
+    pub variants: Mappings,
 }
 
 #[derive(Deserialize)]

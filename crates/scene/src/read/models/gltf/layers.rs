@@ -10,7 +10,10 @@ use glanz_bsdf::{Angle, Chebyshev, LayerWeight, Shape};
 use glanz_color::{Ior, Rgb, Spectrum, lambda_nm, rgb_spectra};
 
 use super::pbr::{PbrMaterial, greatest};
-use crate::{Film, Lobe, Metalness, Pane, Tint, Transmittance};
+use crate::{
+    ChannelUse, Film, Lobe, Mask, Metalness, Pane, RoughnessMap, TextureChannel, TextureUse, Tint,
+    Transmittance,
+};
 
 /// Reflectance of the clear coat at normal incidence: its index is 1.5.
 const COAT_F0: f64 = 0.04;
@@ -27,24 +30,57 @@ const LEAST_PANE: f64 = 1.001;
 /// The least transmittance of a channel: darker is as good as black.
 const LEAST_SEEN: f64 = 1e-6;
 
+/// The textures that say where the layers of a material are, and what they are like.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Maps {
+    /// Of metal and roughness.
+    pub roughness: Option<TextureUse>,
+    /// How much of the boundary's reflection there is.
+    pub specular: Option<ChannelUse>,
+    /// The colour of what the boundary reflects at normal incidence; its greatest channel in alpha.
+    pub f0: Option<TextureUse>,
+    pub transmission: Option<ChannelUse>,
+    pub iridescence: Option<ChannelUse>,
+    /// Its colour; its greatest channel in alpha.
+    pub sheen: Option<TextureUse>,
+    pub sheen_roughness: Option<ChannelUse>,
+    pub coat: Option<ChannelUse>,
+    pub coat_roughness: Option<ChannelUse>,
+}
+
+impl Maps {
+    /// The roughness of a layer above: the texture of metal and roughness has no say in it.
+    fn above(&self, own: Option<ChannelUse>) -> RoughnessMap {
+        match own {
+            Some(own) => RoughnessMap::Own(own),
+            None if self.roughness.is_some() => RoughnessMap::Uniform,
+            None => RoughnessMap::Material,
+        }
+    }
+}
+
 /// The lobes of a material; those whose tint is black are left out.
-pub(super) fn lobes(pbr: &PbrMaterial) -> Vec<Lobe> {
-    let mut layers = dielectric(pbr);
-    layers.extend(metal(pbr));
+pub(super) fn lobes(pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
+    let mut layers = dielectric(pbr, maps);
+    layers.extend(metal(pbr, maps));
     if pbr.greatest_sheen() > 0.0 {
         let alpha = pbr.sheen_roughness * pbr.sheen_roughness;
         let alpha = alpha.max(LEAST_ALPHA);
         let layer = LayerWeight::Sheen { strength: pbr.greatest_sheen(), albedo: Albedo::new(alpha) };
-        layers = layers.into_iter().map(|lobe| lobe.under(layer.clone())).collect();
-        layers.push(Lobe::new(shape("charlie", &[("alpha", alpha)]), rgb(pbr.sheen)));
+        layers = under(layers, &layer, maps.sheen.map(greatest_of));
+        let roughness = maps.above(maps.sheen_roughness);
+        let charlie = shape("charlie", &[("alpha", alpha)]);
+        layers.extend(colored(&charlie, pbr.sheen, maps.sheen).map(|lobe| Lobe { roughness, ..lobe }));
     }
     if pbr.coat > 0.0 {
         let layer = |at_zero, at_grazing| LayerWeight::Schlick { angle: Angle::View, at_zero, at_grazing };
         let below = layer(1.0 - pbr.coat * COAT_F0, 1.0 - pbr.coat);
-        layers = layers.into_iter().map(|lobe| lobe.under(below.clone())).collect();
+        layers = under(layers, &below, maps.coat);
         let alpha = width(pbr.coat_roughness);
         let gloss = shape("ggx", &[("alpha", alpha), ("multiscatter", 0.0)]);
-        layers.push(Lobe::new(gloss, Rgb::WHITE).under(layer(pbr.coat * COAT_F0, pbr.coat)));
+        let coat = Lobe::new(gloss, Rgb::WHITE).under(layer(pbr.coat * COAT_F0, pbr.coat));
+        let roughness = maps.above(maps.coat_roughness);
+        layers.push(Lobe { roughness, masks: maps.coat.map(Mask::of).into_iter().collect(), ..coat });
     }
     // Metal has no matte part that ambient light could meet. The ambient term does not read the texture of metal, so it
     // takes its mean.
@@ -55,6 +91,37 @@ pub(super) fn lobes(pbr: &PbrMaterial) -> Vec<Lobe> {
     all.push(Lobe::new(shape("emission", &[]), rgb(pbr.emission)));
     all.retain(|lobe| !lobe.tint.is_black());
     all
+}
+
+/// Lobes under a layer that a texture may say the place of: each as it is where the layer is not, and below it where it is.
+fn under(lobes: Vec<Lobe>, layer: &LayerWeight, place: Option<ChannelUse>) -> Vec<Lobe> {
+    let Some(of) = place else {
+        return lobes.into_iter().map(|lobe| lobe.under(layer.clone())).collect();
+    };
+    let both = |lobe: Lobe| {
+        [lobe.clone().masked(Mask { of, from: 1.0, to: 0.0 }), lobe.under(layer.clone()).masked(Mask::of(of))]
+    };
+    lobes.into_iter().flat_map(both).collect()
+}
+
+/// A shape of this colour, which a texture may multiply: then one lobe for each of its channels.
+fn colored(shape: &Shape, color: [f64; 3], map: Option<TextureUse>) -> impl Iterator<Item = Lobe> {
+    let channels = [TextureChannel::Red, TextureChannel::Green, TextureChannel::Blue];
+    let of_channel = |number: usize, map: TextureUse| {
+        let mut tint = [0.0; 3];
+        tint[number] = color[number];
+        Lobe::new(shape.clone(), rgb(tint)).masked(Mask::of(ChannelUse { map, channel: channels[number] }))
+    };
+    let lobes = match map {
+        None => vec![Lobe::new(shape.clone(), rgb(color))],
+        Some(map) => (0..3).map(|number| of_channel(number, map)).collect(),
+    };
+    lobes.into_iter().filter(|lobe| !lobe.tint.is_black())
+}
+
+/// The channel with the greatest of a colour's.
+fn greatest_of(map: TextureUse) -> ChannelUse {
+    ChannelUse { map, channel: TextureChannel::Alpha }
 }
 
 /// The transmittance of the surface: a pane whose two sides together reflect at normal incidence what the one
@@ -79,79 +146,134 @@ pub(super) fn transmittance(pbr: &PbrMaterial) -> Option<Transmittance> {
     Some(Transmittance::Pane(Arc::new(Pane { ior, thickness: 1.0, absorption })))
 }
 
-fn dielectric(pbr: &PbrMaterial) -> Vec<Lobe> {
+fn dielectric(pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
     let metalness = match (pbr.metallic, pbr.metal_varies) {
         (0.0, _) => Metalness::Any,
         (1.0, false) => return Vec::new(),
         (factor, _) => Metalness::Dielectric { factor },
     };
+    let (bare, under_film) = parts(pbr, maps);
     let film = film(pbr, pbr.f0);
     let mut lobes = Vec::new();
-    for (lobe, angle) in below(pbr) {
-        let below = LayerWeight::Schlick {
-            angle,
-            at_zero: 1.0 - pbr.specular * pbr.greatest_f0(),
-            at_grazing: 1.0 - pbr.specular,
-        };
-        push(&mut lobes, 1.0 - pbr.iridescence, lobe.clone().under(below));
+    for (lobe, angle) in below(pbr, maps) {
+        bare.push(&mut lobes, under_boundary(lobe.clone(), angle, pbr, maps));
         if let Some(film) = &film {
             let left = Chebyshev::interpolate(FILM_TERMS, |cosine| 1.0 - greatest_of_film(film, cosine));
-            push(&mut lobes, pbr.iridescence, lobe.under(LayerWeight::Series { angle, factor: left }));
+            under_film.push(&mut lobes, vec![lobe.under(LayerWeight::Series { angle, factor: left })]);
         }
     }
     let gloss = gloss(pbr);
-    for lobe in boundary(&gloss, pbr.f0.map(|f0| f0 * pbr.specular), pbr.specular, false) {
-        push(&mut lobes, 1.0 - pbr.iridescence, lobe);
+    let mut reflected = boundary(&gloss, pbr.f0.map(|f0| f0 * pbr.specular), pbr.specular, false, maps.f0);
+    if let Some(specular) = maps.specular {
+        reflected.iter_mut().for_each(|lobe| lobe.masks.push(Mask::of(specular)));
     }
-    lobes.extend(iridescent(pbr, film, &gloss));
+    bare.push(&mut lobes, reflected);
+    under_film.push(&mut lobes, film.map(|film| Lobe::new(gloss, Tint::Film(film))).into_iter().collect());
     lobes.iter_mut().for_each(|lobe| lobe.metalness = metalness);
     lobes
 }
 
-fn metal(pbr: &PbrMaterial) -> Vec<Lobe> {
+/// What lies below the boundary of the dielectric, less what that reflects by the angle in Schlick's form: it is linear in
+/// how much of it there is, and in its greatest reflectance at normal incidence, so textures of both choose between lobes.
+fn under_boundary(lobe: Lobe, angle: Angle, pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
+    let layer = |f0: f64| LayerWeight::Schlick {
+        angle,
+        at_zero: 1.0 - pbr.specular * f0,
+        at_grazing: 1.0 - pbr.specular,
+    };
+    let mut lobes = match maps.f0.map(greatest_of) {
+        None => vec![lobe.clone().under(layer(pbr.greatest_f0()))],
+        Some(of) => vec![
+            lobe.clone().under(layer(0.0)).masked(Mask { of, from: 1.0, to: 0.0 }),
+            lobe.clone().under(layer(pbr.greatest_f0())).masked(Mask::of(of)),
+        ],
+    };
+    if let Some(of) = maps.specular {
+        lobes.iter_mut().for_each(|lobe| lobe.masks.push(Mask::of(of)));
+        lobes.insert(0, lobe.masked(Mask { of, from: 1.0, to: 0.0 }));
+    }
+    lobes
+}
+
+fn metal(pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
     let metalness = match (pbr.metallic, pbr.metal_varies) {
         (0.0, _) => return Vec::new(),
         (1.0, false) => Metalness::Any,
         (factor, _) => Metalness::Metal { factor },
     };
     let gloss = gloss(pbr);
+    let (bare, under_film) = parts(pbr, maps);
     let mut lobes = Vec::new();
-    for lobe in boundary(&gloss, pbr.base, 1.0, true) {
-        push(&mut lobes, 1.0 - pbr.iridescence, lobe);
-    }
-    lobes.extend(iridescent(pbr, film(pbr, pbr.base), &gloss));
+    bare.push(&mut lobes, boundary(&gloss, pbr.base, 1.0, true, None));
+    let film = film(pbr, pbr.base);
+    under_film.push(&mut lobes, film.map(|film| Lobe::new(gloss, Tint::Film(film))).into_iter().collect());
     lobes.iter_mut().for_each(|lobe| lobe.metalness = metalness);
     lobes
 }
 
 /// What lies below the boundary of the dielectric, with the angle by which light passes it.
-fn below(pbr: &PbrMaterial) -> [(Lobe, Angle); 2] {
-    let back = pbr.base.map(|channel| channel * (1.0 - pbr.transmission));
-    let on = core::array::from_fn(|c| pbr.base[c] * pbr.transmission * pbr.left[c]);
+fn below(pbr: &PbrMaterial, maps: &Maps) -> Vec<(Lobe, Angle)> {
+    let (open, mask) = match maps.transmission {
+        // With a texture both are as if they were alone.
+        Some(of) => ([1.0, 1.0], Some(of)),
+        None => ([1.0 - pbr.transmission, pbr.transmission], None),
+    };
+    let back = pbr.base.map(|channel| channel * open[0]);
+    let on = core::array::from_fn(|c| pbr.base[c] * open[1] * pbr.left[c]);
     let sheet = shape("ggx-thin-transmission", &[("alpha", width(pbr.roughness))]);
-    [
-        (Lobe::new(shape("lambert", &[]), rgb(back)).textured(), Angle::Half),
-        (Lobe::new(sheet, rgb(on)).textured(), Angle::HalfThrough),
-    ]
+    let mut back = Lobe::new(shape("lambert", &[]), rgb(back)).textured();
+    let mut on = Lobe::new(sheet, rgb(on)).textured();
+    if let Some(of) = mask {
+        back.masks.push(Mask { of, from: 1.0, to: 1.0 - pbr.transmission });
+        on.masks.push(Mask { of, from: 0.0, to: pbr.transmission });
+    }
+    let all = [(back, Angle::Half), (on, Angle::HalfThrough)];
+    all.into_iter().filter(|(lobe, _)| !lobe.tint.is_black()).collect()
 }
 
 /// A gloss times f0 + (f90 − f0)(1 − cosθ)⁵ in Schlick's form: one lobe where that has no colour, else one for the
 /// colour at normal incidence, which textures may multiply, and one for the rest.
-fn boundary(gloss: &Shape, f0: [f64; 3], f90: f64, textured: bool) -> Vec<Lobe> {
+fn boundary(gloss: &Shape, f0: [f64; 3], f90: f64, textured: bool, map: Option<TextureUse>) -> Vec<Lobe> {
     let layer = |at_zero, at_grazing| LayerWeight::Schlick { angle: Angle::Half, at_zero, at_grazing };
-    if !textured && f0[0] == f0[1] && f0[1] == f0[2] {
+    if !textured && map.is_none() && f0[0] == f0[1] && f0[1] == f0[2] {
         return vec![Lobe::new(gloss.clone(), Rgb::WHITE).under(layer(f0[0], f90))];
     }
-    let colored = Lobe { textured, ..Lobe::new(gloss.clone(), rgb(f0)) };
-    vec![colored.under(layer(1.0, 0.0)), Lobe::new(gloss.clone(), Rgb::WHITE).under(layer(0.0, f90))]
+    let at_normal = colored(gloss, f0, map).map(|lobe| Lobe { textured, ..lobe }.under(layer(1.0, 0.0)));
+    at_normal.chain([Lobe::new(gloss.clone(), Rgb::WHITE).under(layer(0.0, f90))]).collect()
 }
 
-/// Adds a lobe with a weight, if that is not 0.
-fn push(lobes: &mut Vec<Lobe>, weight: f64, lobe: Lobe) {
-    if lobe.tint.is_black() || weight <= 0.0 {
-        return;
+/// A part of a surface: everywhere the same, or where a texture says.
+struct Part {
+    weight: f64,
+    mask: Option<Mask>,
+}
+
+/// The bare part of a surface, and that under a thin film.
+fn parts(pbr: &PbrMaterial, maps: &Maps) -> (Part, Part) {
+    let strength = pbr.iridescence;
+    match maps.iridescence {
+        Some(of) if strength > 0.0 => {
+            let mask = |from, to| Part { weight: 1.0, mask: Some(Mask { of, from, to }) };
+            (mask(1.0, 1.0 - strength), mask(0.0, strength))
+        }
+        _ => (Part { weight: 1.0 - strength, mask: None }, Part { weight: strength, mask: None }),
     }
-    lobes.push(if weight < 1.0 { lobe.under(LayerWeight::Constant(weight)) } else { lobe });
+}
+
+impl Part {
+    /// Adds lobes with the weight of this part, if that is not 0.
+    fn push(&self, lobes: &mut Vec<Lobe>, more: Vec<Lobe>) {
+        if self.weight <= 0.0 {
+            return;
+        }
+        for mut lobe in more.into_iter().filter(|lobe| !lobe.tint.is_black()) {
+            if self.weight < 1.0 {
+                lobe.layers.push(LayerWeight::Constant(self.weight));
+            }
+            lobe.masks.extend(self.mask);
+            lobes.push(lobe);
+        }
+    }
 }
 
 /// The film over a base of this reflectance at normal incidence, if there is one.
@@ -163,12 +285,6 @@ fn film(pbr: &PbrMaterial, base: [f64; 3]) -> Option<Arc<Film>> {
     };
     let film = |base| Film { thickness_nm: pbr.film_nm, film: Ior::constant(pbr.film_ior), base };
     (pbr.iridescence > 0.0).then(|| Arc::new(film(base())))
-}
-
-fn iridescent(pbr: &PbrMaterial, film: Option<Arc<Film>>, gloss: &Shape) -> Option<Lobe> {
-    let mut lobes = Vec::new();
-    push(&mut lobes, pbr.iridescence, Lobe::new(gloss.clone(), Tint::Film(film?)));
-    lobes.pop()
 }
 
 /// The greatest channel of what a film reflects.

@@ -22,23 +22,28 @@
 //! - anisotropy: the width along the tangent, turned by the rotation, is α + (1 − α) strength²;
 //! - iridescence: that fraction of each F is a film's.
 //!
+//! Where a texture multiplies one of these factors, each lobe that changes with it stands once where the factor is 0 and once
+//! where it is the whole: all are linear in it. A texture of colours is three such lobes, one for each channel.
+//!
 //! Where it differs:
 //! - Masking is Smith's with correlated heights, as in KHR_materials_anisotropy; the sample code of Appendix B,
 //!   which binds nobody, has the product of both directions.
 //! - Films are Airy's sum at each wavelength with both polarisations, in air, over a base of the real index that
 //!   f0 or the metal's base colour has. The extension takes two orders of it, Schlick's form for the
 //!   boundaries, and three Gaussians for the eye (Belcour and Barla 2017). Textures of the base colour do not
-//!   change a metal below a film. A thickness that a texture says is taken in the middle of its range.
+//!   change a metal below a film.
 //! - The transmittance of a surface is neither blurred nor changed by textures. At normal incidence it is
 //!   base · t (1 − F); towards grazing light a pane with that reflectance goes by Fresnel's law and its colour
 //!   deepens. Volumes absorb by their `thicknessFactor`, half at each face where both sides are drawn, and do
 //!   not bend light.
-//! - A roughness texture multiplies the widths of the clear coat too, and both widths where they differ.
+//! - Textures of thickness, of a film's thickness and of anisotropy count by their mean, clear coats have the normals of
+//!   the surface, and how rough a texture says that a sheen is does not change what it leaves to the base.
+//! - A roughness texture multiplies both widths where they differ.
 //! - A clear coat does not dim light of the surface itself.
-//! - Specular and glossiness are a dielectric of that reflectance; a texture of both counts by its mean.
-//! - Textures of the other extensions and occlusion textures are ignored.
+//! - Specular and glossiness are a dielectric of that reflectance.
+//! - Occlusion dims ambient light and surroundings, none of which glTF itself has.
 //!
-//! All of these but the first are noted where they matter. Ambient light, which glTF does not have, finds the
+//! All of these but the first and the last are noted where they matter. Ambient light, which glTF does not have, finds the
 //! base colour less what passes through, of metals nothing; a texture of metal counts by its mean. An unlit
 //! material is emission alone. Factors above 1 count as 1; negative ones are refused.
 //!
@@ -64,6 +69,8 @@ mod pose;
 mod primitive;
 mod source;
 mod specular_glossiness;
+mod textures;
+mod variants;
 
 use glanz_color::read::{Place, ReadError, excerpt};
 use serde::Deserialize;
@@ -78,7 +85,7 @@ use json::Root;
 use source::Source;
 
 /// Extensions that are read.
-const SUPPORTED: [&str; 19] = [
+const SUPPORTED: [&str; 20] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_materials_emissive_strength",
@@ -90,6 +97,7 @@ const SUPPORTED: [&str; 19] = [
     "KHR_materials_volume",
     "KHR_materials_anisotropy",
     "KHR_materials_iridescence",
+    "KHR_materials_variants",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
     "KHR_materials_pbrSpecularGlossiness",
@@ -120,6 +128,7 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, Rea
     let mut root: Root = serde_json::from_slice(json).map_err(|error| json_error(&error, context.file))?;
     check_extensions(&root, context)?;
     root.materials.iter_mut().for_each(specular_glossiness::convert);
+    variants::choose(&mut root, context)?;
     let buffers = Buffers::load(&root, binary, context)?;
     let budget = Budget::new(bytes.len() as u64 + buffers.total(), compression::is_in(&root));
     let source = Source {

@@ -24,6 +24,8 @@ pub(super) struct PbrMaterial {
     /// How much of that reflection there is.
     pub specular: f64,
     pub transmission: f64,
+    /// The mean of the texture that says where light is transmitted, 1 without one.
+    pub mean_transmission: f64,
     /// What its volume leaves of light that crosses it.
     pub left: [f64; 3],
     pub coat: f64,
@@ -54,7 +56,7 @@ impl PbrMaterial {
 
     /// The fraction transmitted of the light that enters its boundary.
     pub(super) fn open(&self) -> f64 {
-        self.transmission * (1.0 - self.metal_on_the_whole())
+        self.transmission * self.mean_transmission * (1.0 - self.metal_on_the_whole())
     }
 }
 
@@ -63,13 +65,21 @@ pub(super) fn greatest(rgb: [f64; 3]) -> f64 {
     rgb.into_iter().fold(0.0, f64::max)
 }
 
-/// The numbers of a lit material, brought into their ranges with a remark; `mean_metal` is the mean of its metal texture, if it has one.
-pub(super) fn check(
-    json: &json::Material,
-    mean_metal: Option<f64>,
-    path: &str,
-    notes: &mut Notes,
-) -> PbrMaterial {
+/// The means of textures whose places do not count; 1 where there is no texture.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Means {
+    /// None without a texture.
+    pub metal: Option<f64>,
+    pub transmission: f64,
+    pub thickness: f64,
+    pub film: f64,
+    pub anisotropy: f64,
+    /// The angle of the grain in radians.
+    pub grain: f64,
+}
+
+/// The numbers of a lit material, brought into their ranges with a remark.
+pub(super) fn check(json: &json::Material, means: &Means, path: &str, notes: &mut Notes) -> PbrMaterial {
     let mut numbers = Numbers { path, beyond: 0, notes };
     let (pbr, more) = (&json.pbr_metallic_roughness, &json.extensions);
     let [r, g, b, _] = pbr.base_color_factor;
@@ -79,22 +89,23 @@ pub(super) fn check(
     let pbr = PbrMaterial {
         base: numbers.factors("pbrMetallicRoughness.baseColorFactor", [r, g, b]),
         metallic: numbers.factor("pbrMetallicRoughness.metallicFactor", pbr.metallic_factor),
-        metal_varies: mean_metal.is_some(),
-        mean_metal: mean_metal.unwrap_or(1.0),
+        metal_varies: means.metal.is_some(),
+        mean_metal: means.metal.unwrap_or(1.0),
         roughness: numbers.factor("pbrMetallicRoughness.roughnessFactor", pbr.roughness_factor),
         emission: numbers.least("emissiveFactor times its strength", 0.0, emission),
         f0: numbers.f0(json),
         specular: numbers.extension("specular", more.specular.specular_factor),
         transmission: numbers.extension("transmission", more.transmission.transmission_factor),
-        left: numbers.left(json),
+        mean_transmission: means.transmission,
+        left: numbers.left(json, means.thickness),
         coat: numbers.extension("clearcoat", more.clearcoat.clearcoat_factor),
         coat_roughness: numbers.extension("clearcoat", more.clearcoat.clearcoat_roughness_factor),
         sheen: numbers.factors("extensions.KHR_materials_sheen", more.sheen.sheen_color_factor),
         sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor),
-        anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength),
+        anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength) * means.anisotropy,
         iridescence: numbers.extension("iridescence", more.iridescence.iridescence_factor),
         film_ior: numbers.film_ior(json),
-        film_nm: numbers.film_nm(json),
+        film_nm: numbers.film_nm(json, means.film),
     };
     let beyond = numbers.beyond;
     notes.add_times("glTF: factors above 1 count as 1", beyond);
@@ -164,10 +175,10 @@ impl Numbers<'_> {
 
     /// Beer and Lambert: colour^(thickness / distance). Of a surface that is drawn on both sides, light passes two
     /// faces.
-    fn left(&mut self, json: &json::Material) -> [f64; 3] {
+    fn left(&mut self, json: &json::Material, mean: f64) -> [f64; 3] {
         const NAME: &str = "extensions.KHR_materials_volume";
         let volume = &json.extensions.volume;
-        let [thickness] = self.least(NAME, 0.0, [volume.thickness_factor]);
+        let [thickness] = self.least(NAME, 0.0, [volume.thickness_factor * mean]);
         let color = self.factors(NAME, volume.attenuation_color);
         let Some(distance) = volume.attenuation_distance else { return [1.0; 3] };
         if distance <= 0.0 || distance.is_nan() {
@@ -186,13 +197,11 @@ impl Numbers<'_> {
         ior
     }
 
-    /// The thickness of the film: where a texture would say it, the middle of its range.
-    fn film_nm(&mut self, json: &json::Material) -> f64 {
+    /// The thickness of the film, where a texture says how much of its range.
+    fn film_nm(&mut self, json: &json::Material, mean: f64) -> f64 {
         let film = &json.extensions.iridescence;
         let range = [film.iridescence_thickness_minimum, film.iridescence_thickness_maximum];
         let [least, most] = self.least("extensions.KHR_materials_iridescence", 0.0, range);
-        let thickness =
-            if film.iridescence_thickness_texture.is_some() { 0.5 * (least + most) } else { most };
-        thickness.min(MAX_FILM_NM)
+        (least + (most - least) * mean).min(MAX_FILM_NM)
     }
 }

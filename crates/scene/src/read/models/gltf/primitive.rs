@@ -207,8 +207,8 @@ fn attributes(
     path: &str,
     notes: &mut Notes,
 ) -> Result<Mesh, ReadError> {
-    let uv_set = primitive.material.map_or(0, |material| source.uv_set(material));
-    let uv_name = format!("TEXCOORD_{uv_set}");
+    let uv_sets = primitive.material.map_or([Some(0), None], |material| source.uv_sets(material));
+    let uv_names = uv_sets.map(|set| set.map_or(String::new(), |set| format!("TEXCOORD_{set}")));
     let count = source.count(position, path)?;
     let user = format!("{path}.attributes.POSITION");
     let positions = source.floats::<3>(position, &["VEC3"], pick, &user)?;
@@ -218,11 +218,14 @@ fn attributes(
     mesh.normals = reader.read("NORMAL", &["VEC3"], Vec3::ZERO, normal);
     mesh.tangents =
         reader.read("TANGENT", &["VEC4"], Vec4::ZERO, "is computed anew, since some is no finite number");
-    mesh.uvs = reader.read(&uv_name, &["VEC2"], Vec2::ZERO, "is taken as 0 where it is no finite number");
+    let uvs = [&mut mesh.uvs, &mut mesh.uvs2];
+    for (uvs, name) in uvs.into_iter().zip(&uv_names) {
+        *uvs = reader.read(name, &["VEC2"], Vec2::ZERO, "is taken as 0 where it is no finite number");
+    }
     let white = "is taken as white where it is no finite number";
     mesh.colors = reader.read("COLOR_0", &["VEC3", "VEC4"], Vec4::ONE, white);
     for name in primitive.attributes.keys() {
-        let known = ["POSITION", "NORMAL", "TANGENT", "COLOR_0", uv_name.as_str()];
+        let known = ["POSITION", "NORMAL", "TANGENT", "COLOR_0", uv_names[0].as_str(), uv_names[1].as_str()];
         let is_pose = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
         if !known.contains(&name.as_str()) && !is_pose {
             notes.add(&format!("glTF: the attribute {name} is ignored"));

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 pub(crate) use super::compression::tests::compressed_samples;
 use crate::read::tests::{check, error_of, read_bytes};
-use crate::read::{Format, Model, texture};
+use crate::read::{Format, Model, NoFiles, ReadOptions, read_model_bytes, texture};
 use crate::{AlphaMode, LightKind, Metalness, Projection, TextureFilter, Wrap};
 
 /// A binary container of these two chunks.
@@ -87,7 +87,7 @@ fn error(changes: &[(&str, Value)]) -> String {
     error_of(&with(changes), Format::Gltf)
 }
 
-fn base64(bytes: &[u8]) -> String {
+pub(super) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let group = |group: &[u8]| {
         let word =
@@ -446,8 +446,8 @@ fn numbers_out_of_range_are_cut_with_a_note() {
 }
 
 #[test]
-fn textures_of_extensions_are_noted_once_per_material() {
-    let coat = json!({ "clearcoatTexture": { "index": 9 }, "clearcoatNormalTexture": { "index": 9 } });
+fn textures_that_are_not_there_are_noted_once_for_each_material() {
+    let coat = json!({ "clearcoatFactor": 1, "clearcoatTexture": { "index": 9 }, "clearcoatNormalTexture": { "index": 9 } });
     let one = json!({ "extensions": { "KHR_materials_clearcoat": coat } });
     let mut document = quad().0;
     let primitive = |number: usize| json!({ "attributes": { "POSITION": 0 }, "material": number });
@@ -460,8 +460,33 @@ fn textures_of_extensions_are_noted_once_per_material() {
         ],
     );
     let model = read_bytes(&glb(&document, &quad().1), Format::Gltf).unwrap();
-    let noted = |what| format!("glTF: {what} textures are ignored, the factors hold everywhere (2 times)");
-    assert_eq!(model.notes, [noted("clear coat"), noted("clear coat normal")]);
+    let noted = [
+        "glTF: textures that are not there are left out (materials[0])",
+        "glTF: clear coats have the normals of the surface, not those of their textures (2 times)",
+    ];
+    assert_eq!(model.notes, noted);
+}
+
+#[test]
+fn textures_lie_by_the_set_of_coordinates_that_they_name() {
+    let picture = base64(&texture::tests::png(1, 1, &[255; 4]));
+    let [materials, uses] = material(json!({
+        "pbrMetallicRoughness": { "baseColorTexture": { "index": 0, "texCoord": 1 } },
+        "emissiveTexture": { "index": 0 }, "occlusionTexture": { "index": 0, "texCoord": 2 } }));
+    let model = read(&[
+        materials,
+        uses,
+        ("/images", json!([{ "uri": format!("data:image/png;base64,{picture}") }])),
+        ("/textures", json!([{ "source": 0 }])),
+        ("/meshes/0/primitives/0/attributes/TEXCOORD_0", json!(0)),
+        ("/meshes/0/primitives/0/attributes/TEXCOORD_1", json!(0)),
+    ]);
+    let material = &model.materials[0];
+    assert!(!material.base_color.unwrap().second_uvs && material.emission_map.unwrap().second_uvs);
+    assert!(has_note(
+        &model,
+        "all sets of texture coordinates but the first of a material count as its second"
+    ));
 }
 
 #[test]
@@ -822,9 +847,13 @@ fn specular_and_glossiness_become_a_dielectric_of_that_reflectance() {
         ("/images", json!([{ "uri": format!("data:image/png;base64,{picture}") }])),
         ("/textures", json!([{ "source": 0 }])),
     ]);
-    assert!(textured.materials[0].base_color.is_some() && has_note(&textured, "count by their mean"));
-    let gloss = textured.materials[0].lobes.iter().find(|lobe| lobe.shape.info().name == "ggx").unwrap();
-    assert!((gloss.shape.params()[0] - 0.64).abs() < 1e-7, "{:?}", gloss.shape.params());
+    let material = &textured.materials[0];
+    assert!(material.base_color.is_some());
+    let gloss = material.lobes.iter().find(|lobe| lobe.shape.info().name == "ggx").unwrap();
+    assert!(gloss.shape.params()[0] == 1.0 && gloss.masks.len() == 1, "{gloss:?}");
+    // Glossiness 0.2 is roughness 0.8.
+    let rough = &textured.textures[material.metal_rough_map.unwrap().texture];
+    assert_eq!((rough.rgba[1], rough.srgb), (204, false));
 }
 
 #[test]
@@ -860,4 +889,40 @@ fn broken_containers_and_json_name_the_byte_or_line() {
     let error = error_of(b"{\n  \"asset\": 3\n}", Format::Gltf);
     assert!(error.contains("line 2, column 12") && error.contains("invalid type"), "{error}");
     assert!(error_of(&[b'['; 100_000], Format::Gltf).contains("line 1"));
+}
+
+#[test]
+fn variants_choose_other_materials() {
+    let document = || {
+        let mapping =
+            json!({ "mappings": [{ "material": 1, "variants": [1] }, { "material": 9, "variants": [] }] });
+        let mut document = quad().0;
+        change(
+            &mut document,
+            &[
+                ("/materials", json!([{ "name": "own" }, { "name": "other" }])),
+                ("/meshes/0/primitives/0/material", json!(0)),
+                ("/meshes/0/primitives/0/extensions", json!({ "KHR_materials_variants": mapping })),
+                (
+                    "/extensions",
+                    json!({ "KHR_materials_variants": { "variants": [{ "name": "day" }, { "name": "night" }] } }),
+                ),
+            ],
+        );
+        glb(&document, &quad().1)
+    };
+    let read = |variant: Option<&str>| {
+        let options = ReadOptions { variant: variant.map(str::to_owned), ..ReadOptions::default() };
+        read_model_bytes(&document(), Format::Gltf, "file", &NoFiles, &options)
+    };
+    let name = |variant| read(variant).unwrap().materials[0].name.clone();
+    assert_eq!([name(None), name(Some("day")), name(Some("night"))], ["own", "own", "other"]);
+    let notes = read(None).unwrap().notes;
+    assert!(notes.iter().any(|note| note.contains("it has the variants 'day', 'night'")), "{notes:?}");
+    let error = read(Some("noon")).unwrap_err().to_string();
+    assert!(error.contains("one of the variants 'day', 'night'") && error.contains("noon"), "{error}");
+    let options = ReadOptions { variant: Some("day".to_owned()), ..ReadOptions::default() };
+    let obj =
+        read_model_bytes(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", Format::Obj, "file", &NoFiles, &options);
+    assert!(obj.unwrap_err().to_string().contains("glTF, which alone has variants"));
 }

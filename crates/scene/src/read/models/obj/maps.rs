@@ -129,7 +129,7 @@ impl Pictures {
             }
         };
         let (transform, scale) = (map.transform, if purpose == Use::Color { 1.0 } else { map.scale });
-        Ok(texture.map(|texture| TextureUse { texture, transform, scale }))
+        Ok(texture.map(|texture| TextureUse { transform, scale, ..TextureUse::plain(texture) }))
     }
 
     /// The colours of one statement with the opacity of another as their alpha, and whether that is less than 1
@@ -155,7 +155,7 @@ impl Pictures {
         texture::spend((base.width, base.height), context.file, &opacity.line, &mut self.memory)?;
         self.textures.push(with_alpha(base, &mask));
         let texture = self.textures.len() - 1;
-        Ok((Some(TextureUse { texture, transform: opacity.transform, scale: 1.0 }), true))
+        Ok((Some(TextureUse { transform: opacity.transform, ..TextureUse::plain(texture) }), true))
     }
 
     /// The picture, or `None` with a remark where it is missing or of a kind that cannot be used.
