@@ -10,7 +10,8 @@ pub fn read(bytes: &[u8], format: Format) {
 
 /// Reads bytes whose references `files` resolves.
 pub fn read_with(bytes: &[u8], format: Format, files: &dyn Resolver) {
-    let options = ReadOptions { memory: glanz_math::MemoryBudget::of_bytes(64 << 20), ..ReadOptions::default() };
+    let options =
+        ReadOptions { memory: glanz_math::MemoryBudget::of_bytes(64 << 20), ..ReadOptions::default() };
     match read_model_bytes(bytes, format, "file", files, &options) {
         Ok(model) => {
             model.meshes.iter().for_each(|mesh| assert_eq!(mesh.validate(), Ok(())));
@@ -19,8 +20,7 @@ pub fn read_with(bytes: &[u8], format: Format, files: &dyn Resolver) {
                 assert!(object.transform.is_finite());
             }
             for material in &model.materials {
-                for map in [material.base_color, material.normal_map, material.emission_map].iter().flatten()
-                {
+                for map in material.textures() {
                     assert!(map.texture < model.textures.len());
                 }
             }

@@ -9,6 +9,7 @@ mod cases;
 mod data;
 mod failure;
 mod features;
+mod fuzz;
 mod gallery;
 mod golden;
 mod library_examples;
@@ -46,6 +47,10 @@ Usage: cargo xtask <TASK> [OPTIONS]
               --pictures     the gold pictures too, of models and of tests/golden/; look at them before you commit
   cases FOLDER
             Run the command on every input in FOLDER, beside the answers in each expectation.txt
+  fuzz      Try the readers of files with bytes that nobody would write, by libFuzzer (needs a C++ compiler)
+              --only WORD    the targets of fuzz/ with that in their name, all of them by --only ''
+              --seconds N    how long each runs; 60 by default
+              --seed N       where the random numbers begin; 1 by default
   gallery   Draw all examples at full size into target/gallery/, and those of the documents
               --readme       only the README's pictures
   bench     Measure drawing and print the table of docs/BENCHMARKS.md
@@ -70,6 +75,7 @@ enum Task {
     Golden { renew: bool },
     Renew { pictures: bool },
     Cases { folder: PathBuf },
+    Fuzz(fuzz::Options),
     Gallery { only_readme: bool },
     Bench(bench::Options),
     Data { check: bool },
@@ -102,6 +108,7 @@ fn run(task: &Task) -> Result<()> {
         Task::Golden { renew: true } => golden::renew(&workspace),
         Task::Golden { renew: false } => golden::run(&workspace),
         Task::Renew { pictures } => renew::run_all(&workspace, *pictures),
+        Task::Fuzz(options) => fuzz::run_all(&workspace, options),
         Task::Cases { folder } => cases::run(&workspace, folder),
         Task::Gallery { only_readme } => gallery::run(&workspace, *only_readme),
         Task::Bench(options) => bench::run_all(&workspace, options),
@@ -123,10 +130,13 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
     let mut only = None;
     let mut folder = None;
     let mut flags = Vec::new();
+    let mut fuzz = fuzz::Options::default();
     while let Some(arg) = parser.next()? {
         match arg {
             Short('h') | Long("help") => return Ok(Task::Help),
             Long("only") => only = Some(parser.value()?.string()?),
+            Long("seconds") if name.as_deref() == Some("fuzz") => fuzz.seconds = parser.value()?.parse()?,
+            Long("seed") if name.as_deref() == Some("fuzz") => fuzz.seed = parser.value()?.parse()?,
             Long(flag) => flags.push(flag.to_owned()),
             Value(value) if name.is_none() => name = Some(value.string()?),
             Value(value) if matches!(name.as_deref(), Some("cases" | "advisories")) && folder.is_none() => {
@@ -140,6 +150,7 @@ fn parse(args: impl IntoIterator<Item = OsString>) -> std::result::Result<Task, 
             let folder = folder.ok_or("this task needs a folder with cases")?;
             return Ok(Task::Cases { folder });
         }
+        Some("fuzz") if flags.is_empty() => return Ok(Task::Fuzz(fuzz::Options { only, ..fuzz })),
         Some("advisories") if flags.is_empty() && only.is_none() => return Ok(Task::Advisories { folder }),
         _ => {}
     }
@@ -222,6 +233,15 @@ mod tests {
         assert_eq!(parsed("cases some/where"), Ok(Task::Cases { folder: "some/where".into() }));
         assert!(parsed("cases").is_err() && parsed("cases a b").is_err());
         assert!(parsed("golden some/where").is_err());
+    }
+
+    #[test]
+    fn fuzzing_has_a_time_and_a_seed() {
+        let only = Some("measure".to_owned());
+        let options = fuzz::Options { only, seconds: 5, seed: 9 };
+        assert_eq!(parsed("fuzz --only measure --seconds 5 --seed 9"), Ok(Task::Fuzz(options)));
+        assert_eq!(parsed("fuzz"), Ok(Task::Fuzz(fuzz::Options::default())));
+        assert!(parsed("fuzz --seconds soon").is_err() && parsed("test --seconds 5").is_err());
     }
 
     #[test]

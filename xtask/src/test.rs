@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::steps::{Outcome, Steps};
 use crate::workspace::{Profile, WHOLE, Workspace, run, run_quietly, works};
 use crate::{
-    Failure, Result, advisories, data, features, gallery, golden, library_examples, licenses, packages,
+    Failure, Result, advisories, data, features, fuzz, gallery, golden, library_examples, licenses, packages,
     reference, tour, wasm,
 };
 
@@ -66,6 +66,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
     });
     steps.run("licences of libraries", || licenses::check(workspace));
     steps.run("advisories", || advisories::check(workspace, None));
+    steps.run("fuzzing", || fuzz::check(workspace));
     steps.run("packages", || packages::check(workspace));
     steps.run("features", || features::check(workspace));
     steps.run("libraries without threads", || features::check_serial(workspace));

@@ -8,6 +8,9 @@ use crate::read::notes::Notes;
 /// Coordinates from here on are far: 32-bit numbers are 6e-5 apart there.
 const FAR: f64 = 1024.0;
 
+/// Coordinates up to here may be what others are relative to: beyond, the way to them might be more than 32 bits hold.
+const FARTHEST: f64 = 1e30;
+
 /// The greatest distance of neighbouring 32-bit numbers, in parts of a mesh's diagonal.
 const COARSE: f64 = 1e-4;
 
@@ -21,13 +24,11 @@ pub(super) struct Anchor(DVec3);
 impl Anchor {
     /// Adds a position. The first one that is far moves the anchor, and those before it with it.
     pub(super) fn push(&mut self, position: DVec3, positions: &mut Vec<Vec3>) {
-        if self.0 == DVec3::ZERO && position.is_finite() && position.abs().max_element() >= FAR {
+        let is_far = (FAR..=FARTHEST).contains(&position.abs().max_element());
+        if self.0 == DVec3::ZERO && position.is_finite() && is_far {
             let here = (position / FAR).round() * FAR;
-            // What f32 cannot hold is no position: it must not become one by the way from the anchor.
-            if here.as_vec3().is_finite() {
-                self.0 = here;
-                positions.iter_mut().for_each(|other| *other = (other.as_dvec3() - here).as_vec3());
-            }
+            self.0 = here;
+            positions.iter_mut().for_each(|other| *other = (other.as_dvec3() - here).as_vec3());
         }
         positions.push((position - self.0).as_vec3());
     }
@@ -120,6 +121,12 @@ mod tests {
         anchor.push(DVec3::new(0.1, -1000.0, f64::NAN), &mut positions);
         assert_eq!(positions[0].x.to_bits(), 0.1_f32.to_bits());
         assert_eq!(anchor.transform(), DMat4::IDENTITY);
+        // However far, what 32 bits hold stays a position.
+        let mut far = (Anchor::default(), Vec::new());
+        for x in [f32::MIN, 1e30, f32::MAX, -1e30, f32::MIN] {
+            far.0.push(DVec3::splat(f64::from(x)), &mut far.1);
+        }
+        assert!(far.1.iter().all(|position| position.is_finite()), "{far:?}");
         // Beyond what 32 bits hold there is nothing.
         anchor.push(DVec3::splat(1e39), &mut positions);
         assert!(!positions[1].is_finite() && anchor.transform() == DMat4::IDENTITY);
