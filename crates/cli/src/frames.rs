@@ -1,11 +1,14 @@
 //! Several pictures in a row: their numbers, their names, their cameras.
 
 use std::ops::Range;
+use std::path::Path;
 
 use glam::{DQuat, DVec3};
+use glanz_picture::output::Animation;
 use glanz_scene::Camera;
 
-use super::print::number;
+use super::print::failure::Failure;
+use super::print::{self, number};
 
 /// The most frames of one film.
 const MAX_FRAMES: u32 = 100_000;
@@ -79,7 +82,30 @@ pub(crate) struct Template {
     digits: usize,
 }
 
+/// Says of a GIF that it is shown at another rate than was asked for.
+pub(crate) fn tell_of_gif(animation: &Animation) {
+    let shown = f64::from(animation.gif_hundredths()) / 100.0;
+    if (shown / animation.frame_s - 1.0).abs() > 0.01 {
+        let [shown, asked] = [shown, animation.frame_s].map(|seconds| number(1.0 / seconds));
+        print::note(format_args!(
+            "note: a GIF counts hundredths of a second: it has {shown} frames a second, not {asked}; an .apng or .mp4 can have them"
+        ));
+    }
+}
+
 impl Template {
+    /// The template in a path; `None` if there is no place for a number.
+    pub(crate) fn of_path(path: &Path) -> Result<Option<Self>, Failure> {
+        let template = Self::parse(&path.to_string_lossy());
+        match path.to_str() {
+            None if template.is_some() => Err(Failure::Usage(format!(
+                "'{}' is not UTF-8, so it cannot be the pattern of names with {{frame}}",
+                path.display()
+            ))),
+            _ => Ok(template),
+        }
+    }
+
     /// The template in `text`; `None` if there is no place for a number.
     pub(crate) fn parse(text: &str) -> Option<Self> {
         let (before, rest) = text.split_once("{frame")?;

@@ -24,7 +24,7 @@ fn main() -> Result<(), Error> {
         session.light_mut("lamp")?.set_position([3.0 * cos, 2.0, 3.0 * sin])?;
         Ok(session.rgba8()?)
     });
-    let animation = Animation { width: 96, height: 72, frames: FRAMES, delay_ms: 80 };
+    let animation = Animation { width: 96, height: 72, frames: FRAMES, frame_s: 0.08 };
     let path = folder.join("lamp.gif");
     write_atomically(&path, |out| write_gif(out, &animation, frames, &Metadata::default()))?;
     println!("wrote {}", path.display());

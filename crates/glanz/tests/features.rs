@@ -40,7 +40,7 @@ fn features_asked_for_are_on() {
 
 #[test]
 fn films_are_written_or_the_feature_is_named() {
-    let animation = Animation { width: 1, height: 1, frames: 1, delay_ms: 40 };
+    let animation = Animation { width: 1, height: 1, frames: 1, frame_s: 0.04 };
     let written = write_gif(Vec::new(), &animation, [Ok::<_, Error>(vec![255; 4])], &Metadata::default());
     match Format::Gif.check_feature() {
         Ok(()) => written.expect("the feature is on"),

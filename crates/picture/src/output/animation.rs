@@ -7,7 +7,7 @@ use super::png::{encoder, failed};
 use super::{Metadata, OutputError};
 
 /// What all frames of an animation share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Animation {
     /// Width in pixels.
     pub width: usize,
@@ -15,8 +15,28 @@ pub struct Animation {
     pub height: usize,
     /// How many frames there will be.
     pub frames: usize,
-    /// How long each is shown, in milliseconds. GIF rounds to hundredths of a second.
-    pub delay_ms: u32,
+    /// How long each is shown, in seconds. GIF rounds to hundredths, see [`gif_hundredths`](Self::gif_hundredths).
+    pub frame_s: f64,
+}
+
+impl Animation {
+    /// How long a GIF shows each frame, in hundredths of a second: at least 1, since players take 0 as they please.
+    pub fn gif_hundredths(&self) -> u16 {
+        // The conversion saturates.
+        ((100.0 * self.frame_s).round() as u16).max(1)
+    }
+
+    /// The same as a fraction of a second, as APNG keeps it: exact for whole numbers of frames a second.
+    fn fraction(&self) -> (u16, u16) {
+        let whole =
+            |number: f64| (0.5..=f64::from(u16::MAX)).contains(&number).then(|| number.round() as u16);
+        let rate = 1.0 / self.frame_s;
+        match (whole(rate), whole(1000.0 * self.frame_s)) {
+            (Some(rate), _) if (f64::from(rate) * self.frame_s - 1.0).abs() < 1e-9 => (1, rate),
+            (_, Some(milliseconds)) => (milliseconds, 1000),
+            _ => (whole(self.frame_s).unwrap_or(if self.frame_s > 1.0 { u16::MAX } else { 0 }), 1),
+        }
+    }
 }
 
 /// Writes frames of RGBA with straight alpha as an animated PNG that repeats for ever.
@@ -40,10 +60,7 @@ pub fn write_apng<E: From<OutputError>>(
     encoder.set_deflate_compression(::png::DeflateCompression::FdeflateUltraFast);
     encoder.set_filter(::png::Filter::Up);
     encoder.set_animated(count, 0).map_err(failed)?;
-    let (numerator, denominator) = match u16::try_from(animation.delay_ms) {
-        Ok(ms) => (ms, 1000),
-        Err(_) => (u16::try_from(animation.delay_ms / 1000).unwrap_or(u16::MAX), 1),
-    };
+    let (numerator, denominator) = animation.fraction();
     encoder.set_frame_delay(numerator, denominator).map_err(failed)?;
     let mut writer = encoder.write_header().map_err(failed)?;
     let mut found = 0;
@@ -68,7 +85,7 @@ mod tests {
 
     use super::*;
 
-    const SHAPE: Animation = Animation { width: 4, height: 3, frames: 3, delay_ms: 40 };
+    const SHAPE: Animation = Animation { width: 4, height: 3, frames: 3, frame_s: 0.04 };
 
     /// Frames of a few flat colours, the last pixel transparent.
     fn frames() -> Vec<Vec<u8>> {
@@ -96,8 +113,23 @@ mod tests {
             reader.next_frame(&mut data).unwrap();
             assert_eq!(data, frame);
             let control = reader.info().frame_control().unwrap();
-            assert_eq!((control.delay_num, control.delay_den), (40, 1000));
+            assert_eq!((control.delay_num, control.delay_den), (1, 25));
         }
+    }
+
+    #[test]
+    fn rates_are_kept_as_well_as_the_format_can() {
+        let shown = |frame_s: f64| {
+            let animation = Animation { frame_s, ..SHAPE };
+            (animation.fraction(), animation.gif_hundredths())
+        };
+        assert_eq!(shown(1.0 / 60.0), ((1, 60), 2));
+        assert_eq!(shown(1.0 / 25.0), ((1, 25), 4));
+        assert_eq!(shown(1001.0 / 30000.0), ((33, 1000), 3));
+        assert_eq!(shown(0.001), ((1, 1000), 1));
+        assert_eq!(shown(2.5), ((2500, 1000), 250));
+        assert_eq!(shown(100.25), ((100, 1), 10025));
+        assert_eq!(shown(1e9), ((u16::MAX, 1), u16::MAX));
     }
 
     #[test]

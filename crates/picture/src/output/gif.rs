@@ -21,7 +21,7 @@ use super::{Animation, Metadata, OutputError};
 #[cfg_attr(not(feature = "gif"), doc = "```ignore")]
 /// use glanz_picture::output::{Animation, Metadata, OutputError, write_gif};
 ///
-/// let animation = Animation { width: 1, height: 1, frames: 2, delay_ms: 100 };
+/// let animation = Animation { width: 1, height: 1, frames: 2, frame_s: 0.1 };
 /// let frames: [Result<Vec<u8>, OutputError>; 2] = [Ok(vec![255; 4]), Ok(vec![0, 0, 0, 255])];
 /// let mut file = Vec::new();
 /// write_gif(&mut file, &animation, frames, &Metadata::default())?;
@@ -64,7 +64,7 @@ fn encode<E: From<OutputError>>(
     encoder.set_repeat(::gif::Repeat::Infinite).map_err(gif_failed)?;
     let comment = ::gif::AnyExtension::from(::gif::Extension::Comment);
     encoder.write_raw_extension(comment, &[metadata.text().as_bytes()]).map_err(gif_failed)?;
-    let delay = u16::try_from(animation.delay_ms.saturating_add(5) / 10).unwrap_or(u16::MAX);
+    let delay = animation.gif_hundredths();
     for frame in frames {
         let mut rgba = frame?;
         check_size(animation.width, animation.height, 4, rgba.len())?;
@@ -97,7 +97,7 @@ mod tests {
 
     use super::*;
 
-    const SHAPE: Animation = Animation { width: 4, height: 3, frames: 3, delay_ms: 40 };
+    const SHAPE: Animation = Animation { width: 4, height: 3, frames: 3, frame_s: 0.04 };
 
     /// Frames of a few flat colours, the last pixel transparent.
     fn frames() -> Vec<Vec<u8>> {

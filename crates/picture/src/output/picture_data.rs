@@ -12,7 +12,7 @@ use super::{
 use crate::Frame;
 
 /// How long a picture alone is shown in a format that moves.
-const STILL_MS: u32 = 1000;
+const STILL_S: f64 = 1.0;
 
 /// What is kept of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,7 +152,7 @@ fn write_spectrum(
 }
 
 fn still(width: usize, height: usize) -> Animation {
-    Animation { width, height, frames: 1, delay_ms: STILL_MS }
+    Animation { width, height, frames: 1, frame_s: STILL_S }
 }
 
 #[cfg(test)]

@@ -43,6 +43,14 @@ pub enum ShotError {
         /// The row.
         y: u32,
     },
+    /// The names of the observer's channels cannot be those of a file of light.
+    #[error("an OpenEXR file cannot hold the observer '{observer}': {what}")]
+    ChannelNames {
+        /// The observer.
+        observer: String,
+        /// What is wrong with its names.
+        what: String,
+    },
     /// Something of a program was asked for where none draws.
     #[error("no program draws here: name one by --fs or --vs, or by 'program' in the scene")]
     NoProgram,

@@ -46,6 +46,9 @@ impl Shot {
     /// As [`Shot::frame`]; if there is no memory for it; and if spectra are asked for where there are none.
     pub fn picture(&mut self, kind: PictureKind, step: Step) -> Result<PictureData, ShotError> {
         self.check_memory(kind)?;
+        if matches!(kind, PictureKind::Light | PictureKind::Spectrum) {
+            self.check_names()?;
+        }
         let (width, height) = (self.sight.view.width as usize, self.sight.view.height as usize);
         Ok(match kind {
             PictureKind::Codes8 => PictureData::Codes8 { width, height, rgba: self.rgba8_in_steps(step)? },
@@ -59,6 +62,20 @@ impl Shot {
             }
             PictureKind::Spectrum => PictureData::Spectrum(self.spectral_image(step)?),
         })
+    }
+
+    /// That a file can hold the names of the observer's channels, before anything is drawn for it.
+    fn check_names(&self) -> Result<(), ShotError> {
+        let Some(observer) = self.prepared.observation().observer() else { return Ok(()) };
+        let fail = |what: String| Err(ShotError::ChannelNames { observer: observer.name.clone(), what });
+        let names = || observer.channels.iter().map(|channel| channel.name.as_str());
+        let is_foreign = |name: &&str| !name.chars().all(|letter| u8::try_from(letter).is_ok());
+        if let Some(name) = std::iter::once(observer.name.as_str()).chain(names()).find(is_foreign) {
+            return fail(format!("'{name}' has letters that are not Latin ones"));
+        }
+        let twice =
+            names().enumerate().find(|(number, name)| names().take(*number).any(|other| other == *name));
+        twice.map_or(Ok(()), |(_, name)| fail(format!("two of its channels are named '{name}'")))
     }
 
     /// The observer's channels of a frame beside what the screen shows of them.

@@ -183,3 +183,19 @@ fn light_from_behind_does_not_come_round_in_glossy_lobes() {
         assert_eq!(value(&scene), 0.0, "{name}");
     }
 }
+
+#[test]
+fn lights_without_bounds_fill_half_of_what_there_is() {
+    let lambert = shape("lambert", &[]);
+    for (sin, cos) in [(0.0, 1.0), (0.6, 0.8), (0.96, 0.28)] {
+        for size in [1e4, 1e6, 1e8, 1e10, 1e11, 1e12] {
+            for form in [AreaShape::Disk { radius: size }, AreaShape::Rectangle { width: size, height: size }]
+            {
+                let mut scene = surface(&lambert, 0.0);
+                scene.lights.push(white(area(form, DVec3::new(sin, 0.0, cos) * 3.0)));
+                let (got, expected) = (value(&scene), 0.5 * (1.0 + cos));
+                assert!((got - expected).abs() < 5e-4, "{form:?}, {cos}: {got} for {expected}");
+            }
+        }
+    }
+}

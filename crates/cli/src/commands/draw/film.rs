@@ -15,7 +15,7 @@ use super::ffmpeg;
 use super::render::{RenderArgs, sha256};
 use crate::args::{Target, check_folder};
 use crate::encode;
-use crate::frames::Template;
+use crate::frames::{Template, tell_of_gif};
 use crate::load::More;
 use crate::pipeline::{self, Plan, turn};
 use crate::print;
@@ -112,7 +112,7 @@ impl RenderArgs {
             return Ok(Output::Film(path.clone(), Moving::Ffmpeg));
         }
         let format = encode::format(&target)?;
-        match Template::parse(&path.to_string_lossy()) {
+        match Template::of_path(path)? {
             Some(template) => Ok(Output::Files(template, format)),
             None if format.is_animation() => {
                 check_folder(path)?;
@@ -169,12 +169,11 @@ impl RenderArgs {
         let mut progress = Progress::new(count, "frames");
         let (plan, shot) = frames.frame(0)?;
         let metadata = Metadata { entries: plan.options.makings(), ..shot.metadata() };
-        let animation = Animation {
-            width: plan.size().0,
-            height: plan.size().1,
-            frames: count,
-            delay_ms: (1000.0 / self.fps).round() as u32,
-        };
+        let animation =
+            Animation { width: plan.size().0, height: plan.size().1, frames: count, frame_s: 1.0 / self.fps };
+        if format == Moving::Gif {
+            tell_of_gif(&animation);
+        }
         let codes = (0..count).map(|index| -> Result<Vec<u8>, Failure> {
             let (_, shot) = frames.frame(index)?;
             let canvas = pipeline::codes(shot, &mut Timings::default(), &mut progress)?;

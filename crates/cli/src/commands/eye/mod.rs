@@ -30,6 +30,7 @@ use crate::args::{
     choices, values,
 };
 use crate::encode;
+use crate::frames::tell_of_gif;
 use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
@@ -351,8 +352,11 @@ impl EyeArgs {
             width: first.width,
             height: first.height,
             frames: drawn.len(),
-            delay_ms: (1000.0 / self.picture.fps).round() as u32,
+            frame_s: 1.0 / self.picture.fps,
         };
+        if format == Format::Gif {
+            tell_of_gif(&animation);
+        }
         let metadata = encode::metadata_of_sheet(source.content_hash(), Vec::new());
         let codes =
             drawn.iter().map(|eye| -> Result<Vec<u8>, Failure> { Ok(eye.pictures[0].1.rgba.clone()) });

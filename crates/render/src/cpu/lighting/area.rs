@@ -26,6 +26,10 @@ const ROUND: usize = 16;
 /// square, and the rounding of the sum over its edges would be larger.
 const SMALL: f64 = 0.01;
 
+/// The extent of a light over its distance beyond which it is as good as without bounds: what it sends is right to the
+/// inverse.
+const LARGE: f64 = 1e5;
+
 /// Points of the light along each of its directions, for lobes that know a tangent.
 const POINTS: usize = 8;
 
@@ -310,18 +314,21 @@ impl<R: Real> Outline<R> {
         let mut corners = [center; ROUND];
         // In units of the distance, so that squares of far lights stay numbers.
         let inverse = squared.rsqrt();
+        // Larger ones would lie in a plane through the point, for all that 32 bits tell, and fill no half of what it sees.
+        let most = squared * inverse * zero.lit(LARGE);
+        let half = [size[0].min(most), size[1].min(most)];
         let count = match area.form {
             AreaShape::Rectangle { .. } => {
                 for (corner, (u, v)) in
                     corners.iter_mut().zip([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
                 {
-                    *corner = center + axes[0] * size[0] * zero.lit(u) + axes[1] * size[1] * zero.lit(v);
+                    *corner = center + axes[0] * half[0] * zero.lit(u) + axes[1] * half[1] * zero.lit(v);
                 }
                 4
             }
             _ => {
                 for (corner, (u, v)) in corners.iter_mut().zip(RIM.iter()) {
-                    *corner = center + axes[0] * size[0] * zero.lit(*u) + axes[1] * size[1] * zero.lit(*v);
+                    *corner = center + axes[0] * half[0] * zero.lit(*u) + axes[1] * half[1] * zero.lit(*v);
                 }
                 ROUND
             }

@@ -11,7 +11,7 @@ use super::{RunArgs, Toy};
 use crate::args::{Target, check_folder};
 use crate::commands::draw::ffmpeg;
 use crate::encode;
-use crate::frames::Template;
+use crate::frames::{Template, tell_of_gif};
 use crate::print::failure::Failure;
 use crate::progress::Progress;
 
@@ -56,7 +56,7 @@ impl Output {
             return Ok(Self::Film(path.clone(), Moving::Ffmpeg));
         }
         let format = codes_format(&target)?;
-        match (Template::parse(&path.to_string_lossy()), format) {
+        match (Template::of_path(path)?, format) {
             (_, Format::Exr) => Err(no_light()),
             (Some(template), _) => Ok(Self::Files(template)),
             (None, Format::Gif) => Ok(Self::Film(path.clone(), Moving::Gif)),
@@ -137,7 +137,10 @@ fn film(toy: &Toy<'_>, remarks: &mut Remarks, path: &Path, moving: Moving) -> Re
     let range = toy.args.frames.clone().unwrap_or(0..1);
     let [width, height] = toy.size().map(|side| side as usize);
     let fps = toy.args.fps;
-    let animation = Animation { width, height, frames: range.len(), delay_ms: (1000.0 / fps).round() as u32 };
+    let animation = Animation { width, height, frames: range.len(), frame_s: 1.0 / fps };
+    if moving == Moving::Gif {
+        tell_of_gif(&animation);
+    }
     let mut frames = Frames::new(toy, remarks, range.len());
     let codes = range.enumerate().map(|(index, frame)| frames.codes(index, frame));
     let metadata = Metadata::default();
