@@ -11,6 +11,9 @@ use super::super::lines::{Lines, float, without_comment, words};
 use crate::read::texture;
 use crate::{Texture, TextureUse, Wrap};
 
+/// How far white is above black in a picture of heights, in texels: slopes as programs make them of such pictures by default.
+const HEIGHT: f32 = 2.0;
+
 /// How far the means of red and green may be from a half, of 255, for a picture to be of normals.
 const NORMAL_MIDDLE: f64 = 30.0;
 /// The least mean of blue, of 255, of a picture of normals.
@@ -91,7 +94,7 @@ pub(super) enum Use {
     Color,
     /// Numbers: normals, opacity.
     Numbers,
-    /// What `map_Bump` names: normals, or else heights, which are not used.
+    /// What `map_Bump` names: normals, or else heights.
     Bump,
 }
 
@@ -170,12 +173,12 @@ impl Pictures {
         let Some(texture) = context.decode_picture(&bytes, reference, &map.line, &mut self.memory)? else {
             return Ok(None);
         };
-        if purpose == Use::Bump && !holds_normals(&texture) {
-            let note = format!("the height map '{reference}' is ignored: the surface is smooth");
-            context.notes.add_at(&note, map.line.clone());
-            return Ok(None);
-        }
         let wrap = [if map.clamp { Wrap::Clamp } else { Wrap::Repeat }; 2];
+        if purpose == Use::Bump && !holds_normals(&texture) {
+            let note = "MTL: map_Bump is of heights, whose unit nothing says: white is taken as 2 texels above black, times -bm";
+            context.notes.add_at(note, map.line.clone());
+            return Ok(Some(Texture { wrap, ..normals_of_heights(&texture, reference, map.clamp) }));
+        }
         Ok(Some(Texture { name: reference.clone(), srgb: purpose == Use::Color, wrap, ..texture }))
     }
 }
@@ -193,6 +196,49 @@ fn with_alpha(mut base: Texture, mask: &Texture) -> Texture {
         texel[3] = if by_alpha { a } else { (r + g + b) / 3 } as u8;
     }
     base
+}
+
+/// The tangent-space normals of a picture of heights, by the difference of the texels on either side.
+fn normals_of_heights(heights: &Texture, name: &str, clamp: bool) -> Texture {
+    let (width, height) = (heights.width as usize, heights.height as usize);
+    let at = |x: usize, y: usize| {
+        let texel = &heights.rgba[4 * (y * width + x)..][..3];
+        texel.iter().map(|code| f32::from(*code)).sum::<f32>() / (3.0 * 255.0)
+    };
+    let next = |i: usize, count: usize| {
+        if i + 1 < count {
+            i + 1
+        } else if clamp {
+            i
+        } else {
+            0
+        }
+    };
+    let last = |i: usize, count: usize| {
+        if i > 0 {
+            i - 1
+        } else if clamp {
+            0
+        } else {
+            count - 1
+        }
+    };
+    let code = |value: f32| libm::roundf((value * 0.5 + 0.5) * 255.0) as u8;
+    let texel = |number: usize| {
+        let (x, y) = (number % width, number / width);
+        let across = at(next(x, width), y) - at(last(x, width), y);
+        // Rows go down, and the y axis of normals up.
+        let up = at(x, last(y, height)) - at(x, next(y, height));
+        let [x, y] = [across, up].map(|difference| -0.5 * HEIGHT * difference);
+        let length = libm::sqrtf(x * x + y * y + 1.0);
+        [code(x / length), code(y / length), code(1.0 / length), 255]
+    };
+    Texture {
+        name: name.to_owned(),
+        srgb: false,
+        rgba: (0..width * height).flat_map(texel).collect(),
+        ..*heights
+    }
 }
 
 /// Whether a picture is of tangent-space normals: in the mean they point away from the surface.

@@ -5,7 +5,7 @@
 //! format defines it by the half vector. Models 0 and 1 have no highlight; those above 2, which ask
 //! for reflections, are taken as 2. So has none an exponent below 1, which would paint the whole surface. `d` says the
 //! opacity; without it, 1 − `Tr` does, but a `Tr` of 1 is taken as opaque, which programs that write it mean. A
-//! `map_Bump` is of heights, which are not used, unless it looks like the normals that many programs write there.
+//! `map_Bump` is of heights, which become normals, unless it looks like the normals that many programs write there.
 //!
 //! A statement that makes no sense is passed over, with a remark.
 

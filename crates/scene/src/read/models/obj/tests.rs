@@ -142,11 +142,12 @@ fn height_maps_are_told_from_normal_maps() {
     let model = read([128, 128, 255, 255]);
     assert_eq!(model.materials[0].normal_map.unwrap().scale, 0.5);
     assert!(!model.textures[0].srgb);
-    // A grey picture, and a brown photo.
+    // A grey picture, and a brown photo: of one texel they are flat.
     for texel in [[128, 128, 128, 255], [150, 110, 70, 255]] {
         let model = read(texel);
-        assert!(model.materials[0].normal_map.is_none() && model.textures.is_empty());
-        assert!(has_note(&model, "the height map 'wood.png' is ignored"), "{:?}", model.notes);
+        assert_eq!(model.materials[0].normal_map.unwrap().scale, 0.5);
+        assert_eq!(model.textures[0].rgba, [128, 128, 255, 255]);
+        assert!(has_note(&model, "map_Bump is of heights"), "{:?}", model.notes);
     }
 }
 
@@ -407,6 +408,31 @@ fn pictures_of_other_machines_are_looked_for_beside_the_model() {
         assert!(material.base_color.is_none() && notes.len() == 2, "{notes:?}");
         assert!(notes[1].contains("wood.png' is not") || notes[1].contains("cannot be decoded"), "{notes:?}");
     }
+}
+
+#[test]
+fn heights_become_normals_that_lean_down_the_slope() {
+    // Four columns that rise to the right and fall back; four rows alike.
+    let ramp = |code: fn(usize) -> u8| -> Vec<u8> {
+        (0..16).flat_map(|i| [code(i), code(i), code(i), 255]).collect()
+    };
+    let normals = |heights: &[u8], options: &str| {
+        let picture = texture::tests::png(4, 4, heights);
+        let mtl = format!("newmtl shiny\nmap_Bump {options} wood.png\n");
+        let model = read_with(SAMPLE, &[("m.mtl", mtl.as_bytes()), ("wood.png", &picture)]).unwrap();
+        model.textures[0].rgba.clone()
+    };
+    // One column to the next is 51 / 255 · 2 texels: slopes of 0.4.
+    let right = normals(&ramp(|i| (i % 4 * 51) as u8), "-clamp on");
+    let length = 1.16_f32.sqrt();
+    let code = |value: f32| ((value / length * 0.5 + 0.5) * 255.0).round() as u8;
+    assert_eq!(right[4..8], [code(-0.4), 128, code(1.0), 255]);
+    // Rows that rise downwards lean up.
+    let down = normals(&ramp(|i| (i / 4 * 51) as u8), "-clamp on");
+    assert_eq!(down[16..20], [128, code(0.4), code(1.0), 255]);
+    // Without a clamp the borders see each other.
+    let wrapped = normals(&ramp(|i| (i % 4 * 51) as u8), "");
+    assert!(wrapped[0] > 128 && right[0] < 128, "{wrapped:?}");
 }
 
 #[test]
