@@ -18,10 +18,6 @@ const KNOWN: &[(&str, &str)] = &[
         "RUSTSEC-2024-0436",
         "paste is no longer maintained; exr needs it by pulp, to write code when it is compiled",
     ),
-    (
-        "RUSTSEC-2026-0192",
-        "ttf-parser is no longer maintained; ab_glyph needs it for the one font that we ship",
-    ),
     ("RUSTSEC-2025-0165", "i_tree is unsound in ways that geo does not use; tests alone have it"),
 ];
 

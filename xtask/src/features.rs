@@ -14,7 +14,7 @@ const ADDED: &[(&str, &[&str])] = &[
     ("rayon", &["rayon"]),
     ("exr", &["exr"]),
     ("gif", &["gif"]),
-    ("plot", &["plotters", "ab_glyph"]),
+    ("plot", &["plotters", "skrifa"]),
     ("gpu", &["wgpu"]),
 ];
 
