@@ -182,24 +182,25 @@ mod tests {
         }
     }
 
-    /// A contour that is not closed, or a point outside of a letter's pixels, would fill rows up to their ends.
+    /// A point outside of a letter's pixels, by rounding alone, would fill rows up to their ends.
     #[test]
-    fn letters_cover_what_they_cover_when_large() {
-        let ink = |letter: char, size: f64| {
-            // Far along the line, where its place is rounded most.
-            let (text, at, anchor) = (format!("{:40}{letter}", ""), (0.0, 0.0), Anchor::Start);
-            let text = Text { text, at, anchor, size, color: [0; 3], upwards: false };
+    fn letters_whose_edge_is_at_the_edge_of_a_pixel_do_not_leak() {
+        let ink = |glyph, unit, along| {
             let mut sum = 0.0;
-            draw(&text, 1.0, |_, _, part| sum += f64::from(part));
-            sum / (size * size)
+            rasterize(glyph, unit, along, |_, _, part| sum += part);
+            sum
         };
-        for letter in "Rrgnd05ilHλ".chars() {
-            let expected = ink(letter, 400.0);
-            for step in 0..2000 {
-                let size = 24.0 + 0.0371 * f64::from(step);
-                let off = ink(letter, size) / expected - 1.0;
-                // Curves are drawn as a few lines, which cut off the less the larger they are.
-                assert!(off.abs() < 0.02, "'{letter}' of {size}: {off}");
+        for letter in "rHil".chars() {
+            let (glyph, unit) = (FONT.glyph(letter), FONT.pixels(24.0));
+            let expected = ink(glyph, unit, 0.0);
+            for number in 0..4000 {
+                let unit = unit * (1.0 + 1e-4 * (number % 7) as f32);
+                let edge = number as f32 * 0.37;
+                let along = edge.round() - FONT.glyphs.bounds(glyph).unwrap().x_min * unit;
+                for along in [along.next_down(), along, along.next_up()] {
+                    let off = ink(glyph, unit, along) / expected - 1.0;
+                    assert!(off.abs() < 0.02, "'{letter}' at {along}: {off}");
+                }
             }
         }
     }
