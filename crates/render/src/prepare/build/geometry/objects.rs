@@ -10,6 +10,7 @@ use super::clusters::{append, bound, place_vertex};
 use super::facets::facets;
 use super::placed::Placed;
 use super::polygons::polygons;
+use crate::prepare::data::geometry::CLUSTER_TRIANGLES;
 use crate::prepare::source::ObjectSource;
 use crate::prepare::{Attributes, PrepareError, Prepared, PreparedObject};
 
@@ -19,7 +20,25 @@ pub(crate) fn add_objects(prepared: &mut Prepared, scene: &Scene) -> Result<(), 
     prepared.source.objects.clear();
     prepared.geometry = Arc::default();
     prepared.facet_count = 0;
-    scene.objects.iter().try_for_each(|object| add_object(prepared, scene, object))
+    for object in &scene.objects {
+        add_object(prepared, scene, object)?;
+        check_clusters(prepared.geometry.clusters.len())?;
+    }
+    Ok(())
+}
+
+/// The most clusters: back ends name a triangle by 24 bits for its cluster and 7 within it.
+const MAX_CLUSTERS: usize = 1 << 24;
+
+fn check_clusters(found: usize) -> Result<(), PrepareError> {
+    if found <= MAX_CLUSTERS {
+        return Ok(());
+    }
+    let what = format!(
+        "expected at most {MAX_CLUSTERS} clusters of triangles, found {found} so far: each object has one for every \
+         {CLUSTER_TRIANGLES} triangles or part of them; put small objects together"
+    );
+    Err(PrepareError::Scene { what })
 }
 
 fn add_object(prepared: &mut Prepared, scene: &Scene, object: &Object) -> Result<(), PrepareError> {
@@ -130,4 +149,16 @@ pub(crate) fn needs_tangents(material: &glanz_scene::Material) -> bool {
         lobe.shape.is_anisotropic() || lobe.layers.iter().any(glanz_bsdf::LayerWeight::is_anisotropic)
     };
     material.normal_map.is_some() || material.lobes.iter().any(asks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_clusters_than_names_are_refused() {
+        assert!(check_clusters(MAX_CLUSTERS).is_ok());
+        let error = check_clusters(MAX_CLUSTERS + 1).unwrap_err().to_string();
+        assert!(error.contains("at most 16777216 clusters"), "{error}");
+    }
 }
