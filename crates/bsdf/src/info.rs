@@ -94,6 +94,11 @@ pub struct ModelInfo {
 }
 
 impl ModelInfo {
+    /// Whether textures may say how rough it is: whether it heeds [`DirectionPair::alpha_scale`](crate::DirectionPair::alpha_scale).
+    pub fn takes_roughness_map(&self) -> bool {
+        self.name.starts_with("ggx")
+    }
+
     /// The place of the parameter called `name` in [`ModelInfo::params`], after a look at the value meant for it.
     pub(crate) fn place(&self, name: &str, value: f64) -> Result<usize, ParamError> {
         let Some(index) = self.params.iter().position(|param| param.name == name) else {
@@ -153,4 +158,25 @@ pub enum ParamError {
         /// The greatest value allowed.
         max: f64,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{DirectionPair, MODELS, Shape};
+
+    #[test]
+    fn shapes_that_textures_widen_are_those_that_heed_the_scale() {
+        for info in MODELS {
+            let shape = Shape::named(info.name, &[]).unwrap();
+            let heeds = [(0.9, 0.7, 0.5), (0.5, 0.6, -0.1), (0.8, -0.6, -0.9), (0.6, -0.7, -0.95)]
+                .iter()
+                .any(|directions| {
+                    let &(cos_o, cos_i, cos_io) = directions;
+                    let plain: DirectionPair<f64> = DirectionPair::isotropic(cos_o, cos_i, cos_io);
+                    let scaled = DirectionPair { alpha_scale: 0.5, ..plain };
+                    shape.f_cos(&plain) != shape.f_cos(&scaled)
+                });
+            assert_eq!(heeds, info.takes_roughness_map(), "{}", info.name);
+        }
+    }
 }

@@ -15,12 +15,13 @@ mod progress;
 mod reflow;
 
 use std::ffi::OsString;
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Command, CommandFactory, FromArgMatches, Parser};
 
 use crate::print::Format;
-use crate::print::failure::wrong_use;
+use crate::print::failure::{Failure, wrong_use};
 
 /// Shown after the help.
 const EXAMPLES: &str = "\
@@ -58,9 +59,12 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return wrong_use(&error, format),
         Err(help) => {
-            // A closed stdout leaves nobody to tell.
-            let _ = help.print();
-            return ExitCode::SUCCESS;
+            return match help.print().and_then(|()| std::io::stdout().flush()) {
+                Ok(()) => ExitCode::SUCCESS,
+                // A closed stdout leaves nobody to tell.
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+                Err(error) => Failure::new(format_args!("stdout: {error}")).report::<Cli>(&[], format),
+            };
         }
     };
     old_names::tell(&cli.command.path(), &words);

@@ -11,8 +11,8 @@ use glanz_bsdf::{LayerWeight, Shape};
 use glanz_color::Rgb;
 use glanz_render::prepare::{PrepareOptions, prepare};
 use glanz_scene::{
-    Attenuation, ChannelUse, Light, LightColors, LightKind, Lobe, Mask, Material, RoughnessMap, Scene,
-    Texture, TextureChannel, TextureFilter, TextureUse,
+    Attenuation, ChannelUse, Light, LightColors, LightKind, Lobe, Mask, Material, Metalness, RoughnessMap,
+    Scene, Shading, Texture, TextureChannel, TextureFilter, TextureUse,
 };
 
 const SIZE: u32 = 32;
@@ -200,4 +200,49 @@ fn more_channels_than_a_material_can_have_are_refused() {
     ];
     let missing = prepare(&filled(Material::of_lobes("missing", lobes)), &PrepareOptions::default());
     assert!(missing.unwrap_err().to_string().contains("names a texture that is not there"));
+}
+
+/// The same four texels everywhere: their mean is what vertices and facets see, and environments of roughness.
+#[test]
+fn vertices_facets_and_environments_see_the_mean() {
+    let texel = [102, 153, 51, 204];
+    let uniform = Texture { width: 1, height: 1, rgba: texel.to_vec(), ..Texture::default() };
+    let [red, green, blue, _] = texel.map(|code| f64::from(code) / 255.0);
+    let part = |lobe: Lobe, metalness| Lobe { metalness, ..lobe };
+    let own =
+        |lobe: Lobe, width: f64| Lobe { shape: Shape::named("ggx", &[("alpha", width)]).unwrap(), ..lobe };
+    let mut textured = Material::of_lobes(
+        "textured",
+        vec![
+            part(lobe("ambient", &[], [0.5, 0.4, 0.3]), Metalness::Dielectric { factor: 0.75 }),
+            part(matte(), Metalness::Dielectric { factor: 0.75 }),
+            part(gloss(0.5), Metalness::Metal { factor: 0.75 })
+                .masked(Mask::of(channel(TextureChannel::Red))),
+        ],
+    );
+    textured.metal_rough_map = Some(TextureUse::plain(0));
+    let weigh = |mut lobe: Lobe, weight: f64| {
+        lobe.metalness = Metalness::Any;
+        lobe.masks.clear();
+        lobe.under(LayerWeight::Constant(weight))
+    };
+    let metal = 0.75 * blue;
+    let ambient = lobe("ambient", &[], [0.5, 0.4, 0.3].map(|tint: f32| tint * (1.0 - metal) as f32));
+    let plain = Material::of_lobes(
+        "plain",
+        vec![ambient, weigh(matte(), 1.0 - metal), weigh(own(gloss(0.5), 0.5 * green * green), metal * red)],
+    );
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let drawn = |material: &Material| {
+            let mut scene = filled(material.clone());
+            scene.textures[0] = uniform.clone();
+            common::render_as(&mut scene, shading, glanz_scene::Interpolation::Perspective);
+            picture(&scene, SIZE, SIZE, &transparent())
+        };
+        let (found, expected) = (drawn(&textured).pixel(9, 9), drawn(&plain).pixel(9, 9));
+        for c in 0..3 {
+            let off = (found[c] - expected[c]).abs();
+            assert!(off <= 1e-4 * expected[c], "{shading:?}: {found:?} for {expected:?}");
+        }
+    }
 }

@@ -217,6 +217,8 @@ fn check_material(reader: &mut Reader, number: usize, material: &PreparedMateria
     for (i, channel) in material.channels.iter().enumerate() {
         let [map, number] = *reader.words(Section::Channels, record[16] as usize + i) else { unreachable!() };
         assert_eq!(number, channel.channel as u32);
+        let mean = reader.floats(Section::ChannelMeans, record[16] as usize + i);
+        assert_eq!(mean, [material.means.channels[i]]);
         check_texture_use(reader, map, Some(channel.map));
     }
     assert_eq!(record[18] == NO_RECORD, material.occlusion.is_none());
@@ -235,6 +237,19 @@ fn check_material(reader: &mut Reader, number: usize, material: &PreparedMateria
     assert_eq!((record[15], values[12]), (mode, cutoff));
     assert_eq!((&values[..6], &values[6..9]), (material.ambient.as_flattened(), &material.emission[..]));
     assert_eq!((&values[9..11], values[11]), (&short(material.aniso)[..], material.alpha));
+    let (part, factor) = metalness(material.ambient_metalness);
+    assert_eq!(
+        (&values[13..15], &values[15..17]),
+        (&material.means.metal_rough[..], &[part as f32, factor][..])
+    );
+}
+
+fn metalness(part: Metalness) -> (u32, f32) {
+    match part {
+        Metalness::Any => (0, 0.0),
+        Metalness::Metal { factor } => (1, factor as f32),
+        Metalness::Dielectric { factor } => (2, factor as f32),
+    }
 }
 
 fn check_mask(reader: &mut Reader, number: usize, mask: &PreparedMask) {
@@ -269,11 +284,7 @@ fn check_lobe(reader: &mut Reader, number: usize, material: &PreparedMaterial, l
         TintCoordinate::CoatPath { eta } => (2, eta as f32),
     };
     assert_eq!((record[5], values[0]), (coordinate, eta));
-    let (metalness, factor) = match lobe.metalness {
-        Metalness::Any => (0, 0.0),
-        Metalness::Metal { factor } => (1, factor as f32),
-        Metalness::Dielectric { factor } => (2, factor as f32),
-    };
+    let (metalness, factor) = metalness(lobe.metalness);
     assert_eq!((record[6], values[1]), (metalness, factor));
     assert_eq!(record[10] as usize, lobe.masks.len());
     for (i, mask) in lobe.masks.iter().enumerate() {

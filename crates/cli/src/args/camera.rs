@@ -49,6 +49,9 @@ impl CameraArgs {
         camera.eye = vector(self.eye, camera.eye);
         camera.target = vector(self.target, camera.target);
         camera.up = vector(self.up, camera.up);
+        if camera.up.try_normalize().is_none() {
+            return Err(Failure::Usage("--up is no direction: three numbers that are not all 0".to_owned()));
+        }
         if let Some(degrees) = self.fov_deg {
             if !(degrees > 0.0 && degrees < 180.0) {
                 return Err(Failure::Usage(format!("--fov-deg is {degrees}, but must be between 0 and 180")));

@@ -8,7 +8,7 @@ use glanz_scene::{Light, LightKind, Material, Scene, White};
 use super::build::bvh::{bvh, is_opaque};
 use super::build::geometry::objects::{add_objects, move_object, needs_tangents};
 use super::build::{check, lights, programs, textures};
-use super::color::fill::{fill_material, fill_table};
+use super::color::fill::{fill_material, fill_table, refill_means};
 use super::data::{Prepared, PreparedObject};
 use super::options::{PrepareError, PrepareOptions};
 use super::source::{Colors, ObjectSource};
@@ -205,6 +205,7 @@ impl Prepared {
             (0..known.len()).filter(|number| !check::has_textures(scene, &known[*number])).collect();
         if outdated.is_empty() {
             self.textures = textures(scene);
+            refill_means(self);
             return Ok(());
         }
         if scene.materials.len() != known.len() {
@@ -212,6 +213,7 @@ impl Prepared {
         }
         self.or_as_before(|own| {
             own.textures = textures(scene);
+            refill_means(own);
             outdated.into_iter().try_for_each(|number| own.update_material(scene, number, casters_moved))
         })
     }

@@ -2,6 +2,7 @@
 
 use glanz_eye::{Seen, Viewer};
 use glanz_math::{MemoryBudget, SimdLevel};
+use glanz_picture::output::PictureKind;
 use glanz_picture::{Develop, Frame, develop, develop16};
 use glanz_scene::{Camera, Mistake, NoEffect, Scene, White};
 
@@ -180,6 +181,7 @@ impl Shot {
     /// # Errors
     /// As [`Shot::frame`].
     pub fn frame_in_steps(&mut self, aovs: Aovs, step: Step) -> Result<Frame, ShotError> {
+        self.check_memory(PictureKind::Codes16)?;
         let options = DrawOptions { aovs, ..self.sight.draw };
         let mut frame = draw_observed(&mut *self.backend, &self.prepared, &self.sight.view, &options, step)?;
         self.see(&mut frame);
@@ -226,6 +228,7 @@ impl Shot {
     }
 
     pub(crate) fn rgba8_in_steps(&mut self, step: Step) -> Result<Vec<u8>, ShotError> {
+        self.check_memory(PictureKind::Codes8)?;
         let mut rgba = vec![0; 4 * self.sight.view.width as usize * self.sight.view.height as usize];
         self.draw_into_in_steps(&mut rgba, step)?;
         Ok(rgba)

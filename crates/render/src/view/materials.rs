@@ -17,10 +17,11 @@ use std::borrow::Cow;
 
 use glanz_bsdf::models::lambert::Lambert;
 use glanz_bsdf::{LightTerm, Shape};
+use glanz_scene::Metalness;
 
 use super::DebugView;
 use crate::prepare::{
-    DirectLobe, LobeIntegrals, MixTints, Prepared, PreparedLight, PreparedMaterial, TintSeries,
+    DirectLobe, LobeIntegrals, MixTints, Prepared, PreparedLight, PreparedMaterial, TextureMeans, TintSeries,
 };
 
 /// The materials as the chosen view wants them: all terms, or one, or none but a test for light.
@@ -69,7 +70,9 @@ fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMa
         transmits: false,
         metal_rough_map: None,
         channels: Vec::new(),
+        means: TextureMeans::default(),
         occlusion: None,
+        ambient_metalness: Metalness::Any,
         transmittance: None,
         series: Vec::new(),
         ambient: Default::default(),

@@ -99,8 +99,22 @@ impl Source {
             clip(span.start)..clip(span.end).max(clip(span.start))
         });
         let (line, column) = span.as_ref().map_or((0, 0), |span| line_column(&text, span.start));
+        let (message, help) = (cut(message), help.map(cut));
         FileError { path, message, span, line, column, help, text }
     }
+}
+
+/// The most bytes of a message: it may quote a value of the file, however long that is.
+const MAX_MESSAGE: usize = 2000;
+
+/// A message, without its middle where it is too long to be read.
+fn cut(message: String) -> String {
+    if message.len() <= MAX_MESSAGE {
+        return message;
+    }
+    let begin = floor_char(&message, MAX_MESSAGE / 10);
+    let end = floor_char(&message, message.len() - MAX_MESSAGE / 10);
+    format!("{} … {}", &message[..begin], &message[end..])
 }
 
 /// The begin of the character that holds `byte`, or the end of the text.

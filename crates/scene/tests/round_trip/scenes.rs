@@ -155,6 +155,7 @@ fn lobe() -> impl Strategy<Value = Lobe> {
             let is_lit =
                 matches!(info.term, glanz_bsdf::LightTerm::Diffuse | glanz_bsdf::LightTerm::Specular);
             let masks = if is_lit { masks } else { Vec::new() };
+            let roughness = if info.takes_roughness_map() { roughness } else { RoughnessMap::Material };
             Lobe { shape, tint, textured, layers, absorption, metalness, masks, roughness }
         },
     )

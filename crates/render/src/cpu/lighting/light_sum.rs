@@ -6,7 +6,7 @@ use glanz_scene::Metalness;
 
 use crate::cpu::lighting::point::{Reflected, ShadingPoint, add, literal, mixed};
 use crate::cpu::lighting::shade_material::ShadeMaterial;
-use crate::prepare::{DirectLobe, LobeRoughness, MixTints, TintCoordinate};
+use crate::prepare::{DirectLobe, LobeRoughness, MixTints, PreparedMask, TintCoordinate};
 
 /// The least cosine of the view angle: interpolated normals may turn further away than the surface that is seen.
 const LEAST_COS_O: f64 = 1e-4;
@@ -21,6 +21,8 @@ pub(crate) struct LightSum<'a, R> {
     pub axes: Option<[Vec3<R>; 2]>,
     /// How much of ambient light and of environments arrives, where a picture says it.
     pub arrives: Option<R>,
+    /// The same of ambient light, times how much of the ambient terms there is.
+    pub ambient: Option<R>,
     pub reflected: Reflected<R>,
 }
 
@@ -35,22 +37,29 @@ impl<'a, R: Real> LightSum<'a, R> {
         let like = point.normal.x;
         let mix = material.mix.as_deref().zip(texel);
         let mut reflected = Reflected::ambient(like, material, &mix);
-        let arrives = material.occlusion.as_ref().map(|mask| point.masked(mask));
-        if let Some(arrives) = arrives {
+        let arrives = material.occlusion.as_ref().map(|mask| masked(material, point, mask));
+        let ambient = product(arrives, of_part(material.ambient_metalness, point.metal));
+        if let Some(ambient) = ambient {
             for sum in [&mut reflected.textured, &mut reflected.plain] {
-                sum.iter_mut().for_each(|value| *value = *value * arrives);
+                sum.iter_mut().for_each(|value| *value = *value * ambient);
             }
         }
         let cos_o = point.normal.dot(point.wo).max(like.lit(LEAST_COS_O));
         let axes = material.anisotropic.then(|| axes(material, point));
-        Self { material, mix, point, cos_o, axes, arrives, reflected }
+        Self { material, mix, point, cos_o, axes, arrives, ambient, reflected }
     }
 
     /// The pair of viewer and light.
     #[inline(always)]
     pub(crate) fn pair(&self, wi: Vec3<R>) -> DirectionPair<R> {
-        let wo = self.point.wo;
-        let mut pair = DirectionPair::between((self.cos_o, wo), (self.point.normal.dot(wi), wi));
+        let (wo, normal) = (self.point.wo, self.point.normal);
+        let (cos_o, cos_i) = (normal.dot(wo), normal.dot(wi));
+        let mut pair = DirectionPair::between((self.cos_o, wo), (cos_i, wi));
+        // A view that is lifted to the least cosine has another half vector: else that one's cosine would be above 1 where
+        // the light comes from the other side as low.
+        let lift = (self.cos_o - cos_o).select(cos_o.zero().lt(cos_o), cos_o.zero());
+        pair.half2 = pair.half2 + lift * (cos_o + cos_o + cos_i + cos_i + lift);
+        pair.cos_io = pair.cos_io + lift * cos_i;
         pair.alpha_scale = self.point.alpha_scale;
         if let Some([x, y]) = self.axes {
             pair.tangent_o = (x.dot(wo), y.dot(wo));
@@ -94,15 +103,9 @@ impl<'a, R: Real> LightSum<'a, R> {
     /// How much of a lobe there is at the point.
     #[inline(always)]
     pub(crate) fn fraction(&self, lobe: &DirectLobe) -> Option<R> {
-        let metal = self.point.metal;
-        let mut fraction = match lobe.metalness {
-            Metalness::Any => None,
-            Metalness::Metal { factor } => Some(metal * metal.lit(factor)),
-            Metalness::Dielectric { factor } => Some(metal.one() - metal * metal.lit(factor)),
-        };
+        let mut fraction = of_part(lobe.metalness, self.point.metal);
         for mask in &lobe.masks {
-            let masked = self.point.masked(mask);
-            fraction = Some(fraction.map_or(masked, |fraction| fraction * masked));
+            fraction = product(fraction, Some(masked(self.material, self.point, mask)));
         }
         fraction
     }
@@ -115,9 +118,7 @@ impl<'a, R: Real> LightSum<'a, R> {
             LobeRoughness::Material => return None,
             LobeRoughness::Uniform => one,
             // The width of a lobe is the square of its roughness.
-            LobeRoughness::Channel(number) => {
-                self.point.channels.get(number).map_or(one, |value| value.sqr())
-            }
+            LobeRoughness::Channel(number) => channel(self.material, self.point, number).sqr(),
         };
         Some(DirectionPair { alpha_scale, ..*pair })
     }
@@ -150,6 +151,41 @@ impl<'a, R: Real> LightSum<'a, R> {
         let reflected = &mut self.reflected;
         add(if lobe.textured { &mut reflected.textured } else { &mut reflected.plain }, value, tint);
     }
+}
+
+/// How much of a part of the surface there is.
+#[inline(always)]
+fn of_part<R: Real>(part: Metalness, metal: R) -> Option<R> {
+    match part {
+        Metalness::Any => None,
+        Metalness::Metal { factor } => Some(metal * metal.lit(factor)),
+        Metalness::Dielectric { factor } => Some(metal.one() - metal * metal.lit(factor)),
+    }
+}
+
+/// The product of factors that may not be there.
+#[inline(always)]
+fn product<R: Real>(a: Option<R>, b: Option<R>) -> Option<R> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a * b),
+        (one, None) | (None, one) => one,
+    }
+}
+
+/// What a picture says here, or on the whole.
+#[inline(always)]
+fn channel<R: Real>(material: &ShadeMaterial, point: &ShadingPoint<R>, number: usize) -> R {
+    match point.channels.get(number) {
+        Some(value) => *value,
+        None => point.metal.lit(f64::from(material.means.channels[number])),
+    }
+}
+
+/// The factor that a mask is here.
+#[inline(always)]
+fn masked<R: Real>(material: &ShadeMaterial, point: &ShadingPoint<R>, mask: &PreparedMask) -> R {
+    let said = channel(material, point, mask.channel);
+    said.lit(mask.from) + said * said.lit(mask.to - mask.from)
 }
 
 /// The x and y axis of a lobe's frame: the surface's tangent, laid into the plane of the normal and turned.

@@ -3,7 +3,7 @@
 use glanz_math::inline::{inlined, three};
 use glanz_math::{Real, Vec3};
 
-use crate::prepare::{MixTints, PreparedMask, PreparedMaterial};
+use crate::prepare::{MixTints, PreparedMaterial};
 
 /// A surface point as seen: relative to the eye, along world axes.
 #[derive(Clone, Copy)]
@@ -19,7 +19,7 @@ pub(crate) struct ShadingPoint<'a, R> {
     pub alpha_scale: R,
     /// What a texture says of metal.
     pub metal: R,
-    /// What pictures say, by channels of the material; empty where there are none, and each counts as 1.
+    /// What pictures say, by channels of the material; empty of vertices and facets, for which their means count.
     pub channels: &'a [R],
     /// Of a pixel, its width; see [`crate::view::lights::ViewLights::pixel`]. None of vertices and facets.
     pub pixel: Option<[f32; 2]>,
@@ -33,17 +33,14 @@ impl<R: Real> ShadingPoint<'_, R> {
         Self { position, normal, wo, tangent: None, alpha_scale: one, metal: one, channels: &[], pixel: None }
     }
 
-    /// The factor that a mask is here.
+    /// The same with what the material's texture of metal and roughness says on the whole: of vertices and facets.
     #[inline(always)]
-    pub(crate) fn masked(&self, mask: &PreparedMask) -> R {
-        let lit = inlined(
-            #[inline(always)]
-            |value: f64| self.metal.lit(value),
-        );
-        match self.channels.get(mask.channel) {
-            Some(value) => lit(mask.from) + *value * lit(mask.to - mask.from),
-            None => lit(mask.to),
+    pub(crate) fn at_means(mut self, material: &PreparedMaterial) -> Self {
+        if material.metal_rough_map.is_some() {
+            let [rough, metal] = material.means.metal_rough.map(f64::from);
+            (self.alpha_scale, self.metal) = (self.metal.lit(rough * rough), self.metal.lit(metal));
         }
+        self
     }
 }
 

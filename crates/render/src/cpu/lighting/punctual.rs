@@ -19,16 +19,16 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, light: &
     let point = sum.point;
     let like = point.normal.x;
     let incident = arrive(light, point);
-    if let (Some(mut cone), Some(ambient)) = (incident.cone, sum.material.spot_ambient.get(row)) {
-        if let Some(arrives) = sum.arrives {
-            cone = cone * arrives;
+    if let (Some(mut cone), Some(row_ambient)) = (incident.cone, sum.material.spot_ambient.get(row)) {
+        if let Some(ambient) = sum.ambient {
+            cone = cone * ambient;
         }
         let textured = match &sum.mix {
             Some((mix, texel)) => mixed(&mix.spot_ambient[row], texel),
-            None => literal(like, &ambient[0]),
+            None => literal(like, &row_ambient[0]),
         };
         add_light(&mut sum.reflected.textured, cone, textured);
-        add_light(&mut sum.reflected.plain, cone, literal(like, &ambient[1]));
+        add_light(&mut sum.reflected.plain, cone, literal(like, &row_ambient[1]));
     }
     let pair = sum.pair(incident.wi);
     if !sum.material.transmits && !R::any(like.zero().lt(pair.cos_i)) {

@@ -31,7 +31,9 @@ impl<'a> ShadeMaterial<'a> {
     }
 
     fn new(data: Cow<'a, PreparedMaterial>) -> Self {
-        let says_more = data.metal_rough_map.is_some() || data.occlusion.is_some();
+        let says_more = data.metal_rough_map.is_some()
+            || data.occlusion.is_some()
+            || data.ambient_metalness != Metalness::Any;
         let fast_path = data.lobes.iter().all(is_simple) && !says_more;
         let like = |a: &DirectLobe, b: &DirectLobe| a.shape == b.shape && a.roughness == b.roughness;
         let pairs = data.lobes.windows(2).map(|pair| like(&pair[0], &pair[1]));

@@ -87,7 +87,8 @@ pub(super) fn vertex(
         position,
         unit(Vec3::new(nx, ny, nz)) * side(back, material.two_sided),
         to_viewer(frame, position),
-    );
+    )
+    .at_means(material);
     if material.anisotropic && prepared.attributes.tangent {
         let [x, y, z, _] = geometry.tangents[v];
         point.tangent = Some(Vec3::new(x, y, z));
@@ -115,7 +116,8 @@ pub(super) fn centroid(
     let [nx, ny, nz] = facets.normals[facet];
     let normal = Vec3::new(nx, ny, nz) * side(back, material.two_sided);
     let color = facets.colors.get(facet).map_or([1.0; 3], |c| [c[0], c[1], c[2]]);
-    Some((ShadingPoint::plain(position, normal, to_viewer(frame, position)), color, [x, y, z]))
+    let point = ShadingPoint::plain(position, normal, to_viewer(frame, position)).at_means(material);
+    Some((point, color, [x, y, z]))
 }
 
 /// What a normal is multiplied with: 0 on a back face that is not lit.

@@ -53,7 +53,7 @@ pub(crate) fn shade<S: Simd>(simd: S, frame: &FrameView, cluster: &Cluster, vert
                 (_, true) => -normal,
                 (_, false) => normal * normal.x.zero(),
             };
-            let mut point = ShadingPoint::plain(position, normal, wo);
+            let mut point = ShadingPoint::plain(position, normal, wo).at_means(material);
             if material.anisotropic && object.attributes.tangent {
                 let [x, y, z] = columns(simd, &geometry.tangents[first..first + 16]);
                 point.tangent = Some(Vec3::new(x, y, z));

@@ -127,7 +127,7 @@ fn corner(
             } else {
                 Vec3::new(camera.back[0], camera.back[1], camera.back[2])
             };
-            let point = ShadingPoint::plain(position, unit(normal), wo);
+            let point = ShadingPoint::plain(position, unit(normal), wo).at_means(material);
             match (&material.mix, has_texels) {
                 (None, _) => {
                     let reflected = reflect(lights, material, &point, None);

@@ -332,7 +332,7 @@ fn flat<'a>(frame: &'a FrameView, setup: &TriangleSetup) -> FlatFacet<'a> {
     let wo = if camera.perspective { unit(-position) } else { vector(camera.back) };
     let normal = vector(facets.normals[facet]) * sign;
     let color = facets.colors.get(facet).map_or([1.0; 3], |color| [color[0], color[1], color[2]]);
-    FlatFacet { frame, material, point: ShadingPoint::plain(position, normal, wo), color }
+    FlatFacet { frame, material, point: ShadingPoint::plain(position, normal, wo).at_means(material), color }
 }
 
 impl FlatFacet<'_> {

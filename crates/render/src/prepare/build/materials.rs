@@ -1,13 +1,13 @@
 //! Materials with their rows of the tint table.
 
 use glanz_bsdf::{LayerWeight, LightTerm, Side};
-use glanz_scene::{ChannelUse, Lobe, Mask, Material, RoughnessMap, Tint};
+use glanz_scene::{ChannelUse, Lobe, Mask, Material, Metalness, RoughnessMap, Tint};
 
 use crate::prepare::PrepareError;
 use crate::prepare::color::tint_coordinate::coordinate_of;
 use crate::prepare::color::tint_table::{Entry, Table, term_of};
 use crate::prepare::data::{
-    DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TintCoordinate,
+    DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TextureMeans, TintCoordinate,
 };
 
 /// Fills a material's rows of the tint table.
@@ -26,6 +26,7 @@ pub(crate) fn prepare(
     let lobes =
         direct.iter().map(|lobe| direct_lobe(lobe, model, &mut channels)).collect::<Result<Vec<_>, _>>()?;
     let occlusion = material.occlusion.map(|mask| channels.mask(&mask));
+    let ambient_metalness = ambient_metalness(material)?;
     let most = PreparedMaterial::MOST_CHANNELS;
     if channels.0.len() > most {
         let (name, count) = (&material.name, channels.0.len());
@@ -55,7 +56,9 @@ pub(crate) fn prepare(
         emission_map: material.emission_map,
         metal_rough_map: material.metal_rough_map,
         channels: channels.0,
+        means: TextureMeans::default(),
         occlusion,
+        ambient_metalness,
         aniso: [libm::sin(material.aniso), libm::cos(material.aniso)],
         transmittance: material
             .transmittance
@@ -64,6 +67,21 @@ pub(crate) fn prepare(
         alpha: material.opacity,
         alpha_mode: material.alpha_mode,
     })
+}
+
+/// The part of the surface that all ambient terms belong to: they are one sum.
+fn ambient_metalness(material: &Material) -> Result<Metalness, PrepareError> {
+    let ambient = || material.lobes.iter().filter(|lobe| term_of(lobe) == LightTerm::Ambient);
+    let own = ambient().next().map_or(Metalness::Any, |lobe| lobe.metalness);
+    let glows = |lobe: &Lobe| term_of(lobe) == LightTerm::Emission && lobe.textured;
+    let what = if ambient().any(|lobe| lobe.metalness != own) {
+        "ambient terms of one 'metalness' alone"
+    } else if own != Metalness::Any && material.lobes.iter().any(glows) {
+        "no ambient term with a 'metalness' beside light of its own that is 'textured'"
+    } else {
+        return Ok(own);
+    };
+    Err(PrepareError::Scene { what: format!("material '{}': expected {what}", material.name) })
 }
 
 /// The lobes for lights with a direction. A model without a highlight takes the highlights away rather

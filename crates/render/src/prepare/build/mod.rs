@@ -6,6 +6,7 @@ pub(crate) mod geometry;
 pub(crate) mod integrals;
 pub(crate) mod lights;
 pub(crate) mod materials;
+pub(crate) mod means;
 pub(crate) mod memory;
 pub(crate) mod programs;
 

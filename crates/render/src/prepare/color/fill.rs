@@ -3,7 +3,7 @@
 use super::quadrature::Sampling;
 use super::tint_table::Table;
 use crate::prepare::build::integrals::lobe_integrals;
-use crate::prepare::build::materials;
+use crate::prepare::build::{materials, means};
 use crate::prepare::data::{Prepared, PreparedMaterial};
 use crate::prepare::options::PrepareError;
 
@@ -40,6 +40,16 @@ fn rows(prepared: &Prepared, numbers: &[usize]) -> Result<Vec<PreparedMaterial>,
     let table = Table::new(&sampling, &source.colors.lights);
     let row = |number: &usize| materials::prepare(&source.colors.materials[*number], &table, model);
     let mut filled = numbers.iter().map(row).collect::<Result<Vec<_>, _>>()?;
+    filled.iter_mut().for_each(|material| means::set(material, &prepared.textures));
     lobe_integrals::attach(&mut filled, &prepared.lights, &prepared.materials);
     Ok(filled)
+}
+
+/// Makes anew what depends on the content of textures.
+pub(crate) fn refill_means(prepared: &mut Prepared) {
+    let before = core::mem::take(&mut prepared.materials);
+    let mut after = before.clone();
+    after.iter_mut().for_each(|material| means::set(material, &prepared.textures));
+    lobe_integrals::attach(&mut after, &prepared.lights, &before);
+    prepared.materials = after;
 }

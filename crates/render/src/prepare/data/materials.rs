@@ -37,6 +37,22 @@ pub struct PreparedMask {
     pub to: f64,
 }
 
+/// The means of textures, which count where a place of the surface has none of its own: at vertices and facets, and for
+/// light from environments and areas.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TextureMeans {
+    /// Of [`PreparedMaterial::metal_rough_map`]: the factor of roughness, and how metallic the surface is.
+    pub metal_rough: [f32; 2],
+    /// Of [`PreparedMaterial::channels`].
+    pub channels: Vec<f32>,
+}
+
+impl Default for TextureMeans {
+    fn default() -> Self {
+        Self { metal_rough: [1.0; 2], channels: Vec::new() }
+    }
+}
+
 /// What says how rough a lobe is, beside its own width.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum LobeRoughness {
@@ -84,8 +100,12 @@ pub struct PreparedMaterial {
     pub metal_rough_map: Option<TextureUse>,
     /// The channels of pictures that masks and lobes name, at most [`PreparedMaterial::MOST_CHANNELS`].
     pub channels: Vec<ChannelUse>,
+    /// What its textures say on the whole.
+    pub means: TextureMeans,
     /// How much of ambient light and of environments arrives.
     pub occlusion: Option<PreparedMask>,
+    /// Which part of the surface ambient light finds its ambient tints on.
+    pub ambient_metalness: Metalness,
     /// Sine and cosine of the angle from the tangent to the x axis of lobes that know one.
     pub aniso: [f64; 2],
     /// Whether any lobe asks where the tangent is.

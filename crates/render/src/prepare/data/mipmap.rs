@@ -48,6 +48,14 @@ impl Mipmap {
         Self { levels, decode, wrap: texture.wrap, filter: texture.filter }
     }
 
+    /// The mean of all texels, as near as 8-bit codes have it.
+    pub fn mean(&self) -> [f32; 4] {
+        let coarsest = &self.levels[self.levels.len() - 1];
+        let [r, g, b, a] = coarsest.rgba[0];
+        let [r, g, b] = [r, g, b].map(|code| self.decode[usize::from(code)]);
+        [r, g, b, f32::from(a) / 255.0]
+    }
+
     /// The value at texture coordinates `uv`, where a pixel covers `footprint` of them along the
     /// longer axis.
     pub fn sample(&self, uv: [f32; 2], footprint: f32) -> [f32; 4] {

@@ -53,7 +53,7 @@ pub use irradiance::{IRRADIANCE_TERMS, Irradiance};
 pub use lights::{EnvironmentLight, LightShape, PreparedLight, PreparedLuminaire};
 pub use lobe_integrals::{AreaIntegral, LobeIntegrals};
 pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
-pub use materials::{DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial};
+pub use materials::{DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TextureMeans};
 pub use mipmap::{MipLevel, Mipmap};
 pub use objects::{Attributes, Facets, Polygons, PreparedObject};
 pub use pack::{NO_RECORD, Packed, Pool, Section, Span};

@@ -59,6 +59,7 @@ impl Context<'_> {
                 return Ok(Some(texture));
             }
             Err(error @ (ReadError::TooLarge { .. } | ReadError::Memory { .. })) => return Err(error),
+            Err(ReadError::Unsupported { .. }) if is_lfs_pointer(bytes) => format!("is {LFS_POINTER}"),
             Err(ReadError::Unsupported { expected, found, .. }) => {
                 format!("is not {expected}, but begins with {found}")
             }
@@ -68,6 +69,14 @@ impl Context<'_> {
         self.notes.add_at(&format!("the picture '{name}' {why}: it is left out"), place.clone());
         Ok(None)
     }
+}
+
+/// What a file is that Git LFS keeps elsewhere.
+pub(super) const LFS_POINTER: &str = "the pointer of Git LFS to a file that was not fetched (git lfs pull)";
+
+/// Whether the bytes are what Git LFS puts in the place of a file.
+pub(super) fn is_lfs_pointer(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"version https://git-lfs.github.com/spec/")
 }
 
 /// Why a file that another one names is not there.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::context::Context;
+use super::context::{Context, LFS_POINTER, is_lfs_pointer};
 use super::format::Format;
 use super::model::Model;
 use super::{gltf, obj, ply, stl};
@@ -67,6 +67,14 @@ fn read_stream(
     if let (Some(variant), false) = (&options.variant, format == Format::Gltf) {
         let expected = "glTF, which alone has variants of materials";
         return Err(ReadError::unsupported(file, Place::File, expected, excerpt(variant)));
+    }
+    let begin = reader.fill_buf().map_err(|source| ReadError::Io {
+        file: file.to_owned(),
+        place: Place::File,
+        source,
+    })?;
+    if is_lfs_pointer(begin) {
+        return Err(ReadError::malformed(file, Place::File, "a model", LFS_POINTER));
     }
     let model = match format {
         Format::Gltf => {

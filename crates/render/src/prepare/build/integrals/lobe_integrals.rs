@@ -4,13 +4,15 @@
 use core::cell::OnceCell;
 use std::sync::Arc;
 
+use glanz_bsdf::models::ggx::LEAST_ALPHA;
 use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
 use glanz_math::{Chebyshev, PI};
 
 use super::ltc;
 use super::prefilter::{self, Pyramid};
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, PreparedLight, PreparedMaterial,
+    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, PreparedLight,
+    PreparedMaterial,
 };
 
 /// Terms of the albedo over the cosine.
@@ -31,11 +33,40 @@ pub(crate) fn attach(
     let pyramids = maps.iter().map(|_| OnceCell::new()).collect();
     let mut maker = Maker { has_areas, maps, pyramids, known: Vec::new() };
     for material in before {
-        maker.known.extend(material.lobes.iter().cloned().zip(material.integrals.iter().cloned()));
+        let lobes = material.lobes.iter().map(|lobe| typical(lobe, material));
+        maker.known.extend(lobes.zip(material.integrals.iter().cloned()));
     }
     for material in materials {
-        material.integrals = material.lobes.iter().map(|lobe| maker.integrals(lobe)).collect();
+        let typical = material.lobes.iter().map(|lobe| typical(lobe, material));
+        let integrals = typical.map(|lobe| maker.integrals(&lobe)).collect();
+        material.integrals = integrals;
     }
+}
+
+/// The lobe as rough as it is on the whole, where a texture says how rough it is.
+fn typical(lobe: &DirectLobe, material: &PreparedMaterial) -> DirectLobe {
+    let factor = match lobe.roughness {
+        LobeRoughness::Material => material.means.metal_rough[0],
+        LobeRoughness::Uniform => 1.0,
+        LobeRoughness::Channel(number) => material.means.channels[number],
+    };
+    // The width of a lobe is the square of its roughness.
+    let shape = widened(&lobe.shape, f64::from(factor * factor));
+    DirectLobe { shape, ..lobe.clone() }
+}
+
+/// The shape with its widths times a factor, if textures can widen it.
+fn widened(shape: &Shape, factor: f64) -> Shape {
+    let info = shape.info();
+    if factor == 1.0 || !info.takes_roughness_map() {
+        return shape.clone();
+    }
+    let scaled = info.params.iter().zip(shape.params()).map(|(param, value)| {
+        let is_width = matches!(param.name, "alpha" | "alpha_y") && value > 0.0;
+        (param.name, if is_width { (value * factor).clamp(LEAST_ALPHA, param.max) } else { value })
+    });
+    let scaled: Vec<_> = scaled.collect();
+    Shape::named(info.name, &scaled).expect("widths within their range make a shape")
 }
 
 fn maps(lights: &[PreparedLight]) -> Vec<Option<Arc<EnvironmentMap>>> {

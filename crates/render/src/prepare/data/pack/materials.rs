@@ -39,7 +39,7 @@ impl Packer {
             self.texture_use(material.metal_rough_map),
             flags(material),
             alpha_mode,
-            self.channels(&material.channels),
+            self.channels(&material.channels, &material.means.channels),
             material.channels.len() as u32,
             material.occlusion.map_or(NO_RECORD, |mask| self.mask(&mask)),
         ];
@@ -50,14 +50,17 @@ impl Packer {
     fn material_values(&mut self, material: &PreparedMaterial) {
         let aniso = material.aniso.map(|x| x as f32);
         let alpha = [material.alpha, alpha_mode(material).1];
-        let values = [material.ambient.as_flattened(), &material.emission, &aniso, &alpha].concat();
+        let (part, factor) = metalness(material.ambient_metalness);
+        let more = [&material.means.metal_rough[..], &[part as f32, factor as f32]].concat();
+        let values = [material.ambient.as_flattened(), &material.emission, &aniso, &alpha, &more].concat();
         self.floats(Section::MaterialValues, &values);
     }
 
-    fn channels(&mut self, channels: &[ChannelUse]) -> u32 {
+    fn channels(&mut self, channels: &[ChannelUse], means: &[f32]) -> u32 {
         let uses: Vec<u32> = channels.iter().map(|own| self.texture_use(Some(own.map))).collect();
         let first = self.next(Section::Channels);
-        for (own, used) in channels.iter().zip(uses) {
+        for ((own, mean), used) in channels.iter().zip(means).zip(uses) {
+            self.floats(Section::ChannelMeans, &[*mean]);
             self.words(Section::Channels, &[used, own.channel as u32]);
         }
         first
@@ -82,11 +85,7 @@ impl Packer {
             TintCoordinate::HalfAngle => (1, 0.0),
             TintCoordinate::CoatPath { eta } => (2, eta),
         };
-        let (metalness, factor) = match lobe.metalness {
-            Metalness::Any => (0, 0.0),
-            Metalness::Metal { factor } => (1, factor),
-            Metalness::Dielectric { factor } => (2, factor),
-        };
+        let (metalness, factor) = metalness(lobe.metalness);
         let record = [
             lobe.shape.id(),
             first_param,
@@ -198,6 +197,15 @@ fn flags(material: &PreparedMaterial) -> u32 {
         | u32::from(material.cull_back) << 1
         | u32::from(material.anisotropic) << 2
         | u32::from(material.transmits) << 3
+}
+
+/// The number of a part of the surface, and its factor.
+fn metalness(part: Metalness) -> (u32, f64) {
+    match part {
+        Metalness::Any => (0, 0.0),
+        Metalness::Metal { factor } => (1, factor),
+        Metalness::Dielectric { factor } => (2, factor),
+    }
 }
 
 /// What alpha means, and the cutoff of masks.

@@ -74,11 +74,13 @@ sections! {
         entries, first of SpotAmbient, first of Integrals, first of MixTints, first of MixSpotAmbient, of MixValues, of \
         Series for the transmittance, TextureUses of base colour, normals, emission, metalness and roughness, flags (bit \
         0 two-sided, 1 back faces are not drawn, 2 anisotropic, 3 transmits), alpha mode, first of Channels, channels, Mask of occlusion";
-    MaterialValues: Floats 13, "of each material: ambient that textures multiply(3), the rest(3), emission(3), sine and \
-        cosine of the tangent's angle, opacity, cutoff of masks";
+    MaterialValues: Floats 17, "of each material: ambient that textures multiply(3), the rest(3), emission(3), sine and \
+        cosine of the tangent's angle, opacity, cutoff of masks, means of the picture of metal and roughness(2: roughness, \
+        metal), which part the ambient terms belong to (0 any, 1 metal, 2 dielectric) and the factor of that";
     TextureUses: Words 2, "texture, set of texture coordinates (0 or 1)";
     TextureUseValues: Floats 7, "of each use: rows of the map of coordinates(6), scale";
     Channels: Words 2, "TextureUse, channel of it (0 red, 1 green, 2 blue, 3 alpha)";
+    ChannelMeans: Floats 1, "of each channel";
     Masks: Words 1, "channel's number among those of the material";
     MaskValues: Floats 2, "of each mask: the factor where the channel is 0, and where it is 1";
     Lobes: Words 12, "model's stable number (Shape::id), first of Params, parameters, light term, whether textured, \

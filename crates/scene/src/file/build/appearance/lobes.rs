@@ -61,6 +61,12 @@ impl LobeTable {
             return Err(Problem::at(&mask.picture.span, "'masks' are for terms that lights shine on"));
         }
         let masks = self.masks.iter().map(|table| builder.mask(table)).collect::<Result<_, _>>()?;
+        if self.rough_texture.is_some() && !shape.info().takes_roughness_map() {
+            let takes = || MODELS.iter().filter(|info| info.takes_roughness_map()).map(|info| info.name);
+            let message = format!("no texture says how rough the shape '{}' is", shape.info().name);
+            return Err(Problem::at(&self.shape.span, message)
+                .help(format!("'rough_texture' is for the shapes {}", list(takes()))));
+        }
         let roughness = builder.roughness(self.rough_texture.as_ref())?;
         Ok(Lobe { shape, tint, textured, layers, absorption, metalness, masks, roughness })
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glanz_color::read::{Place, ReadError, excerpt};
 
-use super::super::context::Context;
+use super::super::context::{Context, LFS_POINTER, is_lfs_pointer};
 use super::json::{Buffer, Root};
 
 const JSON_CHUNK: u32 = 0x4e4f_534a;
@@ -197,7 +197,15 @@ pub(super) fn load_uri(uri: &str, place: Place, context: &Context<'_>) -> Result
         return Err(ReadError::unsupported(context.file, place, expected, excerpt(uri)));
     }
     let reference = decode_percent(uri);
-    context.resolver.read(&reference).map_err(|error| error.at(context.file, place, &reference))
+    let bytes = context
+        .resolver
+        .read(&reference)
+        .map_err(|error| error.at(context.file, place.clone(), &reference))?;
+    if is_lfs_pointer(&bytes) {
+        let found = format!("{} in {}", LFS_POINTER, excerpt(&reference));
+        return Err(ReadError::malformed(context.file, place, "the bytes of a buffer", found));
+    }
+    Ok(bytes)
 }
 
 /// Bytes from base64 (RFC 4648, §4); padding may be missing. `None` for anything else.

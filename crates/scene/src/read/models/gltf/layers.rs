@@ -43,7 +43,6 @@ pub(super) struct Maps {
     pub iridescence: Option<ChannelUse>,
     /// Its colour; its greatest channel in alpha.
     pub sheen: Option<TextureUse>,
-    pub sheen_roughness: Option<ChannelUse>,
     pub coat: Option<ChannelUse>,
     pub coat_roughness: Option<ChannelUse>,
 }
@@ -68,7 +67,7 @@ pub(super) fn lobes(pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
         let alpha = alpha.max(LEAST_ALPHA);
         let layer = LayerWeight::Sheen { strength: pbr.greatest_sheen(), albedo: Albedo::new(alpha) };
         layers = under(layers, &layer, maps.sheen.map(greatest_of));
-        let roughness = maps.above(maps.sheen_roughness);
+        let roughness = maps.above(None);
         let charlie = shape("charlie", &[("alpha", alpha)]);
         layers.extend(colored(&charlie, pbr.sheen, maps.sheen).map(|lobe| Lobe { roughness, ..lobe }));
     }
@@ -82,11 +81,15 @@ pub(super) fn lobes(pbr: &PbrMaterial, maps: &Maps) -> Vec<Lobe> {
         let roughness = maps.above(maps.coat_roughness);
         layers.push(Lobe { roughness, masks: maps.coat.map(Mask::of).into_iter().collect(), ..coat });
     }
-    // Metal has no matte part that ambient light could meet. The ambient term does not read the texture of metal, so it
-    // takes its mean.
-    let matte = 1.0 - pbr.metallic * pbr.mean_metal;
+    // Metal has no matte part that ambient light could meet.
+    let (matte, metalness) = match (pbr.metallic, pbr.metal_varies) {
+        (0.0, _) => (1.0, Metalness::Any),
+        (factor, false) => (1.0 - factor, Metalness::Any),
+        (factor, true) => (1.0, Metalness::Dielectric { factor }),
+    };
     let ambient = pbr.base.map(|channel| channel * (1.0 - pbr.open()) * matte);
-    let mut all = vec![Lobe::new(shape("ambient", &[]), rgb(ambient)).textured()];
+    let ambient = Lobe::new(shape("ambient", &[]), rgb(ambient)).textured();
+    let mut all = vec![Lobe { metalness, ..ambient }];
     all.extend(layers);
     all.push(Lobe::new(shape("emission", &[]), rgb(pbr.emission)));
     all.retain(|lobe| !lobe.tint.is_black());
@@ -138,7 +141,7 @@ pub(super) fn transmittance(pbr: &PbrMaterial) -> Option<Transmittance> {
         }
     };
     let open = pbr.open() * sheen * (1.0 - pbr.coat * COAT_F0);
-    let seen: [f64; 3] = core::array::from_fn(|c| open * pbr.base[c] * pbr.left[c]);
+    let seen: [f64; 3] = core::array::from_fn(|c| open * pbr.base[c] * pbr.mean_base[c] * pbr.left[c]);
     let both_sides = pbr.specular * pbr.greatest_f0();
     let absorption = rgb_spectra::spectrum_of_reflectance(rgb(seen))
         .map(|weight| -libm::log(weight.clamp(LEAST_SEEN, 1.0)));

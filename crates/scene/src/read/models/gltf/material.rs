@@ -10,7 +10,7 @@ use super::json::{self, TextureInfo};
 use super::layers::{self, Maps};
 use super::pbr::{self, Means, PbrMaterial};
 use super::source::Source;
-use super::textures::{Reading, Textures};
+use super::textures::{self, Reading, Textures};
 use crate::read::notes::Notes;
 use crate::{AlphaMode, Lobe, Mask, Material, TextureChannel};
 
@@ -127,7 +127,7 @@ impl Reader<'_> {
     ) -> Result<Material, ReadError> {
         let means = self.means(json, path, context)?;
         let mut pbr = pbr::check(json, &means, path, &mut context.notes);
-        let maps = self.maps(json, path, context)?;
+        let maps = self.maps(json, &pbr, path, context)?;
         if json.extensions.specular_glossiness.is_some() {
             context.notes.add("glTF: specular and glossiness are taken as a dielectric of that reflectance");
             if maps.roughness.is_some() {
@@ -179,6 +179,10 @@ impl Reader<'_> {
         let mut of = |info: &Option<TextureInfo>| self.textures.means(info.as_ref(), path, context);
         let metal = of(&json.pbr_metallic_roughness.metallic_roughness_texture)?.map(|[_, _, blue, _]| blue);
         let transmission = of(&more.transmission.transmission_texture)?.map_or(1.0, |[red, ..]| red);
+        let base = match more.transmission.transmission_factor > 0.0 {
+            true => of_colors(&mut self.textures, json, path, context)?,
+            false => [1.0; 3],
+        };
         let mut alone = |info: &Option<TextureInfo>| self.textures.means_alone(info.as_ref(), path, context);
         let thickness = alone(&more.volume.thickness_texture)?.map_or(1.0, |[_, green, ..]| green);
         let film = alone(&more.iridescence.iridescence_thickness_texture)?;
@@ -188,13 +192,16 @@ impl Reader<'_> {
             Some([x, y, strength, _]) => (strength, libm::atan2(2.0 * y - 1.0, 2.0 * x - 1.0)),
             None => (1.0, 0.0),
         };
-        Ok(Means { metal, transmission, thickness, film, anisotropy, grain })
+        let sheen = alone(&more.sheen.sheen_roughness_texture)?;
+        let sheen_roughness = sheen.map_or(1.0, |[.., alpha]| alpha);
+        Ok(Means { metal, base, sheen_roughness, transmission, thickness, film, anisotropy, grain })
     }
 
     /// The textures that say where the layers of a material are.
     fn maps(
         &mut self,
         json: &json::Material,
+        numbers: &PbrMaterial,
         path: &str,
         context: &mut Context<'_>,
     ) -> Result<Maps, ReadError> {
@@ -210,7 +217,6 @@ impl Reader<'_> {
                 context,
             )?,
             specular: channel(&more.specular.specular_texture, TextureChannel::Alpha, context)?,
-            sheen_roughness: channel(&more.sheen.sheen_roughness_texture, TextureChannel::Alpha, context)?,
             transmission: channel(&more.transmission.transmission_texture, TextureChannel::Red, context)?,
             iridescence: channel(&more.iridescence.iridescence_texture, TextureChannel::Red, context)?,
             ..Maps::default()
@@ -220,9 +226,9 @@ impl Reader<'_> {
             f0 = old.specular_glossiness_texture.as_ref();
             gloss = f0.map(|info| (info, old.glossiness_factor.clamp(0.0, 1.0)));
         }
-        maps.f0 = textures.map(f0, Reading::ColorsAndGreatest, path, context)?;
+        maps.f0 = textures.map(f0, Reading::greatest_of(numbers.f0), path, context)?;
         let sheen = more.sheen.sheen_color_texture.as_ref();
-        maps.sheen = textures.map(sheen, Reading::ColorsAndGreatest, path, context)?;
+        maps.sheen = textures.map(sheen, Reading::greatest_of(numbers.sheen), path, context)?;
         maps.roughness = match gloss {
             Some((info, factor)) => {
                 textures.map(Some(info), Reading::Glossiness(factor.to_bits()), path, context)?
@@ -234,6 +240,18 @@ impl Reader<'_> {
         };
         Ok(maps)
     }
+}
+
+/// The mean of a base colour's texture in linear light.
+fn of_colors(
+    textures: &mut Textures<'_>,
+    json: &json::Material,
+    path: &str,
+    context: &mut Context<'_>,
+) -> Result<[f64; 3], ReadError> {
+    let info = json.pbr_metallic_roughness.base_color_texture.as_ref();
+    let map = textures.map(info, Reading::Colors, path, context)?;
+    Ok(map.map_or([1.0; 3], |map| textures::mean_color(&textures.list[map.texture])))
 }
 
 /// The base colour and the least alpha that is drawn, of lit and unlit materials.
@@ -252,6 +270,7 @@ fn tell(json: &json::Material, pbr: &PbrMaterial, maps: &Maps, context: &mut Con
     let (notes, more) = (&mut context.notes, &json.extensions);
     let by_mean = [
         ("thickness", more.volume.thickness_texture.is_some() && pbr.open() > 0.0),
+        ("sheen roughness", more.sheen.sheen_roughness_texture.is_some() && pbr.greatest_sheen() > 0.0),
         ("anisotropy", more.anisotropy.anisotropy_texture.is_some() && pbr.anisotropy > 0.0),
         (
             "thin films' thickness",
@@ -274,14 +293,19 @@ fn tell(json: &json::Material, pbr: &PbrMaterial, maps: &Maps, context: &mut Con
             iridescent && has_colors && pbr.metallic > 0.0,
             "glTF: base colour textures do not change metals under thin films",
         ),
-        (open && more.volume.thickness_factor > 0.0, "glTF: volumes do not bend light"),
+        (
+            open && more.volume.thickness_factor > 0.0,
+            "glTF: volumes do not bend light, and are not scaled with their nodes",
+        ),
+        (open && pbr.roughness > 0.0, "glTF: what is seen through a rough surface is not blurred"),
         (
             open && (has_colors || maps.transmission.is_some() || (varies && pbr.metallic > 0.0)),
-            "glTF: textures do not change the transmittance of a surface",
+            "glTF: textures change the transmittance of a surface by their mean",
         ),
         (
-            pbr.coat > 0.0 && more.clearcoat.clearcoat_normal_texture.is_some(),
-            "glTF: clear coats have the normals of the surface, not those of their textures",
+            pbr.coat > 0.0
+                && (more.clearcoat.clearcoat_normal_texture.is_some() || json.normal_texture.is_some()),
+            "glTF: clear coats have the normals of the surface below",
         ),
         (
             maps.roughness.is_some() && pbr.anisotropy > 0.0,

@@ -26,6 +26,8 @@ pub(super) struct PbrMaterial {
     pub transmission: f64,
     /// The mean of the texture that says where light is transmitted, 1 without one.
     pub mean_transmission: f64,
+    /// The mean of the base colour's texture, 1 without one.
+    pub mean_base: [f64; 3],
     /// What its volume leaves of light that crosses it.
     pub left: [f64; 3],
     pub coat: f64,
@@ -70,6 +72,9 @@ pub(super) fn greatest(rgb: [f64; 3]) -> f64 {
 pub(super) struct Means {
     /// None without a texture.
     pub metal: Option<f64>,
+    /// In linear light.
+    pub base: [f64; 3],
+    pub sheen_roughness: f64,
     pub transmission: f64,
     pub thickness: f64,
     pub film: f64,
@@ -97,11 +102,13 @@ pub(super) fn check(json: &json::Material, means: &Means, path: &str, notes: &mu
         specular: numbers.extension("specular", more.specular.specular_factor),
         transmission: numbers.extension("transmission", more.transmission.transmission_factor),
         mean_transmission: means.transmission,
+        mean_base: means.base,
         left: numbers.left(json, means.thickness),
         coat: numbers.extension("clearcoat", more.clearcoat.clearcoat_factor),
         coat_roughness: numbers.extension("clearcoat", more.clearcoat.clearcoat_roughness_factor),
         sheen: numbers.factors("extensions.KHR_materials_sheen", more.sheen.sheen_color_factor),
-        sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor),
+        sheen_roughness: numbers.extension("sheen", more.sheen.sheen_roughness_factor)
+            * means.sheen_roughness,
         anisotropy: numbers.extension("anisotropy", more.anisotropy.anisotropy_strength) * means.anisotropy,
         iridescence: numbers.extension("iridescence", more.iridescence.iridescence_factor),
         film_ior: numbers.film_ior(json),

@@ -24,10 +24,18 @@ pub(super) enum Reading {
     Colors,
     /// Numbers.
     Numbers,
-    /// Colours in sRGB, and the greatest channel of each as a number in alpha.
-    ColorsAndGreatest,
+    /// Colours in sRGB, to be multiplied by the numbers of these bits; the greatest channel of that as a number in alpha,
+    /// in parts of the greatest factor.
+    ColorsAndGreatest([u64; 3]),
     /// The alpha of a picture is glossiness, to be multiplied by the number of these bits: green is the roughness, blue full.
     Glossiness(u64),
+}
+
+impl Reading {
+    /// Colours that are multiplied by these factors, with the greatest channel of the product.
+    pub(super) fn greatest_of(factors: [f64; 3]) -> Self {
+        Self::ColorsAndGreatest(factors.map(f64::to_bits))
+    }
 }
 
 /// The textures of a model.
@@ -152,7 +160,7 @@ impl<'a> Textures<'a> {
             Some(NEAREST) => TextureFilter::Nearest,
             _ => TextureFilter::Trilinear,
         };
-        let srgb = matches!(reading, Reading::Colors | Reading::ColorsAndGreatest);
+        let srgb = matches!(reading, Reading::Colors | Reading::ColorsAndGreatest(_));
         self.list.push(Texture { srgb, wrap, filter, ..reckoned(picture, reading) });
         let number = self.list.len() - 1;
         self.known.insert((index, reading), number);
@@ -248,6 +256,17 @@ impl<'a> Textures<'a> {
     }
 }
 
+/// The mean of a picture of colours, in linear light.
+pub(super) fn mean_color(picture: &Texture) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for [r, g, b, _] in picture.rgba.as_chunks::<4>().0 {
+        for (sum, code) in sums.iter_mut().zip([r, g, b]) {
+            *sum += f64::from(srgb_decode(f32::from(*code) / 255.0));
+        }
+    }
+    sums.map(|sum| sum * 4.0 / picture.rgba.len() as f64)
+}
+
 /// The means of a picture's channels, as numbers.
 fn means(picture: &Texture) -> [f64; 4] {
     let mut sums = [0_u64; 4];
@@ -262,10 +281,13 @@ fn reckoned(mut picture: Texture, reading: Reading) -> Texture {
     let texels = picture.rgba.as_chunks_mut::<4>().0;
     match reading {
         Reading::Colors | Reading::Numbers => {}
-        Reading::ColorsAndGreatest => {
+        Reading::ColorsAndGreatest(bits) => {
+            let factors = bits.map(|bits| f64::from_bits(bits) as f32);
+            let most = factors.into_iter().fold(f32::MIN_POSITIVE, f32::max);
             for [r, g, b, a] in texels {
-                let greatest = *r.max(g).max(b);
-                *a = code(srgb_decode(f32::from(greatest) / 255.0));
+                let linear = [*r, *g, *b].map(|code| srgb_decode(f32::from(code) / 255.0));
+                let products = linear.iter().zip(factors).map(|(channel, factor)| channel * factor / most);
+                *a = code(products.fold(0.0, f32::max));
             }
         }
         Reading::Glossiness(bits) => {
