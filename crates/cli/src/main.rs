@@ -16,9 +16,12 @@ mod reflow;
 
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Command, CommandFactory, FromArgMatches, Parser};
+
+use glanz_picture::output::note_input;
 
 use crate::print::Format;
 use crate::print::failure::{Failure, wrong_use};
@@ -54,6 +57,7 @@ fn main() -> ExitCode {
     panics::prepare();
     let words = of_course(of_help(std::env::args_os().collect()));
     let format = format_of(&words);
+    keep_inputs(&words);
     let parsed = root().try_get_matches_from(&words).and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
@@ -71,6 +75,30 @@ fn main() -> ExitCode {
     match panics::caught(|| cli.command.run(root)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report::<Cli>(&cli.command.path(), format),
+    }
+}
+
+/// Options whose values are files that are written.
+const OUTPUTS: [&str; 6] = ["-o", "--output", "--csv", "--plot", "--report", "--sheet"];
+
+/// Has the files that the words name kept, but for those that are written: what is read is not written over.
+fn keep_inputs(words: &[OsString]) {
+    // The command `example` writes files of the names that it is given.
+    if words.get(1).is_some_and(|command| command == "example") {
+        return;
+    }
+    glanz_picture::output::keep_inputs();
+    let before = std::iter::once(None).chain(words.iter().map(Some));
+    for (before, word) in before.zip(words).skip(1) {
+        let is_output = before.is_some_and(|before| OUTPUTS.iter().any(|option| before == option));
+        if is_output || word.to_str().is_some_and(|word| word.starts_with('-')) {
+            continue;
+        }
+        note_input(Path::new(word));
+        // Of values such as picture=t.png.
+        if let Some((_, file)) = word.to_str().and_then(|word| word.split_once('=')) {
+            note_input(Path::new(file));
+        }
     }
 }
 

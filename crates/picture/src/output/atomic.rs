@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::OutputError;
+use super::inputs::is_input;
 
 /// A file being written. Errors name the path that was asked for.
 #[derive(Debug)]
@@ -63,6 +64,9 @@ pub fn write_atomically<T, E: From<OutputError>>(
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
         return into_stream(path, &target, write);
+    }
+    if is_input(&target) {
+        return Err(OutputError::Input { path: path.to_owned() }.into());
     }
     let (temporary, file) = create_beside(&target).map_err(failed("create a file beside it"))?;
     if let Some(old) = old {

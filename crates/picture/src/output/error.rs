@@ -25,6 +25,12 @@ pub enum OutputError {
         /// What the system said.
         source: io::Error,
     },
+    /// The file is one of those that were read ([`keep_inputs`](super::keep_inputs)).
+    #[error("{}: this file is read: what is written there would replace it; choose another name", path.display())]
+    Input {
+        /// The file that was asked for.
+        path: PathBuf,
+    },
     /// A stream did not take the bytes. For files the message names the path.
     #[error("{0}")]
     Stream(#[from] io::Error),

@@ -19,6 +19,7 @@ mod error;
 mod exr;
 mod format;
 mod gif;
+mod inputs;
 mod metadata;
 mod own;
 #[cfg(feature = "gif")]
@@ -36,3 +37,4 @@ pub use self::metadata::Metadata;
 pub use self::own::is_own;
 pub use self::picture_data::{PictureData, PictureKind};
 pub use self::png::{Effort, write_png8, write_png16};
+pub use inputs::{keep_inputs, note_input};

@@ -104,3 +104,57 @@ fn a_luminaire_sends_what_its_profile_says() {
         assert!((got - expected).abs() < 1e-3, "{x}: {got} for {expected}");
     }
 }
+
+/// A ball on a table of 4 m, in the sun.
+fn ball_on_a_table() -> Scene {
+    let mut scene = empty(common::camera(9.0, 40.0));
+    scene.camera =
+        scene.camera.map(|camera| glanz_scene::Camera { eye: DVec3::new(2.0, 5.0, 6.0), ..camera });
+    let matte = || Material::of_lobes("matte", vec![Lobe::new(shape("lambert", &[]), Rgb::gray(0.8))]);
+    add(&mut scene, common::sphere(48, 24), matte(), DMat4::from_translation(DVec3::Y * 1.01));
+    let plane = common::builtin(glanz_scene::Builtin::Plane);
+    add(&mut scene, plane, matte(), DMat4::from_scale(DVec3::splat(4.0)));
+    scene.lights.push(white(LightKind::Directional { direction: DVec3::new(-1.0, -1.5, -0.5) }));
+    scene.render.shadows = true;
+    scene
+}
+
+/// Pixels that are in light in one picture and not in the other.
+fn flipped(a: &Scene, b: &Scene) -> usize {
+    let drawn = |scene: &Scene| picture(scene, 160, 120, &transparent());
+    let (a, b) = (drawn(a), drawn(b));
+    (0..160 * 120).filter(|i| (a.rgb[0][*i] > 0.0) != (b.rgb[0][*i] > 0.0)).count()
+}
+
+#[test]
+fn shadows_stay_where_something_large_is_far_away() {
+    let near = ball_on_a_table();
+    let mut dark = near.clone();
+    dark.render.shadows = false;
+    assert!(flipped(&near, &dark) > 300, "the ball has a shadow");
+    for distance in [1e4, 1e6, 1e9] {
+        let mut scene = near.clone();
+        let matte = Material::of_lobes("matte", vec![Lobe::new(shape("lambert", &[]), Rgb::gray(0.8))]);
+        let place = DVec3::new(0.2, 0.0, -0.9) * distance;
+        let hill = DMat4::from_translation(place) * DMat4::from_scale(DVec3::splat(1e-3 * distance));
+        add(&mut scene, common::builtin(glanz_scene::Builtin::Cube), matte, hill);
+        assert!(flipped(&near, &scene) <= 4, "at {distance} m: {}", flipped(&near, &scene));
+    }
+}
+
+#[test]
+fn shadows_stay_on_grounds_of_any_size() {
+    let near = ball_on_a_table();
+    let visible = |scene: &Scene| {
+        let frame = picture(scene, 160, 120, &transparent());
+        (0..160 * 120).map(|i| frame.rgb[0][i] == 0.0 && frame.alpha[i] > 0.0).collect::<Vec<_>>()
+    };
+    let expected = visible(&near).iter().filter(|dark| **dark).count();
+    for size in [1e2, 1e4, 1e6] {
+        let mut scene = near.clone();
+        scene.objects[1].transform = DMat4::from_scale(DVec3::splat(size));
+        let dark = visible(&scene).iter().filter(|dark| **dark).count();
+        // The shadow does not end at the table's edge.
+        assert!(dark >= expected && dark < expected + 800, "{size}: {dark} for {expected}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Files that other files refer to, and the folder that they may not leave.
 
+use glanz_picture::output::note_input;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, Read};
@@ -96,6 +97,7 @@ impl Resolver for FolderFiles {
 /// Opens a regular file of at most `max_bytes`, and tells its length. Devices and pipes, which may
 /// have no end, are refused.
 pub(super) fn open(path: &Path, max_bytes: u64) -> Result<(File, u64), ResolveError> {
+    note_input(path);
     let of_io = |error: io::Error| match error.kind() {
         io::ErrorKind::NotFound => ResolveError::Missing,
         _ => ResolveError::Io(error),

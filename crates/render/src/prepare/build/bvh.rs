@@ -9,8 +9,11 @@ use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 use crate::prepare::data::{Bvh, BvhNode, PreparedMaterial, PreparedObject};
 use crate::prepare::{PrepareError, Prepared};
 
-/// How much larger than its triangle a box is, in sizes of the scene: more than rounding loses.
+/// How much larger than its triangle a box is, in parts of the coordinates: more than rounding loses.
 const MARGIN: f32 = 1e-6;
+
+/// How many times larger than its smallest object a scene is at least whose middle is that of most triangles.
+const WIDE: f64 = 1000.0;
 
 /// Depth of the tree from which on the builder looks for better pairs: its own medium setting.
 const SEARCH_DEPTH: usize = 2;
@@ -47,10 +50,10 @@ pub(crate) fn bvh(prepared: &Prepared) -> Result<Bvh, PrepareError> {
         );
         return Err(PrepareError::Scene { what });
     }
-    let center = 0.5 * (low + high);
+    let center = center(&objects, 0.5 * (low + high), (high - low).length());
     let size = (high - low).length().max(1e-30) as f32;
     let triangles = || objects.iter().flat_map(|object| triangles_of(prepared, object, center));
-    let tree = tree(triangles().map(|triangle| bounds(&triangle, size * MARGIN)).collect());
+    let tree = tree(triangles().map(|triangle| bounds(&triangle)).collect());
     // What is made anew costs less than what is kept: the triangles come once for their boxes and once into their places.
     let nodes = nodes(&tree);
     let order = { tree }.primitive_indices;
@@ -62,6 +65,37 @@ pub(crate) fn bvh(prepared: &Prepared) -> Result<Bvh, PrepareError> {
         in_order[place as usize] = triangle.map(|v| v.to_array());
     }
     Ok(Bvh { center: center.to_array(), triangles: in_order, nodes, size })
+}
+
+/// What triangles are relative to: the middle of all, but where something is far away, or far larger than the rest, the
+/// middle of most triangles, so that small things among them keep their digits.
+fn center(objects: &[&PreparedObject], middle: DVec3, size: f64) -> DVec3 {
+    let bounds = |object: &PreparedObject| object.bounds.map(DVec3::from_array);
+    let extent = |object: &&PreparedObject| {
+        let [low, high] = bounds(object);
+        (high - low).length()
+    };
+    let smallest = objects.iter().map(extent).filter(|extent| *extent > 0.0).fold(f64::INFINITY, f64::min);
+    if size <= WIDE * smallest {
+        return middle;
+    }
+    let weight = |object: &PreparedObject| object.clusters.len() as u64;
+    let all: u64 = objects.iter().map(|object| weight(object)).sum();
+    let along = |axis: usize| {
+        let place = |object: &&PreparedObject| {
+            let [low, high] = bounds(object);
+            (object.anchor[axis] + 0.5 * (low + high)[axis], weight(object))
+        };
+        let mut places: Vec<(f64, u64)> = objects.iter().map(place).collect();
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut sum = 0;
+        let half = places.iter().find(|(_, weight)| {
+            sum += weight;
+            2 * sum >= all
+        });
+        half.map_or(middle[axis], |(place, _)| *place)
+    };
+    DVec3::from_array([0, 1, 2].map(along))
 }
 
 /// The tree over boxes, which are gone once it stands.
@@ -107,8 +141,9 @@ fn triangles_of<'a>(
     })
 }
 
-fn bounds([corner, first, second]: &[Vec3A; 3], margin: f32) -> Aabb {
+fn bounds([corner, first, second]: &[Vec3A; 3]) -> Aabb {
     let (a, b) = (*corner + *first, *corner + *second);
-    let margin = Vec3A::splat(margin);
-    Aabb::new(corner.min(a).min(b) - margin, corner.max(a).max(b) + margin)
+    let (low, high) = (corner.min(a).min(b), corner.max(a).max(b));
+    let margin = Vec3A::splat(MARGIN * low.abs().max(high.abs()).max_element());
+    Aabb::new(low - margin, high + margin)
 }

@@ -2,8 +2,8 @@
 
 use glam::Vec3A;
 
-/// How far from a surface a ray starts, so that it does not meet that surface: some tens of times the rounding of
-/// positions in `f32` among the triangles, in sizes of the scene.
+/// How far from a surface a ray starts, so that it does not meet that surface, and how near to a triangle's plane it does not
+/// meet that triangle: some tens of times the rounding in `f32` of the coordinates of point and corners, in parts of them.
 const OFFSET: f32 = 3e-6;
 
 /// Nodes that wait on the stack of a ray; deeper trees go on by recursion.
@@ -55,8 +55,9 @@ impl Bvh {
         distance: f32,
     ) -> bool {
         let Some(root) = self.nodes.first() else { return true };
-        let offset = self.size * OFFSET + off;
-        let origin = Vec3A::from_array(point) + Vec3A::from_array(normal) * offset;
+        let point = Vec3A::from_array(point);
+        let offset = point.length() * OFFSET + off;
+        let origin = point + Vec3A::from_array(normal) * offset;
         let direction = Vec3A::from_array(towards);
         let is_number = origin.is_finite() && direction.is_finite() && direction.length_squared() > 0.5;
         if !is_number {
@@ -142,6 +143,13 @@ impl Ray {
         let q = from.cross(first);
         let v = self.direction.dot(q) * inverse;
         let t = second.dot(q) * inverse;
-        u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < self.end
+        if !(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < self.end) {
+            return false;
+        }
+        // Large triangles and those far from the middle may be off by more than the ray's start is: what lies on their planes
+        // does not meet them.
+        let normal = first.cross(second);
+        let extent = corner.abs().max(first.abs()).max(second.abs()).max_element();
+        (t * determinant).abs() > OFFSET * extent * normal.length()
     }
 }
