@@ -1,14 +1,14 @@
 //! Files that are read, and so are not written over.
 
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 /// Which file it is, whatever it is called.
 #[cfg(unix)]
 type Identity = (u64, u64);
 #[cfg(not(unix))]
-type Identity = PathBuf;
+type Identity = std::path::PathBuf;
 
 /// The files that were read; none while nobody asks for them to be kept.
 static INPUTS: Mutex<Option<HashSet<Identity>>> = Mutex::new(None);

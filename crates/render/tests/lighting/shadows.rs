@@ -137,7 +137,7 @@ fn shadows_stay_where_something_large_is_far_away() {
         let matte = Material::of_lobes("matte", vec![Lobe::new(shape("lambert", &[]), Rgb::gray(0.8))]);
         let place = DVec3::new(0.2, 0.0, -0.9) * distance;
         let hill = DMat4::from_translation(place) * DMat4::from_scale(DVec3::splat(1e-3 * distance));
-        add(&mut scene, common::builtin(glanz_scene::Builtin::Cube), matte, hill);
+        add(&mut scene, common::builtin(glanz_scene::Builtin::Cube { size: 1.0 }), matte, hill);
         assert!(flipped(&near, &scene) <= 4, "at {distance} m: {}", flipped(&near, &scene));
     }
 }
