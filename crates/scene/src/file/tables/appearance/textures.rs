@@ -90,7 +90,7 @@ pub(crate) enum RoughValue {
     /// `false`: it is as rough everywhere, whatever the material's picture says.
     Never,
     /// By a picture of its own.
-    Own(TextureChannelTable),
+    Own(Box<TextureChannelTable>),
 }
 
 impl<'de> Deserialize<'de> for RoughValue {
@@ -108,7 +108,8 @@ impl<'de> Deserialize<'de> for RoughValue {
                 }
             }
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RoughValue, A::Error> {
-                TextureChannelTable::deserialize(MapAccessDeserializer::new(map)).map(RoughValue::Own)
+                let table = TextureChannelTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(RoughValue::Own(Box::new(table)))
             }
         }
         deserializer.deserialize_any(Rough)

@@ -96,7 +96,7 @@ impl<'a> Textures<'a> {
         if self.unreadable.contains(&info.index) || self.known.contains_key(&(info.index, Reading::Numbers)) {
             return self.means(Some(info), path, context);
         }
-        let memory = self.memory.clone();
+        let memory = self.memory;
         let picture = self.picture(texture, Place::Path(format!("textures[{}]", info.index)), context)?;
         self.memory = memory;
         Ok(picture.map(|(_, picture)| means(&picture)))

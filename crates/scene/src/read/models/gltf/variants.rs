@@ -66,7 +66,7 @@ pub(super) fn choose(root: &mut Root, context: &mut Context<'_>) -> Result<(), R
 }
 
 fn list(names: &[&str]) -> String {
-    let mut list: Vec<String> = names.iter().take(LISTED).map(|name| excerpt(name)).collect();
+    let mut list: Vec<String> = names.iter().copied().take(LISTED).map(excerpt).collect();
     if names.len() > LISTED {
         list.push(format!("and {} more", names.len() - LISTED));
     }
