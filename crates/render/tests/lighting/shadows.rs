@@ -108,8 +108,7 @@ fn a_luminaire_sends_what_its_profile_says() {
 /// A ball on a table of 4 m, in the sun.
 fn ball_on_a_table() -> Scene {
     let mut scene = empty(common::camera(9.0, 40.0));
-    scene.camera =
-        scene.camera.map(|camera| glanz_scene::Camera { eye: DVec3::new(2.0, 5.0, 6.0), ..camera });
+    scene.camera = scene.camera.map(|camera| Camera { eye: DVec3::new(2.0, 5.0, 6.0), ..camera });
     let matte = || Material::of_lobes("matte", vec![Lobe::new(shape("lambert", &[]), Rgb::gray(0.8))]);
     add(&mut scene, common::sphere(48, 24), matte(), DMat4::from_translation(DVec3::Y * 1.01));
     let plane = common::builtin(glanz_scene::Builtin::Plane);
