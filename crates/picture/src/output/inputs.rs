@@ -33,13 +33,15 @@ pub(super) fn is_input(path: &Path) -> bool {
 }
 
 /// None of what is no file.
+#[cfg(unix)]
 fn identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
     let metadata = std::fs::metadata(path).ok().filter(std::fs::Metadata::is_file)?;
-    #[cfg(unix)]
-    return Some((
-        std::os::unix::fs::MetadataExt::dev(&metadata),
-        std::os::unix::fs::MetadataExt::ino(&metadata),
-    ));
-    #[cfg(not(unix))]
-    std::fs::canonicalize(path).ok()
+    Some((metadata.dev(), metadata.ino()))
+}
+
+/// None of what is no file.
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<Identity> {
+    if path.is_file() { std::fs::canonicalize(path).ok() } else { None }
 }
