@@ -111,7 +111,7 @@ fn fuzz(workspace: &Workspace, programs: &Path, folder: &Path, name: &str, optio
     command
         .arg(format!("-seed={}", options.seed))
         .arg(format!("-artifact_prefix={}/{name}-", found.display()));
-    command.args(["-timeout=20", "-rss_limit_mb=2048", "-print_final_stats=1", "-verbosity=1"]);
+    command.args(["-timeout=20", "-rss_limit_mb=6144", "-print_final_stats=1", "-verbosity=1"]);
     let output = command.output().map_err(Failure::during(name))?;
     let said = String::from_utf8_lossy(&output.stderr);
     // The rest are lines for each input that reaches something new.
