@@ -88,7 +88,7 @@ pub(crate) fn tell_of_gif(animation: &Animation) {
     if (shown / animation.frame_s - 1.0).abs() > 0.01 {
         let [shown, asked] = [shown, animation.frame_s].map(|seconds| number(1.0 / seconds));
         print::note(format_args!(
-            "note: a GIF counts hundredths of a second: it has {shown} frames a second, not {asked}; an .apng or .mp4 can have them"
+            "note: a GIF counts hundredths of a second: it has {shown} frames a second, not {asked}; an .apng or .mp4 counts finer"
         ));
     }
 }
