@@ -26,7 +26,7 @@ const UNITS: [(&str, u64); 9] = [
 /// budget.take("the first texture", 1_500_000_000)?;
 /// let error = budget.take("the second texture", 1_500_000_000).unwrap_err();
 /// assert_eq!(error.needed(), 3_000_000_000);
-/// assert!(error.to_string().ends_with("--memory 3GB allows as much"));
+/// assert!(error.to_string().ends_with("it takes at least --memory 3GB"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,7 +125,7 @@ impl fmt::Display for OverBudget {
                 write!(f, "{needed}: {bytes} for {what} beside {} of what came before", shown(taken))?;
             }
         }
-        write!(f, "; --memory {} allows as much", option(self.needed()))
+        write!(f, "; it takes at least --memory {}", option(self.needed()))
     }
 }
 
@@ -219,11 +219,11 @@ mod tests {
         assert_eq!(
             budget.take("the texture 'b.png'", 1).unwrap_err().to_string(),
             "expected at most 8 GB of memory, found 8.01 GB: 1 B for the texture 'b.png' beside 8 GB of what came before; \
-             --memory 9GB allows as much"
+             it takes at least --memory 9GB"
         );
         assert_eq!(
             MemoryBudget::of_bytes(1 << 20).check("a picture", 2_512_000).unwrap_err().to_string(),
-            "expected at most 1.05 MB of memory, found 2.52 MB for a picture; --memory 3MB allows as much"
+            "expected at most 1.05 MB of memory, found 2.52 MB for a picture; it takes at least --memory 3MB"
         );
         assert_eq!((budget.left(), budget.whole().left()), (0, 8_000_000_000));
     }

@@ -8,6 +8,7 @@ use glanz_scene::read::{ReadOptions, read_texture, remark_of_texture};
 use glanz_scene::{Program, ProgramText, Scene, Texture, UniformValue, cube_face_files};
 
 use crate::input::shader_text::{included, read};
+use crate::input::whole_file::{MOST_BYTES, read_whole};
 use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
 
@@ -145,7 +146,7 @@ fn texture(file: &str) -> Result<Texture, Failure> {
     let path = Path::new(file);
     let could_not =
         |why: String| Failure::from(Report::new(format!("cannot read '{file}': {why}")).file(path));
-    let bytes = std::fs::read(path).map_err(|error| could_not(without_number(&error.to_string())))?;
+    let bytes = read_whole(path, MOST_BYTES).map_err(|error| could_not(without_number(&error.to_string())))?;
     let texture = read_texture(&bytes, file, &ReadOptions::default());
     let texture = texture.map_err(|error| could_not(error.to_string()))?;
     remark_of_texture(&bytes, file).iter().for_each(|note| print::note(format_args!("note: {note}")));

@@ -13,3 +13,4 @@ pub(crate) mod spectra;
 mod tables;
 pub(crate) mod thresholds;
 pub(crate) mod vary;
+pub(crate) mod whole_file;

@@ -11,6 +11,7 @@ use glanz_picture::Frame;
 use glanz_picture::compare::{Scale, decode_picture_within};
 use glanz_render::{PictureLight, SeenPicture, picture_frame, see_picture};
 
+use crate::input::whole_file::{MOST_BYTES, read_whole};
 use crate::print::failure::{Failure, Report};
 
 /// The endings of pictures.
@@ -38,7 +39,7 @@ impl PictureInput {
 
     /// Reads one, which may take so much memory with what an eye makes of it.
     pub(crate) fn read(path: &Path, mut memory: MemoryBudget) -> Result<Self, Failure> {
-        let bytes = std::fs::read(path).map_err(|error| Failure::from(Report::new(error).file(path)))?;
+        let bytes = read_whole(path, MOST_BYTES).map_err(|error| Failure::from(Report::new(error).file(path)))?;
         let name = path.display().to_string();
         let told = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(path));
         if let Some(image) = spectra(&bytes, &name, memory).map_err(|error| told(&error))? {

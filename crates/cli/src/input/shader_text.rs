@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use glanz_shader::ShaderError;
 
+use crate::input::whole_file::read_whole;
 use crate::print::failure::{Failure, Report, without_number};
 
 /// A file of a shader is no longer than this.
@@ -99,10 +100,6 @@ pub(crate) fn read(file: &Path) -> Result<String, Failure> {
         Failure::from(Report::new(message).file(file))
     };
     let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(file).map_err(io)?.len();
-    if length > MOST_BYTES {
-        return Err(could_not(&format!("a shader of {length} bytes is more than {MOST_BYTES}")));
-    }
-    let bytes = std::fs::read(file).map_err(io)?;
+    let bytes = read_whole(file, MOST_BYTES).map_err(io)?;
     String::from_utf8(bytes).map_err(|_| could_not("expected text in UTF-8"))
 }

@@ -1,6 +1,7 @@
 //! What a picture takes of memory.
 
 use glanz_picture::output::PictureKind;
+use glanz_scene::ColorMode;
 
 use super::{Shot, ShotError};
 
@@ -10,6 +11,11 @@ const CHANNELS: u64 = 4;
 const SURFACES: u64 = 5;
 /// The wavelengths of a spectrum, and a picture to look at.
 const SPECTRUM: u64 = glanz_color::SAMPLES as u64 + 2 * CHANNELS;
+
+/// What the reference holds of a pixel while it sums: the frame of one wavelength, and a sum and a plane of each channel.
+/// Measured: 44 bytes for three channels.
+const REFERENCE: u64 = 4 * CHANNELS;
+const REFERENCE_CHANNEL: u64 = 8 + 4;
 
 impl Shot {
     /// That there is memory for a picture of this kind beside the scene. [`Shot::picture`] asks by itself.
@@ -33,7 +39,11 @@ impl Shot {
             PictureKind::Light => (CHANNELS + SURFACES + more + copies.max(seen), 0, "of linear light"),
             PictureKind::Spectrum => (SPECTRUM, 0, "of spectra"),
         };
-        let bytes = u64::from(width) * u64::from(height) * (4 * floats + codes);
+        let sums = match self.prepared.observation().mode() {
+            ColorMode::Reference => REFERENCE + REFERENCE_CHANNEL * (more + 3),
+            _ => 0,
+        };
+        let bytes = u64::from(width) * u64::from(height) * (4 * floats + codes + sums);
         self.memory.check(format_args!("a picture of {width}×{height} pixels {what}"), bytes)?;
         Ok(())
     }

@@ -3,6 +3,10 @@
 use glam::{DMat3, DVec3};
 use glanz_scene::{AlphaMode, Camera, Object, Projection, Scene};
 
+/// The sizes of scenes in metres whose facets have normals and areas in `f32`.
+const SMALLEST: f64 = 1e-9;
+const LARGEST: f64 = 1e37;
+
 /// What all surfaces have in common for which none of them is seen, if it is that.
 pub(super) fn reason(scene: &Scene, camera: &Camera) -> Option<&'static str> {
     let is_drawn = |object: &Object| {
@@ -21,7 +25,12 @@ pub(super) fn reason(scene: &Scene, camera: &Camera) -> Option<&'static str> {
             backs += u64::from(culled && is_back(camera, facet));
         }
     }
+    let size = scene.bounds().diagonal();
     match (facets, backs) {
+        _ if !(SMALLEST..=LARGEST).contains(&size) => Some(
+            "nothing is seen: the scene is smaller than 1e-9 m or larger than 1e37 m, which 32-bit numbers do not hold; \
+             scale it",
+        ),
         (0, _) => Some("nothing is seen: no facet has an area"),
         (facets, backs) if facets == backs => Some(
             "nothing is seen: all facets show their backs, which their materials do not draw (cull_back, in glTF \
@@ -90,6 +99,11 @@ mod tests {
         let clear =
             |material: &mut Material| (material.opacity, material.alpha_mode) = (0.0, AlphaMode::Blend);
         assert!(reason(&scene(clear, DVec3::ONE), &front).is_some_and(|why| why.contains("transparent")));
-        assert!(reason(&scene(|_| (), DVec3::ZERO), &front).is_some_and(|why| why.contains("area")));
+        let flat = DVec3::new(1.0, 0.0, 1.0);
+        assert!(reason(&scene(|_| (), flat), &front).is_some_and(|why| why.contains("area")));
+        for size in [1e-13, 1e38] {
+            let why = reason(&scene(|_| (), DVec3::splat(size)), &front);
+            assert!(why.is_some_and(|why| why.contains("smaller than 1e-9 m or larger")), "{size}");
+        }
     }
 }

@@ -84,12 +84,13 @@ impl FolderFiles {
 impl Resolver for FolderFiles {
     fn read(&self, reference: &str) -> Result<Vec<u8>, ResolveError> {
         let path = resolve(&self.folder, reference, &self.options)?;
-        let (file, len) = open(&path, self.options.max_bytes)?;
+        let most = self.options.max_bytes.min(self.options.memory.left());
+        let (file, len) = open(&path, most)?;
         let mut bytes = Vec::new();
         let memory = bytes.try_reserve_exact(len as usize);
         memory.map_err(|error| ResolveError::Io(io::Error::new(io::ErrorKind::OutOfMemory, error)))?;
         // The file may grow while it is read: the limit holds all the same.
-        file.take(self.options.max_bytes).read_to_end(&mut bytes).map_err(ResolveError::Io)?;
+        file.take(most).read_to_end(&mut bytes).map_err(ResolveError::Io)?;
         Ok(bytes)
     }
 }

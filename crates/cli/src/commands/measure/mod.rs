@@ -22,10 +22,8 @@ use std::path::Path;
 use clap::{Args, Subcommand};
 use glanz_measure::{Measured, Quantity, ReadError, ReadOptions};
 
+use crate::input::whole_file::{MOST_BYTES, read_whole};
 use crate::print::failure::{Failure, Report, without_number};
-
-/// A file is no longer than this; the anisotropic sets of the collections have some 100 MB.
-const MOST_BYTES: u64 = 1 << 30;
 
 /// What to do with measured reflectance.
 #[derive(Subcommand, Debug)]
@@ -124,11 +122,7 @@ pub(crate) fn read(file: &Path, args: &ReadArgs) -> Result<Measured, Failure> {
     let could_not =
         |why: &str| Failure::from(Report::new(format_args!("cannot read '{name}': {why}")).file(file));
     let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(file).map_err(io)?.len();
-    if length > MOST_BYTES {
-        return Err(could_not(&format!("a file of {length} bytes is more than {MOST_BYTES}")));
-    }
-    let bytes = std::fs::read(file).map_err(io)?;
+    let bytes = read_whole(file, MOST_BYTES).map_err(io)?;
     let options = ReadOptions { quantity: args.quantity, scale: args.scale, srgb_white: args.srgb_white };
     Measured::read(&bytes, &name, &options).map_err(|error| failure(&error, file, &bytes))
 }

@@ -38,7 +38,10 @@ pub(crate) fn prepare(
     let mut ambient = [true, false].map(|textured| table.ambient(terms.ambient(textured), None));
     // Light of its own that textures multiply rides along with the ambient light that they multiply.
     add(&mut ambient[0], table.emission(&terms.textured_emission, None));
+    let spot_ambient = spot_ambient(table, &terms);
+    let mix = || Box::new(mix_tints(table, &direct, &terms, !spot_ambient.is_empty()));
     Ok(PreparedMaterial {
+        mix: table.mixes_spectra().then(mix),
         anisotropic: lobes.iter().any(DirectLobe::is_anisotropic),
         transmits: lobes.iter().any(|lobe| lobe.shape.info().side == Side::Transmission),
         lobes,
@@ -46,9 +49,8 @@ pub(crate) fn prepare(
         integrals: Vec::new(),
         series: table.series(&direct),
         ambient,
-        spot_ambient: spot_ambient(table, &terms),
+        spot_ambient,
         emission: table.emission(&terms.emission, None),
-        mix: table.mixes_spectra().then(|| Box::new(mix_tints(table, &direct, &terms))),
         two_sided: material.two_sided,
         cull_back: material.cull_back,
         base_color: material.base_color,
@@ -174,7 +176,7 @@ fn spot_ambient(table: &Table, terms: &Terms) -> Vec<[Entry; 2]> {
     if rows.iter().any(|row| *row != [[0.0; 3]; 2]) { rows } else { Vec::new() }
 }
 
-fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
+fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms, has_cones: bool) -> MixTints {
     const BASIS: [Option<usize>; 3] = [Some(0), Some(1), Some(2)];
     let by_entry = |columns: [Vec<Entry>; 3]| {
         let [a, b, c] = columns;
@@ -187,7 +189,10 @@ fn mix_tints(table: &Table, direct: &[&Lobe], terms: &Terms) -> MixTints {
             add(&mut sum, table.emission(&terms.textured_emission, b));
             sum
         }),
-        spot_ambient: by_entry(BASIS.map(|b| table.spot_ambient(terms.ambient(true), b))),
+        spot_ambient: match has_cones {
+            true => by_entry(BASIS.map(|b| table.spot_ambient(terms.ambient(true), b))),
+            false => Vec::new(),
+        },
         emission: BASIS.map(|b| table.emission(&terms.emission, b)),
     }
 }

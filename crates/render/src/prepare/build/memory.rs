@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use glanz_math::MemoryBudget;
 use glanz_scene::builtin::MAX_TRIANGLES;
 use glanz_scene::memory::{environment_bytes, texture_bytes};
-use glanz_scene::{LightKind, Material, Mesh, Scene};
+use glanz_scene::{ColorMode, LightKind, Material, Mesh, Object, Scene, Shading};
 
 use super::geometry::clusters::vertex_count;
 use super::geometry::objects::needs_tangents;
@@ -20,6 +20,10 @@ use crate::prepare::{PrepareError, PrepareOptions};
 const TRIANGLE: u64 = 11 + size_of::<Cluster>() as u64 / 85 + 1;
 /// What drawing holds of each triangle that is seen. Measured: 37 bytes.
 const DRAWING: u64 = 40;
+/// Beside it what is held of each at its vertices, or once, with Gouraud and flat shading; Gouraud twice where
+/// three spectra are mixed. Measured: 53, 106 and 12 bytes.
+const GOURAUD: u64 = 55;
+const FLAT: u64 = 14;
 /// Beside it with shadows: boxes and all that the builder holds of them, more than what is kept. Measured: 218 bytes.
 const SHADOW: u64 = 225;
 /// Position, normal and number of a vertex of a cluster.
@@ -28,6 +32,8 @@ const VERTEX: u64 = 28;
 const TINT: u64 = 14;
 /// What drawing holds of a light and a material, where a loop of its own serves it. Measured with the table: 70 bytes for one lobe.
 const LOOP: u64 = 56;
+/// The same entry through each of the three spectra that textures and vertex colours mix, but in RGB.
+const MIXED: u64 = 36;
 /// A tint that depends on an angle: at most 32 terms.
 const SERIES: u64 = 24 + 32 * TINT;
 
@@ -46,27 +52,33 @@ pub(crate) fn memory_beside(scene: &Scene, options: &PrepareOptions) -> Result<M
     memory.take("environments", maps.sum())?;
     let (lights, materials) = (scene.lights.len(), scene.materials.len());
     let what = format_args!("the tints of {lights} lights on {materials} materials");
-    memory.take(what, tints(scene))?;
-    check_triangles(scene, &mut memory)?;
+    let mixes_spectra = options.observation.mode() != ColorMode::Rgb;
+    memory.take(what, tints(scene, mixes_spectra))?;
+    check_triangles(scene, mixes_spectra, &mut memory)?;
     Ok(memory)
 }
 
 /// The tint table: an entry for each pair of a light and a lobe, three more where textures mix spectra; and what drawing makes of it.
-fn tints(scene: &Scene) -> u64 {
+fn tints(scene: &Scene, mixes_spectra: bool) -> u64 {
     let lights: u64 = scene.lights.iter().map(|light| rows(light) as u64).sum();
+    let has_cones = scene.lights.iter().any(|light| matches!(light.kind, LightKind::Spot { .. }));
     let of_material = |material: &Material| {
         let (lobes, is_curve) = (&material.lobes, |lobe| coordinate_of(lobe) != TintCoordinate::None);
-        let mixed = if material.base_color.is_some() { 3 * TINT } else { 0 };
         let series = if lobes.iter().any(is_curve) { SERIES } else { 0 };
-        let of_lobe = TINT + mixed + series;
-        (lobes.len() as u64).saturating_mul(of_lobe).saturating_add(LOOP).saturating_mul(lights)
+        let of_lobe = TINT + if mixes_spectra { MIXED } else { 0 } + series;
+        let of_light = LOOP + if has_cones { 2 * MIXED } else { 0 };
+        (lobes.len() as u64).saturating_mul(of_lobe).saturating_add(of_light).saturating_mul(lights)
     };
     scene.materials.iter().map(of_material).fold(0, u64::saturating_add)
 }
 
 /// Triangles and their shadows. Vertices of clusters are counted one by one only where the most that they can
 /// be matters.
-fn check_triangles(scene: &Scene, memory: &mut MemoryBudget) -> Result<(), PrepareError> {
+fn check_triangles(
+    scene: &Scene,
+    mixes_spectra: bool,
+    memory: &mut MemoryBudget,
+) -> Result<(), PrepareError> {
     let triangles_of = |number: usize| scene.meshes[number].triangle_count() as u64;
     let numbers = || scene.objects.iter().map(|object| object.mesh);
     let triangles = numbers().map(triangles_of).fold(0, u64::saturating_add);
@@ -76,7 +88,7 @@ fn check_triangles(scene: &Scene, memory: &mut MemoryBudget) -> Result<(), Prepa
     }
     let meshes: u64 = scene.meshes.iter().map(mesh_bytes).sum();
     let vertex = vertex_bytes(scene);
-    let fixed = meshes + completed(scene) + triangles * (TRIANGLE + DRAWING);
+    let fixed = meshes + completed(scene) + triangles * (TRIANGLE + DRAWING + shading_bytes(scene, mixes_spectra));
     let shadows = if scene.render.shadows { triangles * SHADOW } else { 0 };
     let most = fixed.saturating_add(3 * triangles * vertex).saturating_add(shadows);
     if most <= memory.left() / 8 {
@@ -89,6 +101,18 @@ fn check_triangles(scene: &Scene, memory: &mut MemoryBudget) -> Result<(), Prepa
     memory.take(format_args!("{triangles} triangles"), fixed + vertices * vertex)?;
     memory.take(format_args!("the shadows of {triangles} triangles"), shadows)?;
     Ok(())
+}
+
+/// What drawing holds of a triangle beside what it holds of each, by the shading that takes most.
+fn shading_bytes(scene: &Scene, mixes_spectra: bool) -> u64 {
+    let shading_of = |object: &Object| object.shading.unwrap_or(scene.render.shading);
+    let is_any = |shading| scene.objects.iter().any(|object| shading_of(object) == shading);
+    match (is_any(Shading::Gouraud), is_any(Shading::Flat)) {
+        (true, _) if mixes_spectra => 2 * GOURAUD,
+        (true, _) => GOURAUD,
+        (false, true) => FLAT,
+        (false, false) => 0,
+    }
 }
 
 /// The arrays of a mesh.

@@ -128,7 +128,7 @@ pub struct MixTints {
     pub tints: Vec<[[f32; 3]; 3]>,
     /// As the first of [`PreparedMaterial::ambient`].
     pub ambient: [[f32; 3]; 3],
-    /// As the first of each of [`PreparedMaterial::spot_ambient`].
+    /// As the first of each of [`PreparedMaterial::spot_ambient`], and empty where that is.
     pub spot_ambient: Vec<[[f32; 3]; 3]>,
     /// As [`PreparedMaterial::emission`].
     pub emission: [[f32; 3]; 3],

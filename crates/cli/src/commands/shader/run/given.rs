@@ -7,11 +7,9 @@ use glanz_shader::{Program, TextureInfo, TexturePicture, UniformError, UniformVa
 
 use super::RunArgs;
 use crate::args::{cube_faces, numbers};
+use crate::input::whole_file::{MOST_BYTES, read_whole};
 use crate::print;
 use crate::print::failure::{Failure, Report, without_number};
-
-/// A file of a picture is no longer than this.
-const MOST_BYTES: u64 = 1 << 28;
 
 /// The picture of a file for a texture.
 pub(super) fn picture(file: &str, texture: &TextureInfo) -> Result<TexturePicture, Failure> {
@@ -42,11 +40,7 @@ fn read(file: &str) -> Result<TexturePicture, Failure> {
     let could_not =
         |why: &str| Failure::from(Report::new(format_args!("cannot read '{file}': {why}")).file(path));
     let io = |error: std::io::Error| could_not(&without_number(&error.to_string()));
-    let length = std::fs::metadata(path).map_err(io)?.len();
-    if length > MOST_BYTES {
-        return Err(could_not(&format!("a picture of {length} bytes is more than {MOST_BYTES}")));
-    }
-    let bytes = std::fs::read(path).map_err(io)?;
+    let bytes = read_whole(path, MOST_BYTES).map_err(io)?;
     let texture = read_texture(&bytes, file, &ReadOptions::default())
         .map_err(|error| Failure::from(Report::new(error).file(path)))?;
     remark_of_texture(&bytes, file).iter().for_each(|note| print::note(format_args!("note: {note}")));

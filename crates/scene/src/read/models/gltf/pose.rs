@@ -81,6 +81,7 @@ fn morph(
         let Some(&accessor) = target.get(name) else { return Ok(Vec::new()) };
         let user = format!("{path}.{name}");
         let moves = source.floats::<3>(accessor, &["VEC3"], pick, &user)?;
+        source.budget.spend(size_of_val(&moves[..]) as u64, source.file, || user.clone())?;
         if moves.len() != count {
             let expected = format!("{count} items, as there are positions");
             return Err(source.malformed(Place::Path(user), expected, moves.len().to_string()));
