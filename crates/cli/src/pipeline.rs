@@ -36,7 +36,7 @@ impl Plan {
     ) -> Result<Self, Failure> {
         let image = look.image(&input.scene, size);
         let camera = camera.resolve(input, (image.width, image.height))?;
-        let draw = look.draw_options(&image, input.scene.render.show)?;
+        let draw = look.draw_options(&image, &input.scene.render)?;
         let seen = look.color.resolve(&input.scene, draw.show)?;
         let develop = develop.resolve(&input.scene.render)?;
         let options = ShotOptions {

@@ -45,7 +45,7 @@ pub use prepare::{
 };
 pub use session::Session;
 pub use shot::{
-    NOT_REACHED, PictureLight, Remark, RemarkKind, SaveError, SeenPicture, Shot, ShotError, ShotOptions,
+    LightError, NOT_REACHED, PictureLight, Remark, RemarkKind, SaveError, SeenPicture, Shot, ShotError, ShotOptions,
     Step, UniformFill, ValueFrame, Xray, picture_frame, see_picture,
 };
-pub use view::{Aovs, DebugView, DrawOptions, Moment, Samples, SamplesError, View, ViewError};
+pub use view::{Aovs, DebugView, DrawOptions, ExactLighting, Half, Moment, Samples, SamplesError, View, ViewError};

@@ -126,7 +126,8 @@ impl Opened {
         let Some(stops) = exposure::of_lamps(&self.scene) else { return };
         self.scene.render.ev = stops;
         self.notes.push(format!(
-            "the lights of the file ask for an exposure of {stops:+.1} stops, which is taken; --ev sets another one"
+            "the lights of the file ask for an exposure of {stops:+.1} stops, which is taken; --ev sets another one, \
+             --lights three-point or studio other lights"
         ));
     }
 

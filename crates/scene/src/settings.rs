@@ -42,6 +42,16 @@ names! {
 }
 
 names! {
+    /// How light from areas and environments is found.
+    pub Lighting {
+        /// By what is prepared for each lobe: fast, with the errors that are stated.
+        Fast = "fast",
+        /// By points in the lights and in the lobes: slow, as exact as there are points.
+        Exact = "exact",
+    } default Fast
+}
+
+names! {
     /// What a picture shows.
     pub DebugView {
         /// Light on surfaces.
@@ -136,6 +146,13 @@ pub struct RenderSettings {
     pub white: White,
     /// Whether surfaces stand in each other's light. The classic models know no shadows.
     pub shadows: bool,
+    /// How light from areas and environments is found.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub lighting: Lighting,
+    /// Points of each such light, of each lobe and of the hemisphere at each pixel, if it is found by points; 1024 where
+    /// nothing is said.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub light_samples: Option<u32>,
     /// A mistake to be drawn on purpose.
     #[serde(default, skip_serializing_if = "is_default")]
     pub mistake: Option<Mistake>,

@@ -3,7 +3,7 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use glanz_bsdf::{LightTerm, MODELS};
 use glanz_render::{DebugView, Encoding, ToneMap};
-use glanz_scene::{Interpolation, Mistake, Shading};
+use glanz_scene::{Interpolation, Lighting, Mistake, Shading};
 
 /// What a name on the command line stands for, the name, and a line of help.
 type Choice<T> = (T, &'static str, &'static str);
@@ -49,6 +49,11 @@ pub(crate) fn interpolation() -> impl TypedValueParser<Value = Interpolation> {
 /// Parses the name of a view.
 pub(crate) fn show() -> impl TypedValueParser<Value = DebugView> {
     parser(DebugView::ALL)
+}
+
+/// Parses the name of a way to find light.
+pub(crate) fn lighting() -> impl TypedValueParser<Value = Lighting> {
+    parser(Lighting::ALL)
 }
 
 /// Parses the name of a tone map.

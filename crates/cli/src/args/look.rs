@@ -1,8 +1,8 @@
 //! How it is drawn.
 
 use clap::Args;
-use glanz_render::{DebugView, DrawOptions, Observation, PrepareOptions, SamplesError};
-use glanz_scene::{Background, Image, Interpolation, Mistake, Scene, Shading};
+use glanz_render::{DebugView, DrawOptions, ExactLighting, Observation, PrepareOptions, SamplesError};
+use glanz_scene::{Background, Image, Interpolation, Lighting, Mistake, RenderSettings, Scene, Shading};
 
 use super::{ColorArgs, choices, values};
 use crate::print::failure::Failure;
@@ -34,6 +34,16 @@ pub(crate) struct LookArgs {
     /// What the picture shows [default: shaded]
     #[arg(long, value_name = "VIEW", value_parser = choices::show())]
     pub show: Option<DebugView>,
+
+    /// How light from areas and environments is found, with shadows also what hides them in part [default: the scene's,
+    /// else fast]
+    #[arg(long, value_name = "HOW", value_parser = choices::lighting())]
+    pub lighting: Option<Lighting>,
+
+    /// Points of each area and environment at each pixel with --lighting exact; powers of two are spread best [default:
+    /// the scene's, else 1024]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 20))]
+    pub light_samples: Option<u32>,
 
     /// A mistake to draw on purpose, for teaching
     #[arg(long, value_name = "NAME", value_parser = choices::mistake())]
@@ -71,12 +81,22 @@ impl LookArgs {
         }
     }
 
-    /// How to draw this picture; `show` is the scene's own view.
-    pub(crate) fn draw_options(&self, image: &Image, show: DebugView) -> Result<DrawOptions, Failure> {
+    /// How to draw this picture; `own` is what the scene says.
+    pub(crate) fn draw_options(&self, image: &Image, own: &RenderSettings) -> Result<DrawOptions, Failure> {
+        let lighting = RenderSettings {
+            lighting: self.lighting.unwrap_or(own.lighting),
+            light_samples: self.light_samples.or(own.light_samples),
+            ..*own
+        };
+        if self.light_samples.is_some() && lighting.lighting != Lighting::Exact {
+            let message = "--light-samples are those of exact lighting; expected --lighting exact with it";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         Ok(DrawOptions {
             samples: image.samples.try_into().map_err(|error: SamplesError| Failure::new(error))?,
             supersample: image.supersample,
-            show: self.show.unwrap_or(show),
+            show: self.show.unwrap_or(own.show),
+            exact: ExactLighting::of(&lighting),
             ..DrawOptions::new(image.background)
         })
     }

@@ -23,7 +23,7 @@ use std::path::Path;
 
 use clap::{Command as ClapCommand, Subcommand};
 
-use self::draw::{modes, relight, render, shade_compare, sheet, sweep};
+use self::draw::{lighting_error, modes, relight, render, shade_compare, sheet, sweep};
 use crate::print::failure::Failure;
 
 /// What to do.
@@ -38,6 +38,9 @@ pub(crate) enum Command {
     /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
     #[command(after_help = shade_compare::EXAMPLES)]
     ShadeCompare(Box<shade_compare::ShadeCompareArgs>),
+    /// Measure how far the fast way to light from areas and environments is from the exact one
+    #[command(after_help = lighting_error::EXAMPLES)]
+    LightingError(Box<lighting_error::LightingErrorArgs>),
     /// Draw in several colour modes side by side, and measure their errors
     #[command(after_help = modes::EXAMPLES)]
     Modes(Box<modes::ModesArgs>),
@@ -124,6 +127,7 @@ impl Command {
             Self::Render(_) => vec!["render"],
             Self::Sweep(_) => vec!["sweep"],
             Self::ShadeCompare(_) => vec!["shade-compare"],
+            Self::LightingError(_) => vec!["lighting-error"],
             Self::Modes(_) => vec!["modes"],
             Self::Relight(_) => vec!["relight"],
             Self::Eye(_) => vec!["eye"],
@@ -161,6 +165,7 @@ impl Command {
             Self::Render(args) => &args.input,
             Self::Sweep(args) => &args.input,
             Self::ShadeCompare(args) => &args.input,
+            Self::LightingError(args) => &args.input,
             Self::Modes(args) => &args.input,
             Self::Relight(args) => &args.input,
             Self::Eye(args) => &args.input,
@@ -175,6 +180,7 @@ impl Command {
             Self::Render(args) => args.run(),
             Self::Sweep(args) => args.run(),
             Self::ShadeCompare(args) => args.run(),
+            Self::LightingError(args) => args.run(),
             Self::Modes(args) => args.run(),
             Self::Relight(args) => args.run(),
             Self::Eye(args) => args.run(),

@@ -5,7 +5,7 @@ use clap::builder::PossibleValuesParser;
 use glanz_plot::PlotData;
 use serde_json::Value;
 
-use super::draw::{film, modes, relight, render, shade_compare};
+use super::draw::{film, lighting_error, modes, relight, render, shade_compare};
 use super::{bsdf, check, color, compare, devices, example, eye, lesson, material, measure, probe, shader};
 use crate::print;
 use crate::print::document::schema;
@@ -27,7 +27,7 @@ is what 'glanz render --frames' prints, and error what a command prints that fai
 type Named = (&'static str, fn() -> Value);
 
 /// Everything that has a schema, by its name.
-const SCHEMAS: [Named; 58] = [
+const SCHEMAS: [Named; 59] = [
     ("scene", glanz_scene::file::schema),
     ("error", schema::<ErrorDocument>),
     ("render", schema::<render::Document>),
@@ -35,6 +35,7 @@ const SCHEMAS: [Named; 58] = [
     ("render-frames", schema::<film::Document>),
     ("sweep", schema::<SheetDocument>),
     ("shade-compare", schema::<shade_compare::Document>),
+    ("lighting-error", schema::<lighting_error::Document>),
     ("modes", schema::<modes::Document>),
     ("relight", schema::<relight::Document>),
     ("eye", schema::<eye::Document>),

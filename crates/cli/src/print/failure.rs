@@ -228,6 +228,19 @@ pub(crate) fn without_number(message: &str) -> String {
     }
 }
 
+/// A text whose lines have at most about so many bytes.
+fn shortened(text: &str, longest: usize) -> String {
+    let cut = |line: &str| match line.len() <= longest {
+        true => line.to_owned(),
+        false => {
+            let boundary = (0..longest - 4).rev().find(|at| line.is_char_boundary(*at)).unwrap_or(0);
+            let end = if line.ends_with('\n') { "\n" } else { "" };
+            format!("{} …{end}", &line[..boundary])
+        }
+    };
+    text.split_inclusive('\n').map(cut).collect()
+}
+
 /// A text in which the line at fault is short enough to be shown, and where the fault is in it.
 fn short_line(text: String, span: std::ops::Range<usize>) -> (String, std::ops::Range<usize>) {
     /// Bytes of a line that are shown whole, and on either side of the fault where it is longer.
@@ -238,6 +251,15 @@ fn short_line(text: String, span: std::ops::Range<usize>) -> (String, std::ops::
     let (start, end) = (boundary(span.start), boundary(span.end.max(span.start)));
     let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
     let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+    // The lines around it are shown, too.
+    let longest_around = |text: &str| text.lines().map(str::len).max().unwrap_or(0) <= LONGEST;
+    if !(longest_around(&text[..line_start]) && longest_around(&text[line_end..])) {
+        let moved = shortened(&text[..line_start], LONGEST);
+        let by = moved.len();
+        let after = shortened(&text[line_end..], LONGEST);
+        let text = format!("{moved}{}{after}", &text[line_start..line_end]);
+        return short_line(text, by + span.start - line_start..by + span.end.max(span.start) - line_start);
+    }
     if line_end - line_start <= LONGEST {
         return (text, span);
     }
@@ -401,6 +423,10 @@ mod tests {
         assert!(cut.len() < 300 && cut.starts_with("first\n… ä") && cut.ends_with("b …\nlast"), "{cut}");
         let (cut, span) = short_line(text.clone(), start..text.len());
         assert!(cut.len() < 400 && cut[span].starts_with("faultb"), "{cut}");
+        let beside = format!("{}\nfault\n{}\n", "ä".repeat(3000), "b".repeat(5000));
+        let start = beside.find("fault").unwrap();
+        let (cut, span) = short_line(beside, start..start + 5);
+        assert!(&cut[span] == "fault" && cut.len() < 900 && cut.ends_with("bb …\n"), "{cut}");
         let (same, span) = short_line("short".to_owned(), 2..9);
         assert_eq!((same.as_str(), span), ("short", 2..9));
     }

@@ -55,6 +55,8 @@ fails! {
     a_sweep_of_too_many_pictures: ["sweep", "scene.toml", "--vary", "camera.fov_deg=1:9:5000", "--vary", "render.ev=1:9:5000"];
     a_sheet_as_exr: ["sweep", "scene.toml", "--vary", "render.ev=1,2", "-o", "a.exr"];
     a_comparison_of_one_shading: ["shade-compare", "scene.toml", "--shading", "flat"];
+    a_lighting_error_of_one_way: ["lighting-error", "scene.toml", "--lighting", "fast"];
+    light_samples_without_exact_lighting: ["render", "scene.toml", "--light-samples", "64"];
     an_unknown_bsdf: ["bsdf", "show", "pong"];
     an_unknown_parameter: ["bsdf", "eval", "phong", "--set", "roughness=1", "--wo", "0,0", "--wi", "0,0"];
     a_parameter_out_of_range: ["bsdf", "eval", "phong", "--set", "shininess=-1", "--wo", "0,0", "--wi", "0,0"];

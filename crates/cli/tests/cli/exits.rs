@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 59] = [
+const COULD_NOT: [&[&str]; 60] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -22,6 +22,7 @@ const COULD_NOT: [&[&str]; 59] = [
     &["sweep", "none.toml", "--vary", "render.ev=0,1", "-o", "a.png"],
     &["sweep", "wrong.toml", "--vary", "render.ev=0,1", "-o", "a.png"],
     &["shade-compare", "none.toml", "-o", "a.png"],
+    &["lighting-error", "none.toml", "-o", "a.png"],
     &["modes", "wrong.toml", "-o", "a.png"],
     &["eye", "none.toml", "--age", "20,80", "-o", "a.png"],
     &["relight", "none.toml", "--light", "A", "-o", "a.png"],
@@ -302,12 +303,13 @@ fn what_is_judged_is_one_document_with_its_error() {
 #[test]
 fn stdout_takes_json_or_a_picture_but_not_both() {
     let folder = folder();
-    let commands: [&[&str]; 8] = [
+    let commands: [&[&str]; 9] = [
         &["render", "scene.toml", "-o", "-"],
         &["render", "scene.toml", "--preview"],
         &["sweep", "scene.toml", "--vary", "render.ev=0,1", "-o", "-"],
         &["shade-compare", "scene.toml", "-o", "-"],
         &["modes", "scene.toml", "-o", "-"],
+        &["lighting-error", "scene.toml", "-o", "-"],
         &["sheet", "phong", "--vary", "shininess=1,2", "-o", "-"],
         &["material", "sheet", "gold", "-o", "-"],
         &["compare", "a.png", "b.png", "-o", "-"],

@@ -3,11 +3,12 @@
 use crate::folder::Folder;
 
 /// The words that lead to every command.
-pub(crate) const COMMANDS: [&[&str]; 64] = [
+pub(crate) const COMMANDS: [&[&str]; 65] = [
     &[],
     &["render"],
     &["sweep"],
     &["shade-compare"],
+    &["lighting-error"],
     &["compare"],
     &["modes"],
     &["relight"],

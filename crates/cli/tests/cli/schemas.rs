@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::help::{COMMANDS, help};
 
 /// The name of a schema, and command lines whose output is of it.
-const DOCUMENTS: [(&str, &[&[&str]]); 56] = [
+const DOCUMENTS: [(&str, &[&[&str]]); 57] = [
     ("devices", &[&["devices"]]),
     (
         "render",
@@ -22,6 +22,7 @@ const DOCUMENTS: [(&str, &[&[&str]]); 56] = [
         &[&["sweep", "scene.toml", "--vary", "render.shading=flat,phong", "--size", "24x16", "-o", "s.png"]],
     ),
     ("shade-compare", &[&["shade-compare", "scene.toml", "-o", "s.png"]]),
+    ("lighting-error", &[&["lighting-error", "scene.toml", "-o", "s.png"]]),
     ("modes", &[&["modes", "scene.toml", "--modes", "rgb,sampled:4", "-o", "s.png"]]),
     ("relight", &[&["relight", "scene.toml", "--light", "A", "--light", "D65", "-o", "s.png"]]),
     ("eye-mach", &[&["eye", "scene.toml", "--mach", "y=3", "-o", "m.svg"]]),

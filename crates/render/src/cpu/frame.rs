@@ -87,8 +87,8 @@ impl<'a> FrameView<'a> {
         programs: Option<Programs<'a>>,
     ) -> Self {
         let camera = ViewCamera::new(prepared, view);
-        let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options));
-        let materials = ShadeMaterial::all(shown_materials(prepared, options.show));
+        let lights = ShadeLights::new(ViewLights::new(prepared, &camera, options), options.exact);
+        let materials = ShadeMaterial::all(shown_materials(prepared, options.show), options.exact.is_some());
         let loops = materials.iter().map(|material| MatteHighlight::new(material, &lights)).collect();
         let mut objects: Vec<_> = prepared
             .objects

@@ -2,6 +2,7 @@
 
 mod draw;
 mod error;
+mod light_error;
 mod memory;
 mod mistaken;
 mod of_picture;
@@ -18,6 +19,7 @@ mod xray;
 pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
 pub(crate) use mistaken::mistaken;
+pub use light_error::LightError;
 pub use of_picture::{PictureLight, SeenPicture, picture_frame, see_picture};
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};

@@ -6,7 +6,7 @@ use glanz_scene::{Camera, Mistake, Scene, White};
 
 use super::ShotError;
 use crate::prepare::{Observation, PrepareOptions};
-use crate::view::{DrawOptions, Samples};
+use crate::view::{DrawOptions, ExactLighting, Samples};
 
 /// What a picture is made with beside the scene.
 ///
@@ -75,6 +75,7 @@ impl ShotOptions {
                 samples: Samples::try_from(image.samples)?,
                 supersample: image.supersample,
                 show: scene.render.show,
+                exact: ExactLighting::of(&scene.render),
                 ..DrawOptions::new(image.background)
             },
             ev: scene.render.ev as f32,

@@ -38,6 +38,8 @@ pub enum RemarkKind {
     Dark,
     /// Much is above white.
     Clipped,
+    /// How exact light is that is found by points.
+    Lighting,
     /// A uniform or a picture of a program is set by nobody, or a program gives what is no number.
     Program,
 }
@@ -114,6 +116,9 @@ impl Shot {
             return Ok(remarks);
         }
         let is_light = self.sight.draw.show.is_light();
+        if is_light && let Some(error) = self.light_error()? {
+            remarks.push(Remark::new(RemarkKind::Lighting, error.to_string()));
+        }
         if is_light && !has_light(scene) {
             let help = "add [[lights]], or [ambient] light for ambient terms";
             let text = format!("the scene has no lights, so its surfaces are black: {help}");
@@ -176,7 +181,7 @@ impl Shot {
         let aovs = Aovs::default();
         // Before nothing, since pixels on edges show what is behind, too.
         let (samples, background) = (Samples::One, Background::Transparent);
-        let options = DrawOptions { aovs, show, samples, background, ..self.sight.draw };
+        let options = DrawOptions { aovs, show, samples, background, exact: None, ..self.sight.draw };
         let frame = draw_observed(&mut *self.backend, &self.prepared, &view, &options, &mut |_| ())?;
         let frame = if on_screen { self.on_screen(frame)? } else { frame };
         Ok(Surfaces::of(&frame, self.gain()))

@@ -17,6 +17,11 @@ pub(super) fn reason(scene: &Scene, camera: &Camera) -> Option<&'static str> {
     if drawn.is_empty() {
         return Some("nothing is seen: all materials are fully transparent (opacity 0)");
     }
+    let is_cut_out = |object: &&Object| {
+        let material = &scene.materials[object.material];
+        matches!(material.alpha_mode, AlphaMode::Mask { cutoff } if cutoff > material.opacity.max(0.0))
+    };
+    let all_are_cut_out = drawn.iter().all(is_cut_out);
     let (mut facets, mut backs) = (0_u64, 0_u64);
     for object in drawn {
         let culled = scene.materials[object.material].cull_back;
@@ -27,6 +32,9 @@ pub(super) fn reason(scene: &Scene, camera: &Camera) -> Option<&'static str> {
     }
     let size = scene.bounds().diagonal();
     match (facets, backs) {
+        _ if all_are_cut_out => Some(
+            "nothing is seen: the alpha of no material reaches its alpha_cutoff; below it nothing is drawn",
+        ),
         _ if !(SMALLEST..=LARGEST).contains(&size) => Some(
             "nothing is seen: the scene is smaller than 1e-9 m or larger than 1e37 m, which 32-bit numbers do not hold; \
              scale it",
@@ -98,6 +106,8 @@ mod tests {
         let front = camera(3.0, perspective);
         let clear =
             |material: &mut Material| (material.opacity, material.alpha_mode) = (0.0, AlphaMode::Blend);
+        let cut = |material: &mut Material| material.alpha_mode = AlphaMode::Mask { cutoff: 1.5 };
+        assert!(reason(&scene(cut, DVec3::ONE), &front).is_some_and(|why| why.contains("alpha_cutoff")));
         assert!(reason(&scene(clear, DVec3::ONE), &front).is_some_and(|why| why.contains("transparent")));
         let flat = DVec3::new(1.0, 0.0, 1.0);
         assert!(reason(&scene(|_| (), flat), &front).is_some_and(|why| why.contains("area")));

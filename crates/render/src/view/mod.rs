@@ -12,7 +12,7 @@ use glam::{DMat4, DVec3, DVec4};
 use glanz_scene::{Camera, Projection};
 use thiserror::Error;
 
-pub use options::{Aovs, DebugView, DrawOptions, Moment};
+pub use options::{Aovs, DebugView, DrawOptions, ExactLighting, Half, Moment};
 pub use samples::{Samples, SamplesError};
 
 /// The widest and highest picture, in pixels.

@@ -1,6 +1,6 @@
 //! What a frame shows, and how.
 
-use glanz_scene::Background;
+use glanz_scene::{Background, Lighting, RenderSettings};
 pub use glanz_scene::DebugView;
 
 use super::Samples;
@@ -48,11 +48,52 @@ pub struct DrawOptions {
     /// Normals between vertices are used with the length that interpolation leaves them, and not made unit vectors: a
     /// mistake for teaching ([`Mistake::UnnormalisedNormal`](glanz_scene::Mistake::UnnormalisedNormal)).
     pub raw_normals: bool,
+    /// Extended lights by points, rather than by what is prepared for them.
+    pub exact: Option<ExactLighting>,
     /// What programs are told beside the scene.
     pub moment: Moment,
     /// The channels of linear red, green and blue of 1, of which programs' colours are made;
     /// [`ShotOptions`](crate::ShotOptions) sees to it in every mode.
     pub primaries: [[f32; 3]; 3],
+}
+
+/// Areas and environments by points in them, in the lobes and over the hemisphere: the slow truth, that the fast way is
+/// measured against. With shadows each point is seen or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExactLighting {
+    /// Points of each light, and as many of each lobe and of the hemisphere, at each pixel. Powers of two are spread most evenly.
+    pub points: u32,
+    /// Half of the points alone, which are as even as all: the difference of the halves tells how far all are from the truth.
+    pub half: Option<Half>,
+}
+
+impl ExactLighting {
+    /// What a scene asks for, if it asks for it.
+    pub fn of(settings: &RenderSettings) -> Option<Self> {
+        let points = settings.light_samples.map_or_else(Self::default, Self::new);
+        (settings.lighting == Lighting::Exact).then_some(points)
+    }
+
+    /// So many points.
+    pub fn new(points: u32) -> Self {
+        Self { points, half: None }
+    }
+}
+
+impl Default for ExactLighting {
+    /// 1024 points.
+    fn default() -> Self {
+        Self::new(1024)
+    }
+}
+
+/// One of two halves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Half {
+    /// The first.
+    First,
+    /// The second.
+    Second,
 }
 
 /// When a picture is drawn, and where the pointer is: what programs may ask for.
@@ -81,6 +122,7 @@ impl DrawOptions {
             background,
             aovs: Aovs::default(),
             raw_normals: false,
+            exact: None,
             moment: Moment::default(),
             primaries: SRGB,
         }

@@ -10,6 +10,7 @@ mod common;
 
 mod areas;
 mod environments;
+mod exact;
 mod measured;
 mod panes;
 mod shadows;

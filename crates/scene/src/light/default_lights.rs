@@ -7,7 +7,7 @@ use glanz_bsdf::LightTerm;
 use glanz_color::Rgb;
 
 use crate::stage::{coarse_studio, studio};
-use crate::{EnvironmentMap, Light, LightColor, LightColors, LightKind, Material, Scene, Space};
+use crate::{EnvironmentMap, Light, LightColor, LightColors, LightKind, Material, Scene, Space, Tint};
 
 /// Lights that a model without any gets.
 ///
@@ -66,12 +66,37 @@ impl DefaultLights {
     }
 }
 
-/// Whether lamps alone leave a surface dark but for its highlights: it has no matte part, or a picture says where.
+/// How much brighter than its matte part the rest of a surface is if lamps alone leave it dark but for its highlights.
+const MOSTLY: f32 = 2.0;
+
+/// Whether lamps alone leave a surface dark but for its highlights: it has hardly a matte part, or a picture says where.
 fn only_mirrors(material: &Material) -> bool {
-    let has = |term: LightTerm| {
-        material.lobes.iter().any(|lobe| lobe.shape.info().term == term && !lobe.tint.is_black())
+    let brightest = |term: LightTerm| {
+        let lobes = material.lobes.iter().filter(|lobe| lobe.shape.info().term == term);
+        lobes.map(|lobe| brightness(&lobe.tint)).fold(0.0, f32::max)
     };
-    has(LightTerm::Specular) && (!has(LightTerm::Diffuse) || material.metal_rough_map.is_some())
+    let (matte, glossy) = (brightest(LightTerm::Diffuse), brightest(LightTerm::Specular));
+    glossy > MOSTLY * matte || (glossy > 0.0 && material.metal_rough_map.is_some())
+}
+
+/// About what a tint reflects at normal incidence.
+fn brightness(tint: &Tint) -> f32 {
+    match tint {
+        Tint::Rgb(rgb) => rgb.0.into_iter().fold(0.0, f32::max),
+        Tint::Schlick(at_normal) => brightness(at_normal),
+        Tint::Spectrum(spectrum) => spectrum.0.iter().copied().fold(0.0, f64::max) as f32,
+        Tint::Ior(ior) | Tint::Polarized(ior, _) => {
+            let reflected = |eta: f64, k: f64| {
+                let k2 = k * k;
+                ((eta - 1.0) * (eta - 1.0) + k2) / ((eta + 1.0) * (eta + 1.0) + k2)
+            };
+            let middle = glanz_color::SAMPLES / 2;
+            reflected(ior.eta.0[middle], ior.k.0[middle]) as f32
+        }
+        Tint::Reradiation(_) => 1.0,
+        // A few per cent, where they are not metals.
+        Tint::Film(_) | Tint::Pane(_) | Tint::Coated(_) => 0.05,
+    }
 }
 
 /// Adds lights by which anything can be seen from anywhere: a key light from the upper left and a
@@ -105,7 +130,9 @@ fn surroundings(map: EnvironmentMap, colors: LightColors) -> Light {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Mesh, library};
+    use glanz_bsdf::Shape;
+
+    use crate::{Lobe, Mesh, library};
 
     #[test]
     fn a_white_surface_that_faces_the_viewer_is_bright_but_not_clipped() {
@@ -125,6 +152,17 @@ mod tests {
     }
 
     #[test]
+    fn what_is_hardly_matte_gets_surroundings_too() {
+        let lobe = |shape: &str, value: f32| {
+            Lobe::new(Shape::named(shape, &[]).unwrap(), Rgb::gray(value))
+        };
+        for (matte, glossy, expected) in [(0.05, 0.9, true), (0.5, 0.04, false), (0.4, 0.5, false), (0.01, 0.04, true)] {
+            let lobes = vec![lobe("lambert", matte), lobe("ggx", glossy)];
+            assert_eq!(only_mirrors(&Material::of_lobes("m", lobes)), expected, "{matte}, {glossy}");
+        }
+    }
+
+    #[test]
     fn surroundings_are_for_what_mirrors_alone() {
         let lights = |material: &str, lights: DefaultLights| {
             let mesh = Mesh::builtin("sphere").unwrap();
@@ -137,5 +175,6 @@ mod tests {
         assert_eq!(lights("wall-paint-white", DefaultLights::ThreePoint), (3, 0));
         assert_eq!(lights("wall-paint-white", DefaultLights::Studio), (4, 1));
         assert_eq!(lights("gold", DefaultLights::None), (0, 0));
+        assert_eq!(lights("plastic-red", DefaultLights::ThreePoint), (3, 0));
     }
 }

@@ -2,6 +2,7 @@
 
 pub(in crate::commands) mod ffmpeg;
 pub(super) mod film;
+pub(super) mod lighting_error;
 pub(super) mod modes;
 pub(super) mod relight;
 pub(super) mod render;

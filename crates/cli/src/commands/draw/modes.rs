@@ -5,14 +5,13 @@ use std::fmt::Write;
 
 use clap::Args;
 use glanz_picture::compare::frames::{DeltaE, Developed};
-use glanz_picture::compare::{Spread, heat_colors};
 use glanz_plot::{Canvas, ContactSheet};
 use glanz_render::Shot;
 use glanz_scene::ColorMode;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::side_by_side::{SideBySideArgs, drawn};
+use super::side_by_side::{SideBySideArgs, SpreadFacts, drawn, heat_map, rounded};
 use crate::args::{InputArgs, Target};
 use crate::load::Input;
 use crate::pipeline;
@@ -201,11 +200,6 @@ impl ModesArgs {
     }
 }
 
-/// The map in false colours, `top` the hottest.
-fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas {
-    Canvas { width, height, rgba: heat_colors(&delta.map, top) }
-}
-
 /// How far colour modes are apart.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Document {
@@ -221,21 +215,6 @@ pub(crate) struct Document {
     notes: Vec<String>,
 }
 
-#[derive(Debug, Serialize, JsonSchema)]
-struct SpreadFacts {
-    mean: f64,
-    median: f64,
-    p95: f64,
-    max: f64,
-}
-
-impl SpreadFacts {
-    fn of(delta: &DeltaE) -> Self {
-        let Spread { mean, median, p95, max } = delta.spread;
-        Self { mean, median, p95, max }
-    }
-}
-
 /// Whether a mode belongs to the standard observer.
 fn is_meyer(mode: ColorMode) -> bool {
     matches!(mode, ColorMode::Meyer | ColorMode::MeyerAdapted)
@@ -244,11 +223,6 @@ fn is_meyer(mode: ColorMode) -> bool {
 /// The hottest difference, but no less than what an eye can see.
 fn greatest(columns: &[Column]) -> f64 {
     columns.iter().map(|column| column.delta.spread.max).fold(1.0, f64::max)
-}
-
-/// Two digits are enough for a scale.
-fn rounded(top: f64) -> f64 {
-    (top * 100.0).round() / 100.0
 }
 
 /// The numbers for people.

@@ -1,8 +1,11 @@
 //! What commands share that draw one scene several times, side by side.
 
 use clap::Args;
-use glanz_picture::compare::frames::Developed;
+use glanz_picture::compare::frames::{DeltaE, Developed};
+use glanz_picture::compare::{Spread, heat_colors};
 use glanz_plot::Canvas;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
 use crate::encode;
@@ -34,6 +37,32 @@ pub(super) struct SideBySideArgs {
 pub(super) fn drawn(picture: &Developed) -> Canvas {
     let (width, height) = (picture.frame.width, picture.frame.height);
     Canvas { width, height, rgba: picture.codes.clone() }
+}
+
+/// The map in false colours, `top` the hottest.
+pub(super) fn heat_map(delta: &DeltaE, (width, height): (usize, usize), top: f64) -> Canvas {
+    Canvas { width, height, rgba: heat_colors(&delta.map, top) }
+}
+
+/// Two digits are enough for a scale.
+pub(super) fn rounded(top: f64) -> f64 {
+    (top * 100.0).round() / 100.0
+}
+
+/// How CIEDE2000 is spread over the pixels that show a surface.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct SpreadFacts {
+    mean: f64,
+    median: f64,
+    p95: f64,
+    max: f64,
+}
+
+impl SpreadFacts {
+    pub(super) fn of(delta: &DeltaE) -> Self {
+        let Spread { mean, median, p95, max } = delta.spread;
+        Self { mean, median, p95, max }
+    }
 }
 
 impl SideBySideArgs {

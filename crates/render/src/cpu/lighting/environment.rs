@@ -7,39 +7,56 @@ use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
-use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals};
+use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals, PreparedMaterial};
 use crate::view::lights::turned;
 
-/// Adds what an environment gives; it is the three lights of the table from `row` on.
+/// An environment among the lights.
+#[derive(Clone, Copy)]
+pub(crate) struct Around<'a> {
+    pub environment: &'a EnvironmentLight,
+    /// Its number among the environments.
+    pub number: usize,
+    /// Rows of the rotation into its own directions.
+    pub to_map: &'a [[f32; 3]; 3],
+    /// The first of its three lights in the table.
+    pub row: usize,
+}
+
+/// Adds what an environment gives.
 #[inline(always)]
-pub(crate) fn add<R: Real>(
-    sum: &mut LightSum<R>,
-    environment: &EnvironmentLight,
-    number: usize,
-    to_map: &[[f32; 3]; 3],
-    row: usize,
-) {
+pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, around: Around) {
+    let material = sum.material;
+    for (k, lobe) in material.lobes.iter().enumerate() {
+        if !is_seen_through(material, lobe) {
+            add_lobe(sum, around, k, None);
+        }
+    }
+}
+
+/// Whether a lobe's light is seen through the surface already.
+#[inline(always)]
+pub(crate) fn is_seen_through(material: &PreparedMaterial, lobe: &DirectLobe) -> bool {
+    is_transmitting(lobe) && lobe.term == LightTerm::Specular && material.transmittance.is_some()
+}
+
+/// Adds what an environment gives one lobe, where something stands between them only in part.
+#[inline(always)]
+pub(crate) fn add_lobe<R: Real>(sum: &mut LightSum<R>, around: Around, k: usize, free: Option<R>) {
     let zero = sum.cos_o.zero();
+    let (lobe, integrals) = (&sum.material.lobes[k], &sum.material.integrals[k]);
     // Without a normal there is no surface to light.
     let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
-    let material = sum.material;
-    for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
-        if is_transmitting(lobe) && lobe.term == LightTerm::Specular && material.transmittance.is_some() {
-            // It is seen through the surface already.
-            continue;
-        }
-        let pair = sum.typical_pair(lobe);
-        let seen = seen(sum, environment, number, to_map, lobe, integrals);
-        let mut fraction = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
-        if let Some(arrives) = sum.arrives {
-            fraction = fraction * arrives;
-        }
-        if lobe.shape.info().delta {
-            fraction = layered(lobe, fraction, &pair);
-        }
-        for (basis, seen) in seen.into_iter().enumerate() {
-            sum.add(row + basis, k, seen * fraction, &pair);
-        }
+    let pair = sum.typical_pair(lobe);
+    let seen = seen(sum, around, lobe, integrals);
+    let mut fraction = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+    for factor in [sum.arrives, free].into_iter().flatten() {
+        fraction = fraction * factor;
+    }
+    if lobe.shape.info().delta {
+        fraction = layered(lobe, fraction, &pair);
+    }
+    for (basis, seen) in seen.into_iter().enumerate() {
+        sum.add(around.row + basis, k, seen * fraction, &pair);
     }
 }
 
@@ -47,12 +64,11 @@ pub(crate) fn add<R: Real>(
 #[inline(always)]
 fn seen<R: Real>(
     sum: &LightSum<R>,
-    environment: &EnvironmentLight,
-    number: usize,
-    to_map: &[[f32; 3]; 3],
+    around: Around,
     lobe: &DirectLobe,
     integrals: &LobeIntegrals,
 ) -> [R; 3] {
+    let Around { environment, number, to_map, .. } = around;
     let one = sum.cos_o.one();
     let Some(map) = &environment.map else { return [one; 3] };
     let normal = sum.point.normal;
@@ -88,7 +104,7 @@ fn seen<R: Real>(
 
 /// Where a line of sight goes on below a surface; where it is reflected totally, along the surface.
 #[inline(always)]
-fn refracted<R: Real>(wo: Vec3<R>, normal: Vec3<R>, cos_o: R, eta: f64) -> Vec3<R> {
+pub(crate) fn refracted<R: Real>(wo: Vec3<R>, normal: Vec3<R>, cos_o: R, eta: f64) -> Vec3<R> {
     let inverse = cos_o.lit(1.0 / eta);
     let sin2 = (cos_o.one() - cos_o.sqr()) * inverse.sqr();
     let cos_t = (cos_o.one() - sin2).max(cos_o.zero()).sqrt();

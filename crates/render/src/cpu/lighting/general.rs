@@ -11,7 +11,8 @@ use glanz_math::Real;
 use crate::cpu::lighting::light_sum::{LightSum, apart};
 use crate::cpu::lighting::point::{Reflected, ShadingPoint};
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
-use crate::cpu::lighting::{area, environment, punctual};
+use crate::cpu::lighting::environment::Around;
+use crate::cpu::lighting::{area, environment, exact, punctual};
 use crate::view::lights::ViewLight;
 
 /// All light that `material` sends from `point` to the viewer, without its own emission; see
@@ -26,18 +27,31 @@ pub(crate) fn reflect<R: Real>(
     let mut sum = LightSum::new(material, point, texel);
     let mut row = 0;
     for light in &lights.list {
-        match light {
-            ViewLight::Area(area) => apart(
+        match (light, &lights.exact) {
+            (ViewLight::Area(area), Some(points)) => apart(
+                point.wo.x,
+                #[inline(always)]
+                || exact::add_area(&mut sum, lights, points, area, row),
+            ),
+            (ViewLight::Environment { environment, number, to_map }, Some(points)) => apart(
+                point.wo.x,
+                #[inline(always)]
+                || {
+                    let around = Around { environment, number: *number, to_map, row };
+                    exact::add_environment(&mut sum, lights, points, around);
+                },
+            ),
+            (ViewLight::Area(area), None) => apart(
                 point.wo.x,
                 #[inline(always)]
                 || area::add(&mut sum, lights, area, row),
             ),
-            ViewLight::Environment { environment, number, to_map } => apart(
+            (ViewLight::Environment { environment, number, to_map }, None) => apart(
                 point.wo.x,
                 #[inline(always)]
-                || environment::add(&mut sum, environment, *number, to_map, row),
+                || environment::add(&mut sum, Around { environment, number: *number, to_map, row }),
             ),
-            _ => apart(
+            (ViewLight::Directional { .. } | ViewLight::Point { .. }, _) => apart(
                 point.wo.x,
                 #[inline(always)]
                 || punctual::add(&mut sum, lights, light, row),

@@ -110,17 +110,24 @@ impl<'a, R: Real> LightSum<'a, R> {
         fraction
     }
 
+    /// The factor of a lobe's width.
+    #[inline(always)]
+    pub(crate) fn width(&self, lobe: &DirectLobe) -> R {
+        match lobe.roughness {
+            LobeRoughness::Material => self.point.alpha_scale,
+            LobeRoughness::Uniform => self.cos_o.one(),
+            // The width of a lobe is the square of its roughness.
+            LobeRoughness::Channel(number) => channel(self.material, self.point, number).sqr(),
+        }
+    }
+
     /// The pair as a lobe has it that is not as rough as the material's picture says; none where it is.
     #[inline(always)]
     pub(crate) fn own_pair(&self, lobe: &DirectLobe, pair: &DirectionPair<R>) -> Option<DirectionPair<R>> {
-        let one = self.cos_o.one();
-        let alpha_scale = match lobe.roughness {
-            LobeRoughness::Material => return None,
-            LobeRoughness::Uniform => one,
-            // The width of a lobe is the square of its roughness.
-            LobeRoughness::Channel(number) => channel(self.material, self.point, number).sqr(),
-        };
-        Some(DirectionPair { alpha_scale, ..*pair })
+        match lobe.roughness {
+            LobeRoughness::Material => None,
+            _ => Some(DirectionPair { alpha_scale: self.width(lobe), ..*pair }),
+        }
     }
 
     /// Adds a lobe's value for a light of the table; the pair says where a tint that is a curve is taken.

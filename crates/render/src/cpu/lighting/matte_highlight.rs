@@ -343,8 +343,8 @@ mod tests {
                 let view = View::new(&CAMERA, 100, 100).unwrap();
                 let options = DrawOptions::new(Background::Transparent);
                 let lights = ViewLights::new(&prepared, &ViewCamera::new(&prepared, &view), &options);
-                let lights = ShadeLights::new(lights);
-                let materials = ShadeMaterial::all(prepared.materials.as_slice().into());
+                let lights = ShadeLights::new(lights, None);
+                let materials = ShadeMaterial::all(prepared.materials.as_slice().into(), false);
                 let material = &materials[0];
                 let Some(classic) = MatteHighlight::new(material, &lights) else {
                     assert_eq!(model, "lambert", "its highlight is matte");

@@ -2,6 +2,7 @@
 
 pub(crate) mod area;
 pub(crate) mod environment;
+pub(crate) mod exact;
 pub(crate) mod form_factor;
 pub(crate) mod general;
 pub(crate) mod incident;

@@ -6,8 +6,10 @@ use std::ops::Deref;
 use glanz_bsdf::{LayerWeight, Shape};
 use glanz_scene::Metalness;
 
+use crate::cpu::lighting::exact::{ExactPoints, Proposal};
 use crate::cpu::lighting::inlined_models::is_inlined;
 use crate::prepare::{DirectLobe, PreparedMaterial, TintCoordinate};
+use crate::view::ExactLighting;
 use crate::view::lights::{ViewLight, ViewLights};
 
 /// A material, and how the CPU evaluates it.
@@ -19,15 +21,21 @@ pub(crate) struct ShadeMaterial<'a> {
     pub repeats: Vec<bool>,
     /// Whether tables of factors are layers of lobes, so that several lobes look up the same.
     pub has_tables: bool,
+    /// Where its lobes send most, if extended lights are found by points.
+    pub proposals: Vec<Proposal>,
 }
 
 impl<'a> ShadeMaterial<'a> {
-    /// The materials of a frame.
-    pub(crate) fn all(materials: Cow<'a, [PreparedMaterial]>) -> Vec<Self> {
-        match materials {
+    /// The materials of a frame whose extended lights are found by points, or not.
+    pub(crate) fn all(materials: Cow<'a, [PreparedMaterial]>, is_exact: bool) -> Vec<Self> {
+        let mut all: Vec<Self> = match materials {
             Cow::Borrowed(materials) => materials.iter().map(|data| Self::new(Cow::Borrowed(data))).collect(),
             Cow::Owned(materials) => materials.into_iter().map(|data| Self::new(Cow::Owned(data))).collect(),
+        };
+        if is_exact {
+            all.iter_mut().for_each(|material| material.proposals = Proposal::all(&material.data.lobes));
         }
+        all
     }
 
     fn new(data: Cow<'a, PreparedMaterial>) -> Self {
@@ -40,7 +48,7 @@ impl<'a> ShadeMaterial<'a> {
         let repeats = std::iter::once(false).chain(pairs).collect();
         let mut layers = data.lobes.iter().flat_map(|lobe| &lobe.layers);
         let has_tables = layers.any(|layer| matches!(layer, LayerWeight::Table { .. }));
-        Self { data, fast_path, repeats, has_tables }
+        Self { data, fast_path, repeats, has_tables, proposals: Vec::new() }
     }
 }
 
@@ -67,15 +75,19 @@ pub(crate) struct ShadeLights<'a> {
     view: ViewLights<'a>,
     /// Punctual lights without luminaires and shadows alone.
     pub fast_path: bool,
+    /// The points by which extended lights are found, if they are.
+    pub exact: Option<ExactPoints>,
 }
 
 impl<'a> ShadeLights<'a> {
-    pub(crate) fn new(view: ViewLights<'a>) -> Self {
+    pub(crate) fn new(view: ViewLights<'a>, exact: Option<ExactLighting>) -> Self {
         let simple = |light: &ViewLight| {
             matches!(light, ViewLight::Directional { .. } | ViewLight::Point { luminaire: None, .. })
         };
         let fast_path = view.bvh.is_none() && view.list.iter().all(simple);
-        Self { view, fast_path }
+        let exact = exact.filter(|_| view.list.iter().any(is_extended));
+        let exact = exact.map(|exact| ExactPoints::new(exact, &view.list));
+        Self { view, fast_path, exact }
     }
 
     /// With rims of cones as wide as pixels of this width; see [`ViewLights::pixel`].
@@ -83,6 +95,11 @@ impl<'a> ShadeLights<'a> {
         self.view.pixel = pixel;
         self
     }
+}
+
+/// Whether light comes from more than one direction.
+fn is_extended(light: &ViewLight) -> bool {
+    matches!(light, ViewLight::Area(_) | ViewLight::Environment { .. })
 }
 
 impl<'a> Deref for ShadeLights<'a> {

@@ -109,7 +109,7 @@ impl Lit<'_> {
 
     /// The light that lights and a material give here, colours included.
     fn reflect(&self, lights: &ShadeLights, material: PreparedMaterial) -> [f32; 3] {
-        let materials = ShadeMaterial::all(Cow::Owned(vec![material]));
+        let materials = ShadeMaterial::all(Cow::Owned(vec![material]), lights.exact.is_some());
         let texel = self.mixes.then_some(self.color);
         let Reflected { textured, plain } = reflect(lights, &materials[0], self.point, texel);
         core::array::from_fn(|c| {
@@ -147,7 +147,7 @@ impl Lit<'_> {
 
     /// A lobe's value, what its layers leave of how much of it there is, and its tint.
     fn parts(&self, row: usize, number: usize, arrival: &Arrival) -> (f32, f32, [f32; 3]) {
-        let materials = ShadeMaterial::all(Cow::Borrowed(core::slice::from_ref(self.material)));
+        let materials = ShadeMaterial::all(Cow::Borrowed(core::slice::from_ref(self.material)), false);
         let material = &materials[0];
         let lobe = &material.lobes[number];
         let sum = LightSum::new(material, self.point, None);
@@ -175,7 +175,8 @@ impl Lit<'_> {
 
 /// Some lights with the shadows of all.
 fn lights_of<'a>(list: Vec<ViewLight<'a>>, all: &ShadeLights<'a>) -> ShadeLights<'a> {
-    ShadeLights::new(ViewLights { list, bvh: all.bvh, pixel: all.pixel })
+    let exact = all.exact.as_ref().map(|points| points.asked);
+    ShadeLights::new(ViewLights { list, bvh: all.bvh, pixel: all.pixel }, exact)
 }
 
 pub(super) fn array(v: Vec3<f32>) -> [f32; 3] {

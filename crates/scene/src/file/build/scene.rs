@@ -58,6 +58,8 @@ impl Builder {
             mode: table.render.mode.0,
             white: table.render.white.0,
             shadows: table.render.shadows,
+            lighting: table.render.lighting,
+            light_samples: table.render.light_samples.as_ref().map(|samples| samples.0),
             mistake: table.render.mistake,
         };
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer};
 
 use super::sampled::ObserverValue;
 use super::values::{At, Color, Stops};
-use crate::{COLOR_MODES, ColorMode, DebugView, Encoding, Interpolation, Mistake, Shading, ToneMap, White};
+use crate::{COLOR_MODES, ColorMode, DebugView, Encoding, Interpolation, Lighting, Mistake, Shading, ToneMap, White};
 
 /// The picture to be made.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -69,6 +69,10 @@ pub(crate) struct RenderTable {
     pub photometric: Option<At<bool>>,
     /// Whether surfaces stand in each other's light; not by default, as the classic models have it.
     pub shadows: bool,
+    /// How light from areas and environments is found: by what is prepared, or by points, which is slow and exact.
+    pub lighting: Lighting,
+    /// Points of each area and environment at each pixel with lighting "exact"; 1024 by default.
+    pub light_samples: Option<LightSamples>,
     /// A mistake to be drawn on purpose, for teaching; none by default.
     pub mistake: Option<Mistake>,
 }
@@ -169,6 +173,35 @@ impl JsonSchema for Samples {
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "enum": [1, 2, 4, 8, 16] })
+    }
+}
+
+/// Points of a light at a pixel.
+#[derive(Debug)]
+pub(crate) struct LightSamples(pub u32);
+
+/// The most points of a light at a pixel.
+const MOST_LIGHT_SAMPLES: u32 = 1 << 20;
+
+impl<'de> Deserialize<'de> for LightSamples {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let points = i64::deserialize(deserializer)?;
+        let fits = u32::try_from(points).ok().filter(|points| (2..=MOST_LIGHT_SAMPLES).contains(points));
+        fits.map(Self).ok_or_else(|| {
+            D::Error::custom(format!("expected between 2 and {MOST_LIGHT_SAMPLES} points, found {points}"))
+        })
+    }
+}
+
+impl JsonSchema for LightSamples {
+    fn schema_name() -> Cow<'static, str> {
+        "LightSamples".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 2, "maximum": MOST_LIGHT_SAMPLES })
     }
 }
 

@@ -69,6 +69,10 @@ fn render(render: &RenderSettings) -> Table {
     table.put_unless(render.mode == default.mode, "mode", string(&render.mode.to_string()));
     table.put_unless(render.white == default.white, "white", string(render.white.name()));
     table.put_unless(!render.shadows, "shadows", "true");
+    table.put_unless(render.lighting == default.lighting, "lighting", string(render.lighting.name()));
+    if let Some(points) = render.light_samples {
+        table.put("light_samples", points.to_string());
+    }
     let encoding = string(render.encoding.name());
     table.put_unless(render.encoding == default.encoding, "encoding", encoding);
     if let Some(mistake) = render.mistake {

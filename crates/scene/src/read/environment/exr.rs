@@ -67,7 +67,7 @@ fn choose(file: &ExrFile, source: &mut Source) -> Result<(usize, [usize; 3]), Re
             source.notes.add(&format!("the channels R, G and B of the layer '{name}' are taken"));
             (index, channels)
         }
-        (None, None, Some((index, channels))) if file.parts()[index].channel("RY").is_none() => {
+        (None, None, Some((index, channels))) => {
             source.notes.add("the channel Y alone is taken as luminance: the picture is grey");
             (index, channels)
         }

@@ -42,7 +42,7 @@ impl Anchor {
         let [low, high] = [bounds.min, bounds.max].map(|corner| (corner + self.0).abs());
         let farthest = low.max(high).max_element() as f32;
         let step = f64::from(farthest.next_up() - farthest);
-        if step > COARSE * bounds.diagonal() {
+        if f64::from(farthest) >= FAR && step > COARSE * bounds.diagonal() {
             notes.add(&format!(
                 "positions lie so far from the origin ({farthest:.3e}) that 32-bit numbers are {step} apart there: surfaces are drawn \
                  in such steps, unless the file has positions near the origin, or 64-bit ones"

@@ -122,8 +122,8 @@ impl Source<'_> {
     /// The number of items of an accessor.
     pub(super) fn count(&self, index: usize, user: &str) -> Result<usize, ReadError> {
         let count = self.accessor(index, user)?.count;
-        if self.draco.items(index).is_some() {
-            return Ok(count as usize);
+        if let Some((count, _)) = self.draco.numbers(index) {
+            return Ok(count);
         }
         // Each item must be used by something that takes at least a byte, in a buffer or as the
         // item itself: what is more can only be a claim.
@@ -149,9 +149,10 @@ impl Source<'_> {
                 found,
             ));
         }
-        let component = Component::of_code(accessor.component_type).ok_or_else(|| {
+        let code = self.draco.numbers(index).map_or(accessor.component_type, |(_, code)| code);
+        let component = Component::of_code(code).ok_or_else(|| {
             let expected = "a componentType of 5120, 5121, 5122, 5123, 5125 or 5126";
-            self.malformed(place(index), expected, accessor.component_type.to_string())
+            self.malformed(place(index), expected, code.to_string())
         })?;
         let size = component.size() * accessor.width();
         let count = self.count(index, user)?;

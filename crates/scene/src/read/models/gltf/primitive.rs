@@ -117,7 +117,7 @@ fn build(
         notes.add("glTF: primitives without positions are ignored");
         return Ok(None);
     };
-    let source = &mut source.of_primitive(primitive, path)?;
+    let source = &mut source.of_primitive(primitive, path, notes)?;
     let vertices = source.count(position, path)?;
     let mut corners = corners(source, primitive, vertices, path, notes)?;
     if corners.is_empty() {

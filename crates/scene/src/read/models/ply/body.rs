@@ -65,13 +65,15 @@ impl<'a, R: BufRead> Body<'a, R> {
         }
     }
 
-    /// Ends the record. What is left of its line is passed over.
-    pub(super) fn end(&mut self) {
-        if let Self::Text(text) = self
-            && !text.lines.line()[text.used..].trim_ascii().is_empty()
-        {
-            let place = text.lines.place();
-            text.overlong.get_or_insert((place, 0)).1 += 1;
+    /// Ends the record; whether there was no more in its line than the header tells. What is left of it is passed over.
+    pub(super) fn end(&mut self) -> bool {
+        match self {
+            Self::Text(text) if !text.lines.line()[text.used..].trim_ascii().is_empty() => {
+                let place = text.lines.place();
+                text.overlong.get_or_insert((place, 0)).1 += 1;
+                false
+            }
+            _ => true,
         }
     }
 

@@ -13,6 +13,10 @@ use super::vertex::{NO_COLOR, color};
 use crate::Mesh;
 use crate::mesh::topology::Splitter;
 
+/// A remark.
+const SHIFTED: &str =
+    "PLY: faces with more values than the header tells have no colour, since which values are the colour is not known";
+
 /// What faces have that belongs to vertices of a mesh; empty where they do not have it.
 #[derive(Default)]
 pub(super) struct FaceData {
@@ -54,13 +58,18 @@ impl FaceData {
                     (None, _) => drop(body.scalar(property.scalar)?),
                 }
             }
-            body.end();
+            let is_as_told = body.end();
             let listed = mesh.corners.len() - first;
             if !close_face(mesh, first) {
                 dropped += 1;
                 continue;
             }
             if has_colors {
+                if !is_as_told {
+                    // Values that the header does not tell of may stand before the colours.
+                    context.notes.add_at(SHIFTED, body.place());
+                    shade = Vec4::ONE;
+                }
                 if !shade.is_finite() {
                     context.notes.add_at(NO_COLOR, body.place());
                     shade = Vec4::ONE;

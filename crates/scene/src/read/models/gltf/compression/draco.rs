@@ -10,6 +10,11 @@ use serde::Deserialize;
 
 use super::super::json::{Accessor, Primitive};
 use super::super::source::Source;
+use crate::read::notes::Notes;
+
+/// A remark.
+const OTHER_COUNTS: &str =
+    "glTF: what Draco compressed has other numbers of vertices or triangles than its accessors say; its own are taken";
 
 const NAME: &str = "KHR_draco_mesh_compression";
 
@@ -34,8 +39,16 @@ type Mismatch = (String, String);
 pub(in super::super) struct Decoded {
     /// The vertex of each corner of its triangles.
     corners: Option<Vec<u32>>,
+    /// The number of its vertices.
+    points: usize,
     /// For each accessor its items without gaps, or why there are none.
-    items: HashMap<usize, Result<Vec<u8>, Mismatch>>,
+    items: HashMap<usize, Result<Items, Mismatch>>,
+}
+
+/// The items of an attribute, one for each vertex, and the componentType of their numbers.
+struct Items {
+    bytes: Vec<u8>,
+    code: u32,
 }
 
 impl Decoded {
@@ -44,9 +57,16 @@ impl Decoded {
         self.corners.take()
     }
 
-    /// The items of an accessor, as many and as large as it says, if they were compressed.
+    /// The items of an accessor, one for each vertex and as wide as it says, if they were compressed.
     pub(in super::super) fn items(&self, accessor: usize) -> Option<Result<&[u8], Mismatch>> {
-        self.items.get(&accessor).map(|items| items.as_deref().map_err(Clone::clone))
+        let items = self.items.get(&accessor)?.as_ref();
+        Some(items.map(|items| &items.bytes[..]).map_err(Clone::clone))
+    }
+
+    /// How many items an accessor has, and the componentType of their numbers, if they were compressed.
+    pub(in super::super) fn numbers(&self, accessor: usize) -> Option<(usize, u32)> {
+        let items = self.items.get(&accessor)?.as_ref().ok()?;
+        Some((self.points, items.code))
     }
 }
 
@@ -56,10 +76,11 @@ impl<'a> Source<'a> {
         &self,
         primitive: &Primitive,
         path: &str,
+        notes: &mut Notes,
     ) -> Result<Self, ReadError> {
         let draco = match &primitive.extensions.draco {
             Some(compressed) if !self.is_uncompressed(primitive, compressed) => {
-                self.decode(primitive, compressed, &format!("{path}.extensions.{NAME}"))?
+                self.decode(primitive, compressed, &format!("{path}.extensions.{NAME}"), notes)?
             }
             _ => Decoded::default(),
         };
@@ -79,6 +100,7 @@ impl<'a> Source<'a> {
         primitive: &Primitive,
         compressed: &Compressed,
         path: &str,
+        notes: &mut Notes,
     ) -> Result<Decoded, ReadError> {
         let wrong =
             |(expected, found): Mismatch| self.malformed(Place::Path(path.to_owned()), expected, found);
@@ -96,18 +118,18 @@ impl<'a> Source<'a> {
             None => format!("triangles of {} vertices", position.count),
         };
         let (bytes, _) = self.view(compressed.buffer_view)?;
-        let memory = FACE_BYTES.saturating_mul(triangles.unwrap_or(0));
-        self.budget.check(memory, self.file, || path.to_owned())?;
-        let mesh = decode(bytes, triangles, self.budget.left()).map_err(|error| {
+        let mesh = decode(bytes, self.budget.left()).map_err(|error| {
             wrong((expected(), format!("what cannot be decompressed ({})", error.message())))
         })?;
         let (faces, points) = (mesh.num_faces() as u64, mesh.num_points() as u64);
         if points != position.count || triangles.is_some_and(|triangles| triangles != faces) {
-            return Err(wrong((expected(), format!("{faces} triangles of {points} vertices"))));
+            // Some encoders merge vertices, or leave triangles out, and tell the accessors nothing of it.
+            notes.add_at(OTHER_COUNTS, Place::Path(path.to_owned()));
         }
+        self.budget.check(FACE_BYTES.saturating_mul(faces), self.file, || path.to_owned())?;
         self.budget.spend(12 * faces, self.file, || path.to_owned())?;
         let corners = Some(corners(&mesh).map_err(wrong)?);
-        Ok(Decoded { corners, items: self.items_of(&mesh, primitive, compressed, path)? })
+        Ok(Decoded { corners, points: mesh.num_points(), items: self.items_of(&mesh, primitive, compressed, path)? })
     }
 
     /// For each accessor its items without gaps, or why there are none.
@@ -117,16 +139,17 @@ impl<'a> Source<'a> {
         primitive: &Primitive,
         compressed: &Compressed,
         path: &str,
-    ) -> Result<HashMap<usize, Result<Vec<u8>, Mismatch>>, ReadError> {
+    ) -> Result<HashMap<usize, Result<Items, Mismatch>>, ReadError> {
         let mut all = HashMap::new();
         for (name, &number) in &compressed.attributes {
             let Some(&index) = primitive.attributes.get(name) else { continue };
             let Some(accessor) = self.root.accessors.get(index) else { continue };
             let items = match checked_attribute(mesh, number, accessor) {
                 Ok(attribute) => {
-                    let size = accessor.count * attribute.byte_stride().unsigned_abs();
+                    let size = mesh.num_points() as u64 * attribute.byte_stride().unsigned_abs();
                     self.budget.spend(size, self.file, || path.to_owned())?;
-                    items_of(attribute, mesh.num_points())
+                    let code = code(attribute.data_type());
+                    items_of(attribute, mesh.num_points()).map(|bytes| Items { bytes, code })
                 }
                 Err(mismatch) => Err(mismatch),
             };
@@ -136,12 +159,10 @@ impl<'a> Source<'a> {
     }
 }
 
-/// The mesh in these bytes, of so many triangles if that is known, within so much memory.
-fn decode(bytes: &[u8], triangles: Option<u64>, memory: u64) -> Result<Mesh, DracoError> {
-    let most = memory / FACE_BYTES;
-    let limits = DecodeLimits::default()
-        .with_max_faces(triangles.map_or(most, |triangles| triangles.min(most)))
-        .with_max_decoded_bytes(memory);
+/// The mesh in these bytes, within so much memory.
+fn decode(bytes: &[u8], memory: u64) -> Result<Mesh, DracoError> {
+    let limits =
+        DecodeLimits::default().with_max_faces(memory / FACE_BYTES).with_max_decoded_bytes(memory);
     let mut buffer = DecoderBuffer::new(bytes).with_limits(limits);
     let mut mesh = Mesh::new();
     MeshDecoder::new().decode(&mut buffer, &mut mesh)?;
@@ -156,7 +177,8 @@ fn corners(mesh: &Mesh) -> Result<Vec<u32>, Mismatch> {
     }
 }
 
-/// The attribute of this number, if it is as the accessor says.
+/// The attribute of this number, if it is as wide as the accessor says. Its numbers may be of another type: that which they were
+/// compressed as is taken.
 fn checked_attribute<'m>(
     mesh: &'m Mesh,
     number: u32,
@@ -164,18 +186,16 @@ fn checked_attribute<'m>(
 ) -> Result<&'m PointAttribute, Mismatch> {
     let attribute = mesh.attribute_by_unique_id(number);
     let found = attribute.map(|attribute| {
-        let (width, points) = (attribute.num_components().into(), mesh.num_points() as u64);
-        (points, width, code(attribute.data_type()))
+        let width = usize::from(attribute.num_components());
+        (width, code(attribute.data_type()))
     });
-    let expected = (accessor.count, accessor.width(), accessor.component_type);
-    match attribute {
-        Some(attribute) if found == Some(expected) => Ok(attribute),
+    let expected = accessor.width();
+    match (attribute, found) {
+        (Some(attribute), Some((width, code))) if width == expected && code != 0 => Ok(attribute),
         _ => {
-            let of = |(count, width, code): (u64, usize, u32)| {
-                format!("{count} items of {width} numbers of the componentType {code}")
-            };
+            let of = |(width, code)| format!("items of {width} numbers of the componentType {code}");
             let found = found.map_or_else(|| "none".to_owned(), of);
-            Err((format!("{} in the attribute {number} of {NAME}", of(expected)), found))
+            Err((format!("items of {expected} numbers in the attribute {number} of {NAME}"), found))
         }
     }
 }
