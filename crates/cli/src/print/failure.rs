@@ -163,9 +163,9 @@ impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Self {
         let report = Report::new(without_number(&error.to_string()));
         match &error {
-            OutputError::File { path, .. } | OutputError::UnknownExtension { path } => {
-                report.file(path).into()
-            }
+            OutputError::File { path, .. }
+            | OutputError::UnknownExtension { path }
+            | OutputError::Input { path } => report.file(path).into(),
             _ => report.into(),
         }
     }

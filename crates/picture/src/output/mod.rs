@@ -26,9 +26,10 @@ mod own;
 mod palette;
 mod picture_data;
 mod png;
+mod temporary;
 
 pub use self::animation::{Animation, write_apng};
-pub use self::atomic::{TargetFile, remove_temporaries, write_atomically};
+pub use self::atomic::{TargetFile, write_atomically, written_file};
 pub use self::error::OutputError;
 pub use self::exr::write_exr;
 pub use self::format::Format;
@@ -37,4 +38,5 @@ pub use self::metadata::Metadata;
 pub use self::own::is_own;
 pub use self::picture_data::{PictureData, PictureKind};
 pub use self::png::{Effort, write_png8, write_png16};
-pub use inputs::{keep_inputs, note_input};
+pub use self::inputs::{keep_inputs, note_input};
+pub use self::temporary::remove_temporaries;
