@@ -9,7 +9,7 @@ use crate::prepare::{PrepareError, PrepareOptions};
 pub(crate) fn check(scene: &Scene, options: &PrepareOptions) -> Result<(), PrepareError> {
     check_references(scene)?;
     check_background(scene)?;
-    memory::memory_beside(scene, options).map(|_| ())
+    memory::check_memory(scene, options)
 }
 
 /// Where the background is to be the environment, one must be there.
