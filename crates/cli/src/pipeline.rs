@@ -141,12 +141,13 @@ fn without_spectra(error: ShotError) -> Failure {
     }
 }
 
-/// Draws 8-bit codes.
+/// Draws 8-bit codes, if there is memory for them.
 pub(crate) fn codes(
     shot: &mut Shot,
     timings: &mut Timings,
     progress: &mut Progress,
 ) -> Result<Canvas, Failure> {
+    shot.check_memory(PictureKind::Codes8)?;
     let (width, height) = (shot.view().width as usize, shot.view().height as usize);
     if takes_several_frames(shot.prepared()) {
         let frame = timings.measure(Stage::Draw, || frame(shot, Aovs::default(), progress))?;

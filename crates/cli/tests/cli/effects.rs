@@ -8,8 +8,8 @@ const WITHOUT_EFFECT: [(&[&str], &str); 11] = [
     (&["render", "scene.toml", "--time", "2", "-o", "a.png"], "--time needs a program"),
     (&["render", "scene.toml", "--mouse", "2,3", "-o", "a.png"], "--mouse needs a program"),
     (&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--time", "2"], "--time needs a program"),
-    (&["render", "scene.toml", "--white", "A", "-o", "a.png"], "--white has no effect in mode rgb"),
-    (&["material", "sheet", "gold", "--white", "A", "-o", "a.png"], "--white has no effect in mode rgb"),
+    (&["render", "scene.toml", "--white", "light", "-o", "a.png"], "--white has no effect in mode rgb"),
+    (&["material", "sheet", "gold", "--white", "light", "-o", "a.png"], "--white has no effect in mode rgb"),
     (&["render", "scene.toml", "--ev", "1", "-o", "a.exr"], "--ev is for pictures of codes"),
     (&["render", "scene.toml", "--tone-map", "reinhard", "-o", "a.exr"], "--tone-map is for pictures of codes"),
     (&["render", "scene.toml", "--dither", "-o", "a.exr"], "--dither is for pictures of codes"),
@@ -35,8 +35,8 @@ fn the_same_options_are_taken_where_they_have_an_effect() {
     for words in [
         &["render", "scene.toml", "--frames", "0..2", "--turntable", "--fps", "10", "-o", "a.gif"][..],
         &["render", "scene.toml", "--fs", "a.frag", "--time", "2", "--mouse", "1,1", "-o", "a.png"],
-        &["render", "scene.toml", "--mode", "spectral", "--white", "A", "-o", "a.png"],
-        &["modes", "scene.toml", "--white", "A", "--modes", "rgb,spectral", "-o", "a.png"],
+        &["render", "scene.toml", "--mode", "spectral", "--white", "light", "-o", "a.png"],
+        &["modes", "scene.toml", "--white", "light", "--modes", "rgb,spectral", "-o", "a.png"],
         &["relight", "scene.toml", "--white", "scene", "--light", "A", "-o", "a.png"],
         &["render", "scene.toml", "--ev", "1", "--preview=blocks", "-o", "a.exr"],
         &["render", "scene.toml", "--bit-depth", "16", "--ev", "1", "-o", "a.png"],
@@ -57,7 +57,7 @@ fn the_time_of_a_program_reaches_all_commands_that_draw() {
     for words in [
         &["render", "scene.toml"][..],
         &["sweep", "scene.toml", "--vary", "render.ev=0,1"],
-        &["shade-compare", "scene.toml", "--shading", "flat,phong"],
+        &["shade-compare", "scene.toml"],
     ] {
         let picture = |time: &str| {
             let more = ["--fs", "a.frag", "--time", time, "-o", "a.png"];

@@ -124,7 +124,7 @@ fn a_rate_that_a_gif_does_not_have_is_told() {
         let words = ["render", "scene.toml", "--frames", "0..2", "--turntable", "--fps", fps, "-o", name];
         let run = folder.glanz(&words);
         assert_eq!(run.code, 0, "{}", run.stderr);
-        run.stderr.contains("a GIF counts hundredths of a second: it has 33.33 frames a second, not 30")
+        run.stderr.contains("a GIF counts hundredths of a second: it has 33.3333 frames a second, not 30")
     };
     assert!(film("a.gif", "30"));
     assert!(!film("a.gif", "25") && !film("a.apng", "30"));
