@@ -75,7 +75,7 @@ fn films_and_sheets_are_within_the_budget() {
 fn info_tells_what_drawing_refuses() {
     let folder = folder();
     let told = folder.glanz(&["info", "many.toml", "--memory", "20MB"]);
-    assert!(told.text().contains("drawing    refused: expected at most 20MB of memory"), "{}", told.text());
+    assert!(told.text().contains("drawing    refused: expected at most 20 MB of memory"), "{}", told.text());
     assert!(told.text().contains("--memory "), "{}", told.text());
     let facts = folder.glanz(&["info", "many.toml", "--memory", "20MB", "--format", "json"]).json();
     assert!(facts["refusal"].as_str().unwrap().contains("the shadows of 100000 triangles"), "{facts}");

@@ -97,7 +97,7 @@ fn inputs() -> Folder {
 
 /// Commands that read a file and write one, without the name of the latter; the file that they read comes first.
 const READERS: [(&str, &[&str]); 6] = [
-    ("lamp.csv", &["color", "spectrum", "lamp.csv", "--csv"]),
+    ("lamp.csv", &["color", "spectrum", "lamp.csv", "--as", "light", "--csv"]),
     ("tile.csv", &["measure", "smooth", "tile.csv", "--to", "csv", "-o"]),
     ("tile.csv", &["measure", "convert", "tile.csv", "--to", "csv", "-o"]),
     ("dirs.csv", &["bsdf", "eval", "phong", "--directions", "dirs.csv", "-o"]),
