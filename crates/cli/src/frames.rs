@@ -102,7 +102,9 @@ impl Template {
         let text = path.to_string_lossy();
         let template = Self::parse(&text);
         if let (None, Some(place)) = (&template, place_of(&text)) {
-            let message = format!("'{place}' is no place for a number: write {{frame}} or {{frame:04}}, with at most {MAX_DIGITS} digits");
+            let message = format!(
+                "'{place}' is no place for a number: write {{frame}} or {{frame:04}}, with at most {MAX_DIGITS} digits"
+            );
             return Err(Failure::Usage(message));
         }
         match path.to_str() {

@@ -124,7 +124,14 @@ fn stdin_text() -> Result<&'static str, Failure> {
 /// The input that a scene made in code is.
 pub(crate) fn input_of_stage(scene: Scene) -> Input {
     let memory = MemoryBudget::default();
-    Input { scene, cameras: Vec::new(), variants: Vec::new(), notes: Vec::new(), default_lights: true, memory }
+    Input {
+        scene,
+        cameras: Vec::new(),
+        variants: Vec::new(),
+        notes: Vec::new(),
+        default_lights: true,
+        memory,
+    }
 }
 
 /// Tells an error of a scene file with the line that it is in, or of a value from the command line with its option.

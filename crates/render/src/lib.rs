@@ -40,9 +40,8 @@ pub use glanz_picture::{
 pub use material_response::MaterialResponse;
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
-    check_memory,
     Change, Observation, ObservationError, OwnWhite, PrepareError, PrepareOptions, Prepared, ProgramError,
-    SCREEN_WHITE_CD_M2, prepare,
+    SCREEN_WHITE_CD_M2, check_memory, prepare,
 };
 pub use session::Session;
 pub use shot::{

@@ -15,7 +15,9 @@ pub const LEAST_TRIANGLE_BYTES: u64 = 48;
 pub(crate) fn check_triangles(triangles: u64, memory: MemoryBudget) -> Result<(), String> {
     if triangles > MAX_TRIANGLES {
         let found = counted(triangles);
-        return Err(format!("expected at most {MAX_TRIANGLES} triangles in a scene, found {found} up to here"));
+        return Err(format!(
+            "expected at most {MAX_TRIANGLES} triangles in a scene, found {found} up to here"
+        ));
     }
     let bytes = triangles * LEAST_TRIANGLE_BYTES;
     memory.check(format_args!("{triangles} triangles"), bytes).map_err(|over| over.to_string())

@@ -78,7 +78,9 @@ const FEW_NOTES: usize = 3;
 pub(crate) fn notes(input: &std::path::Path, notes: &[String]) {
     match notes {
         [] => {}
-        few if few.len() <= FEW_NOTES => few.iter().for_each(|only| note(format_args!("note: {}", shown(only)))),
+        few if few.len() <= FEW_NOTES => {
+            few.iter().for_each(|only| note(format_args!("note: {}", shown(only))))
+        }
         _ => note(format_args!(
             "note: {} things are ignored or changed; 'glanz info {}' lists them",
             notes.len(),

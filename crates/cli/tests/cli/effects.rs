@@ -9,11 +9,20 @@ const WITHOUT_EFFECT: [(&[&str], &str); 11] = [
     (&["render", "scene.toml", "--mouse", "2,3", "-o", "a.png"], "--mouse needs a program"),
     (&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--time", "2"], "--time needs a program"),
     (&["render", "scene.toml", "--white", "light", "-o", "a.png"], "--white has no effect in mode rgb"),
-    (&["sweep", "scene.toml", "--vary", "render.ev=0,1", "--white", "light"], "--white has no effect in mode rgb"),
+    (
+        &["sweep", "scene.toml", "--vary", "render.ev=0,1", "--white", "light"],
+        "--white has no effect in mode rgb",
+    ),
     (&["render", "scene.toml", "--ev", "1", "-o", "a.exr"], "--ev is for pictures of codes"),
-    (&["render", "scene.toml", "--tone-map", "reinhard", "-o", "a.exr"], "--tone-map is for pictures of codes"),
+    (
+        &["render", "scene.toml", "--tone-map", "reinhard", "-o", "a.exr"],
+        "--tone-map is for pictures of codes",
+    ),
     (&["render", "scene.toml", "--dither", "-o", "a.exr"], "--dither is for pictures of codes"),
-    (&["render", "scene.toml", "--bit-depth", "16", "-o", "a.exr"], "--bit-depth 16 is for pictures of codes"),
+    (
+        &["render", "scene.toml", "--bit-depth", "16", "-o", "a.exr"],
+        "--bit-depth 16 is for pictures of codes",
+    ),
     (&["render", "scene.toml", "--bit-depth", "16", "--dither", "-o", "a.png"], "--dither has no effect"),
 ];
 

@@ -51,7 +51,8 @@ fn films_and_sheets_are_within_the_budget() {
     let folder = folder();
     let before = folder.names();
     let film = ["render", "many.toml", "--frames", "0..2", "--turntable", "--memory", "5MB", "-o"];
-    let large = ["render", "empty.toml", "--frames", "0..2", "--turntable", "--size", "999x999", "--memory", "1MB"];
+    let large =
+        ["render", "empty.toml", "--frames", "0..2", "--turntable", "--size", "999x999", "--memory", "1MB"];
     let cases: [(Vec<&str>, &str); 6] = [
         ([&film[..], &["f{frame}.png"]].concat(), "100000 triangles"),
         ([&film[..], &["f.gif"]].concat(), "100000 triangles"),

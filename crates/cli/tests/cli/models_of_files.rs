@@ -68,7 +68,11 @@ fn names_stay_in_their_line() {
         assert!(told.text().contains(name), "{name}: {}", told.text());
     }
     let run = folder.glanz(&["info", "a.gltf", "--variant", "gre\nen"]);
-    assert!(run.code == 3 && run.stderr.contains("blue?sky") && run.stderr.contains("gre?en"), "{}", run.stderr);
+    assert!(
+        run.code == 3 && run.stderr.contains("blue?sky") && run.stderr.contains("gre?en"),
+        "{}",
+        run.stderr
+    );
     let run = folder.glanz(&["shader", "export", "a.gltf", "-o", "program"]);
     assert!(run.code == 0 && !run.stderr.contains("green\ngrass"), "{}", run.stderr);
 }
@@ -92,7 +96,11 @@ fn an_unknown_variant_is_marked_itself() {
     let run = folder.glanz(&["info", "wrong.toml", "--format", "json"]);
     assert_eq!(run.code, 3);
     let json: Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!((json["error"]["line"].as_u64(), json["error"]["column"].as_u64()), (Some(3), Some(11)), "{json}");
+    assert_eq!(
+        (json["error"]["line"].as_u64(), json["error"]["column"].as_u64()),
+        (Some(3), Some(11)),
+        "{json}"
+    );
     // What is wrong with the file itself is marked there.
     folder.write("broken.gltf", "{}");
     folder.write("wrong.toml", scene("broken.gltf"));
@@ -108,10 +116,17 @@ fn a_pointer_of_git_lfs_is_told_with_what_fetches_the_file() {
     folder.write("b.glb", pointer);
     let run = folder.glanz(&["render", "b.glb", "-o", "a.png"]);
     assert_eq!(run.code, 3, "{}", run.stderr);
-    assert!(run.stderr.contains("the pointer of Git LFS") && run.stderr.contains("git lfs pull"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("the pointer of Git LFS") && run.stderr.contains("git lfs pull"),
+        "{}",
+        run.stderr
+    );
     folder.write("white.png", pointer);
     let run = folder.glanz(&["info", "a.gltf"]);
-    assert!(format!("{}{}", run.stderr, String::from_utf8_lossy(&run.stdout)).contains("git lfs pull"), "{run:?}");
+    assert!(
+        format!("{}{}", run.stderr, String::from_utf8_lossy(&run.stdout)).contains("git lfs pull"),
+        "{run:?}"
+    );
 }
 
 #[test]
@@ -144,5 +159,9 @@ fn objects_that_reach_too_far_for_a_camera_are_told() {
     folder.write("far.gltf", far.to_string());
     let run = folder.glanz(&["render", "far.gltf", "-o", "a.png"]);
     assert_eq!(run.code, 3, "{}", run.stderr);
-    assert!(run.stderr.contains("no camera shows all of them") && run.stderr.contains("--eye"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("no camera shows all of them") && run.stderr.contains("--eye"),
+        "{}",
+        run.stderr
+    );
 }

@@ -21,10 +21,15 @@ fn two_files_of_one_command_are_not_the_same() {
     let folder = folder();
     let before = folder.names();
     for (words, [first, second]) in TWO {
-        for (a, b) in [("same.svg", "same.svg"), ("./same.svg", "same.svg"), ("sub/../same.svg", "same.svg")] {
+        for (a, b) in [("same.svg", "same.svg"), ("./same.svg", "same.svg"), ("sub/../same.svg", "same.svg")]
+        {
             let run = folder.glanz(&[words, &[first, a, second, b]].concat());
             assert_eq!(run.code, 2, "{words:?} {a}: {}", run.stderr);
-            assert!(run.stderr.contains(&format!("{first} and {second} name the same file")), "{}", run.stderr);
+            assert!(
+                run.stderr.contains(&format!("{first} and {second} name the same file")),
+                "{}",
+                run.stderr
+            );
             assert_eq!(folder.names(), before);
         }
     }
@@ -113,7 +118,11 @@ fn a_file_that_is_read_is_not_written_over() {
         for name in [input.to_owned(), format!("./{input}"), format!("sub/../{input}")] {
             let run = folder.glanz(&[words, &[name.as_str()]].concat());
             assert!(matches!(run.code, 2 | 3), "{words:?} {name}: {}", run.stderr);
-            assert!(run.stderr.contains("read") || run.stderr.contains("which is compared"), "{}", run.stderr);
+            assert!(
+                run.stderr.contains("read") || run.stderr.contains("which is compared"),
+                "{}",
+                run.stderr
+            );
             assert_eq!(folder.read(input), before, "{words:?} {name}");
         }
     }

@@ -141,9 +141,11 @@ mod tests {
         for _ in 0..50 {
             let all = Temporaries::new();
             std::thread::scope(|scope| {
-                scope.spawn(|| while let Ok((file, _)) = all.create_beside(&folder.join("a")) {
-                    // The program ends before it is dropped.
-                    core::mem::forget(file);
+                scope.spawn(|| {
+                    while let Ok((file, _)) = all.create_beside(&folder.join("a")) {
+                        // The program ends before it is dropped.
+                        core::mem::forget(file);
+                    }
                 });
                 std::thread::yield_now();
                 all.close();

@@ -80,7 +80,9 @@ impl View {
         }
         let least = Projection::FOV_MARGIN;
         match camera.projection {
-            Projection::Perspective { fov_y } if !(least < fov_y && fov_y < core::f64::consts::PI - least) => {
+            Projection::Perspective { fov_y }
+                if !(least < fov_y && fov_y < core::f64::consts::PI - least) =>
+            {
                 return error("field of view must be above 1e-6 and below π - 1e-6 radians");
             }
             Projection::Orthographic { height } if !(height > 0.0 && height.is_finite()) => {

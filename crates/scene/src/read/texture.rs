@@ -229,7 +229,10 @@ pub(super) mod tests {
         huge[frame + 5..frame + 9].copy_from_slice(&[0xff; 4]);
         for bytes in samples().into_iter().chain([huge]) {
             let error = read_texture(&bytes, "p", &narrow).unwrap_err().to_string();
-            assert!(error.contains("expected a picture of 1 to 15 texels along each side, found "), "{error}");
+            assert!(
+                error.contains("expected a picture of 1 to 15 texels along each side, found "),
+                "{error}"
+            );
         }
     }
 

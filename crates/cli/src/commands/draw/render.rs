@@ -258,7 +258,8 @@ impl RenderArgs {
             self.check_light()?;
         }
         if self.develop.dither && self.bit_depth == BitDepth::Sixteen {
-            let message = "--dither has no effect with --bit-depth 16; it acts where light is rounded to 8 bits";
+            let message =
+                "--dither has no effect with --bit-depth 16; it acts where light is rounded to 8 bits";
             return Err(Failure::Usage(message.to_owned()));
         }
         match (format, self.bit_depth) {

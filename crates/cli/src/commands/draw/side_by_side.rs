@@ -4,7 +4,9 @@ use clap::Args;
 use glanz_picture::compare::frames::Developed;
 use glanz_plot::Canvas;
 
-use crate::args::{CameraArgs, ColorArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
+use crate::args::{
+    CameraArgs, ColorArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+};
 use crate::encode;
 use crate::load::{Input, More};
 use crate::pipeline::Plan;

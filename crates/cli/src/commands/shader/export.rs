@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use glanz_bsdf::LightTerm;
-use glanz_picture::output::{OutputError, write_atomically};
 use glanz_math::names::shown;
+use glanz_picture::output::{OutputError, write_atomically};
 use glanz_render::{Shot, UniformFill};
 use glanz_scene::{Program, ProgramText, Scene};
 use glanz_shader::{DefaultProgram, Stage};

@@ -13,14 +13,12 @@ impl Builder {
     pub(super) fn camera(&self, camera: &At<CameraRef>) -> Result<Camera, Problem> {
         match &camera.value {
             CameraRef::Table(table) => table.build(&camera.span),
-            CameraRef::Name(name) => {
-                crate::camera_named(name, &self.made.cameras).ok_or_else(|| {
-                    let known = || self.made.cameras.iter().map(|(name, _)| name.as_str());
-                    let message = format!("unknown camera '{}'{}", shown(name), did_you_mean(name, known()));
-                    Problem::at(&camera.span, message)
-                        .help(format!("the cameras in the files of the objects are: {}", list(known())))
-                })
-            }
+            CameraRef::Name(name) => crate::camera_named(name, &self.made.cameras).ok_or_else(|| {
+                let known = || self.made.cameras.iter().map(|(name, _)| name.as_str());
+                let message = format!("unknown camera '{}'{}", shown(name), did_you_mean(name, known()));
+                Problem::at(&camera.span, message)
+                    .help(format!("the cameras in the files of the objects are: {}", list(known())))
+            }),
         }
     }
 }

@@ -84,7 +84,8 @@ impl Builder {
         }
         match channels.len() > most {
             true => {
-                let message = format!("a material has at most {most} channels of pictures, and this is one more");
+                let message =
+                    format!("a material has at most {most} channels of pictures, and this is one more");
                 Err(Problem::at(&picture.span, message))
             }
             false => Ok(found),

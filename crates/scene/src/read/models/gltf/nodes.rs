@@ -376,7 +376,8 @@ fn projection(camera: &json::Camera) -> Option<Projection> {
     match (camera.kind.as_str(), &camera.perspective, &camera.orthographic) {
         ("perspective", Some(perspective), _) => {
             let (fov_y, least) = (perspective.yfov, Projection::FOV_MARGIN);
-            (least < fov_y && fov_y < std::f64::consts::PI - least).then_some(Projection::Perspective { fov_y })
+            (least < fov_y && fov_y < std::f64::consts::PI - least)
+                .then_some(Projection::Perspective { fov_y })
         }
         ("orthographic", _, Some(orthographic)) => {
             let height = 2.0 * orthographic.ymag.abs();

@@ -362,7 +362,8 @@ fn cameras_stand_at_their_node() {
     assert_eq!(model.cameras[0].1.projection, Projection::Orthographic { height: 6.0 });
     for yfov in [4.0, 0.0, -1.0, 1e-30, 1e-6, 3.141_592_6, 1e300] {
         let model = read(&with_camera(json!({ "type": "perspective", "perspective": { "yfov": yfov } })));
-        let left_out = has_note(&model, "cameras[0]: expected a perspective") && has_note(&model, "found a yfov");
+        let left_out =
+            has_note(&model, "cameras[0]: expected a perspective") && has_note(&model, "found a yfov");
         assert!(model.cameras.is_empty() && left_out, "{yfov}: {:?}", model.notes);
     }
     let far = [
