@@ -13,6 +13,9 @@ use super::print::{self, number};
 /// The most frames of one film.
 const MAX_FRAMES: u32 = 100_000;
 
+/// The most digits of a frame's number in a name.
+const MAX_DIGITS: usize = 20;
+
 /// `0..120` (without 120) or `0..=119`.
 pub(crate) fn range(text: &str) -> Result<Range<u32>, String> {
     const EXPECTED: &str = "expected FIRST..END, such as 0..120 for 120 frames from 0 to 119";
@@ -96,7 +99,14 @@ pub(crate) fn tell_of_gif(animation: &Animation) {
 impl Template {
     /// The template in a path; `None` if there is no place for a number.
     pub(crate) fn of_path(path: &Path) -> Result<Option<Self>, Failure> {
-        let template = Self::parse(&path.to_string_lossy());
+        let text = path.to_string_lossy();
+        let template = Self::parse(&text);
+        if let (None, Some(place)) = (&template, place_of(&text)) {
+            let message = format!(
+                "'{place}' is no place for a number: write {{frame}} or {{frame:04}}, with at most {MAX_DIGITS} digits"
+            );
+            return Err(Failure::Usage(message));
+        }
         match path.to_str() {
             None if template.is_some() => Err(Failure::Usage(format!(
                 "'{}' is not UTF-8, so it cannot be the pattern of names with {{frame}}",
@@ -111,7 +121,7 @@ impl Template {
         let (before, rest) = text.split_once("{frame")?;
         let (format, after) = rest.split_once('}')?;
         let digits = match format.strip_prefix(':') {
-            Some(digits) => digits.parse().ok().filter(|digits| *digits <= 20)?,
+            Some(digits) => digits.parse().ok().filter(|digits| *digits <= MAX_DIGITS)?,
             None if format.is_empty() => 1,
             None => return None,
         };
@@ -122,6 +132,12 @@ impl Template {
     pub(crate) fn name(&self, number: u32) -> String {
         format!("{}{number:0digits$}{}", self.before, self.after, digits = self.digits)
     }
+}
+
+/// What is written like a place for a number.
+fn place_of(text: &str) -> Option<&str> {
+    let place = &text[text.find("{frame:")?..];
+    place.find('}').map(|end| &place[..=end])
 }
 
 /// The camera after `part` of a full turn around its target, counter-clockwise seen from above.
@@ -169,6 +185,20 @@ mod tests {
         for wrong in ["spin.png", "{frame", "{frames}", "{frame:x}", "{frame:99999}"] {
             assert_eq!(name(wrong), None, "{wrong}");
         }
+    }
+
+    #[test]
+    fn a_place_with_too_many_digits_is_told() {
+        for (text, place) in [("a_{frame:300}.png", "{frame:300}"), ("{frame:x}", "{frame:x}")] {
+            match Template::of_path(Path::new(text)) {
+                Err(Failure::Usage(message)) => {
+                    assert!(message.starts_with(&format!("'{place}' is no place")), "{message}");
+                }
+                other => panic!("{text}: {other:?}"),
+            }
+        }
+        assert!(matches!(Template::of_path(Path::new("a_{frame:20}.png")), Ok(Some(_))));
+        assert!(matches!(Template::of_path(Path::new("a_{frames}.png")), Ok(None)));
     }
 
     #[test]

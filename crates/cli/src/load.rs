@@ -49,7 +49,7 @@ impl InputArgs {
             memory: self.memory,
         };
         let camera = camera.and_then(|camera| camera.camera.as_deref()).filter(|_| is_scene);
-        options.sets.extend(camera.map(|name| ("camera".to_owned(), format!("{name:?}"))));
+        options.sets.extend(camera.map(|name| ("camera".to_owned(), quoted(name))));
         let opened = match self.is_stdin() {
             true => open_str(stdin_text()?, Path::new(""), &options),
             false => open(&self.input, &options),
@@ -98,6 +98,11 @@ impl InputArgs {
     }
 }
 
+/// A name as a value of TOML, which has the strings of JSON, but escapes one character more.
+fn quoted(name: &str) -> String {
+    serde_json::Value::from(name).to_string().replace('\u{7f}', "\\u007f")
+}
+
 /// The text on stdin. A scene that is drawn several times is read once.
 fn stdin_text() -> Result<&'static str, Failure> {
     static TEXT: OnceLock<String> = OnceLock::new();
@@ -119,7 +124,14 @@ fn stdin_text() -> Result<&'static str, Failure> {
 /// The input that a scene made in code is.
 pub(crate) fn input_of_stage(scene: Scene) -> Input {
     let memory = MemoryBudget::default();
-    Input { scene, cameras: Vec::new(), notes: Vec::new(), default_lights: true, memory }
+    Input {
+        scene,
+        cameras: Vec::new(),
+        variants: Vec::new(),
+        notes: Vec::new(),
+        default_lights: true,
+        memory,
+    }
 }
 
 /// Tells an error of a scene file with the line that it is in, or of a value from the command line with its option.

@@ -72,7 +72,9 @@ fn main() -> ExitCode {
         }
     };
     old_names::tell(&cli.command.path(), &words);
-    match panics::caught(|| cli.command.run(root)) {
+    let done = panics::caught(|| cli.command.run(root));
+    interrupt::settle();
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report::<Cli>(&cli.command.path(), format),
     }

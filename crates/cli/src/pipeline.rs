@@ -6,7 +6,7 @@ use glanz_picture::compare::frames::Developed;
 use glanz_picture::output::{PictureData, PictureKind};
 use glanz_picture::{Develop, Frame, develop};
 use glanz_plot::Canvas;
-use glanz_render::{Aovs, PrepareOptions, Shot, ShotError, ShotOptions, View, takes_several_frames};
+use glanz_render::{Aovs, Moment, PrepareOptions, Shot, ShotError, ShotOptions, View, takes_several_frames};
 use glanz_scene::{Camera, Scene, Shading};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
@@ -23,6 +23,8 @@ pub(crate) struct Plan {
     pub options: ShotOptions,
     /// The SIMD instructions that `GLANZ_SIMD` names.
     level: SimdLevel,
+    /// What programs are told.
+    moment: Moment,
 }
 
 impl Plan {
@@ -38,6 +40,9 @@ impl Plan {
         let camera = camera.resolve(input, (image.width, image.height))?;
         let draw = look.draw_options(&image, &input.scene.render)?;
         let seen = look.color.resolve(&input.scene, draw.show)?;
+        if draw.show.is_light() {
+            look.color.check_white(&seen.observation)?;
+        }
         let develop = develop.resolve(&input.scene.render)?;
         let options = ShotOptions {
             prepare: PrepareOptions { memory: input.memory, ..look.prepare_options(seen.observation) },
@@ -58,19 +63,30 @@ impl Plan {
             observation.to_screen(&input.scene, options.white).map_err(ShotError::from)?;
         }
         View::new(&options.camera, image.width, image.height).map_err(ShotError::from)?;
-        Ok(Self { options, level: simd_level()? })
+        Ok(Self { options, level: simd_level()?, moment: Moment::default() })
+    }
+
+    /// The same with what programs are told.
+    pub(crate) fn at(self, moment: Moment) -> Self {
+        Self { moment, ..self }
     }
 
     /// The scene, prepared to be drawn.
     pub(crate) fn shot(&self, scene: &Scene) -> Result<Shot, Failure> {
-        Ok(Shot::with(scene, self.options.clone())?.on_level(self.level))
+        self.shot_of(scene, self.options.clone())
     }
 
     /// The same with another shading.
     pub(crate) fn shot_shaded(&self, scene: &Scene, shading: Shading) -> Result<Shot, Failure> {
         let mut options = self.options.clone();
         options.prepare.shading = Some(shading);
-        Ok(Shot::with(scene, options)?.on_level(self.level))
+        self.shot_of(scene, options)
+    }
+
+    fn shot_of(&self, scene: &Scene, options: ShotOptions) -> Result<Shot, Failure> {
+        let mut shot = Shot::with(scene, options)?.on_level(self.level);
+        shot.set_moment(self.moment);
+        Ok(shot)
     }
 
     /// Width and height of the pictures.
@@ -125,12 +141,13 @@ fn without_spectra(error: ShotError) -> Failure {
     }
 }
 
-/// Draws 8-bit codes.
+/// Draws 8-bit codes, if there is memory for them.
 pub(crate) fn codes(
     shot: &mut Shot,
     timings: &mut Timings,
     progress: &mut Progress,
 ) -> Result<Canvas, Failure> {
+    shot.check_memory(PictureKind::Codes8)?;
     let (width, height) = (shot.view().width as usize, shot.view().height as usize);
     if takes_several_frames(shot.prepared()) {
         let frame = timings.measure(Stage::Draw, || frame(shot, Aovs::default(), progress))?;

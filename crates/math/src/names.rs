@@ -8,6 +8,8 @@
 //! assert_eq!(did_you_mean("lambrt", ["lambert", "phong"]), "; did you mean 'lambert'?");
 //! ```
 
+use std::borrow::Cow;
+
 /// The longest name that is looked at: a longer one is a misspelling of nothing, and the distance costs the
 /// product of the lengths.
 const LONGEST: usize = 60;
@@ -26,6 +28,18 @@ fn most_wrong(letters: usize) -> usize {
 /// A name as it is compared: small letters, and a hyphen for a blank or a low line.
 pub fn plain(name: &str) -> String {
     name.trim().to_lowercase().replace([' ', '_'], "-")
+}
+
+/// A name as a message shows it: with a question mark for each control character, so that it stays in its line.
+///
+/// ```
+/// assert_eq!(glanz_math::names::shown("left\n"), "left?");
+/// ```
+pub fn shown(name: &str) -> Cow<'_, str> {
+    match name.contains(char::is_control) {
+        true => Cow::Owned(name.chars().map(|c| if c.is_control() { '?' } else { c }).collect()),
+        false => Cow::Borrowed(name),
+    }
 }
 
 /// The known names that `name` is most likely a misspelling of: all that are equally near, at most three, in
@@ -50,7 +64,7 @@ pub fn suggestion(near: &[impl AsRef<str>]) -> String {
     if near.is_empty() {
         return String::new();
     }
-    let names: Vec<&str> = near.iter().map(AsRef::as_ref).collect();
+    let names: Vec<_> = near.iter().map(|name| shown(name.as_ref())).collect();
     format!("; did you mean '{}'?", names.join("' or '"))
 }
 

@@ -41,7 +41,7 @@ pub use material_response::MaterialResponse;
 pub use observe::{draw_observed, draw_observed_into, takes_several_frames};
 pub use prepare::{
     Change, Observation, ObservationError, OwnWhite, PrepareError, PrepareOptions, Prepared, ProgramError,
-    SCREEN_WHITE_CD_M2, prepare,
+    SCREEN_WHITE_CD_M2, check_memory, prepare,
 };
 pub use session::Session;
 pub use shot::{

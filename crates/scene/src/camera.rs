@@ -20,6 +20,11 @@ pub enum Projection {
     },
 }
 
+impl Projection {
+    /// A field of view is farther than this from 0 and from π, in radians: no picture can be drawn with another.
+    pub const FOV_MARGIN: f64 = 1e-6;
+}
+
 /// A camera, looking from `eye` to `target`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Camera {
@@ -31,6 +36,24 @@ pub struct Camera {
     pub up: DVec3,
     /// Perspective or parallel.
     pub projection: Projection,
+}
+
+/// The camera of this name among those of a file, or else the one of this number, from 0.
+///
+/// ```
+/// use glanz_scene::{Camera, camera_named};
+///
+/// let front = Camera::new([0.0, 0.0, 5.0], [0.0, 0.0, 0.0]);
+/// let side = Camera::new([5.0, 0.0, 0.0], [0.0, 0.0, 0.0]);
+/// let cameras = [("front".to_owned(), front), ("side".to_owned(), side)];
+/// assert_eq!(camera_named("side", &cameras), Some(side));
+/// assert_eq!(camera_named("0", &cameras), Some(front));
+/// assert_eq!(camera_named("back", &cameras), None);
+/// ```
+pub fn camera_named(name: &str, cameras: &[(String, Camera)]) -> Option<Camera> {
+    let by_name = cameras.iter().find(|(own, _)| own == name);
+    let by_number = || name.parse::<usize>().ok().and_then(|number| cameras.get(number));
+    by_name.or_else(by_number).map(|(_, camera)| *camera)
 }
 
 /// Vertical field of view of a camera that Glanz chooses itself, in degrees.

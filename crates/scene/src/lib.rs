@@ -38,7 +38,7 @@ pub mod stage;
 
 pub use another_scale::AnotherScale;
 pub use builtin::{Builtin, BuiltinError};
-pub use camera::{Camera, Projection};
+pub use camera::{Camera, Projection, camera_named};
 pub use color_mode::{COLOR_MODES, ColorMode, White};
 pub use glam;
 pub use light::{

@@ -14,12 +14,18 @@ pub const LEAST_TRIANGLE_BYTES: u64 = 48;
 /// Refuses more triangles than can be drawn, or than there is memory for at the least; says why.
 pub(crate) fn check_triangles(triangles: u64, memory: MemoryBudget) -> Result<(), String> {
     if triangles > MAX_TRIANGLES {
+        let found = counted(triangles);
         return Err(format!(
-            "expected at most {MAX_TRIANGLES} triangles in a scene, found {triangles} up to here"
+            "expected at most {MAX_TRIANGLES} triangles in a scene, found {found} up to here"
         ));
     }
     let bytes = triangles * LEAST_TRIANGLE_BYTES;
     memory.check(format_args!("{triangles} triangles"), bytes).map_err(|over| over.to_string())
+}
+
+/// A number of triangles, where the greatest stands for all that cannot be counted.
+pub(crate) fn counted(triangles: u64) -> String {
+    if triangles == u64::MAX { "more than can be counted".to_owned() } else { triangles.to_string() }
 }
 
 /// What a decoded texture takes: four bytes for each texel, and four more for each texel of all its mip levels.

@@ -23,6 +23,8 @@ pub struct Opened {
     pub scene: Scene,
     /// Cameras of a model that can be chosen by name.
     pub cameras: Vec<(String, Camera)>,
+    /// The names of the variants that a model's materials have.
+    pub variants: Vec<String>,
     /// What was ignored or changed, in words for people.
     pub notes: Vec<String>,
     /// Whether the lights are not the file's own.
@@ -91,6 +93,7 @@ fn open_model(path: &Path, options: &LoadOptions) -> Result<Opened, OpenError> {
     check_budget(&model, path, memory)?;
     opened.notes.append(&mut model.notes);
     opened.cameras = core::mem::take(&mut model.cameras);
+    opened.variants = core::mem::take(&mut model.variants);
     if opened.scene.camera.is_none() {
         opened.scene.camera = opened.cameras.first().map(|(_, camera)| *camera);
     }
@@ -133,7 +136,8 @@ impl Opened {
 
     fn of_loaded(loaded: Loaded, options: &LoadOptions) -> Self {
         let (scene, notes) = (loaded.scene, loaded.notes);
-        Self { scene, cameras: Vec::new(), notes, default_lights: false, memory: options.memory }
+        let (cameras, variants) = (Vec::new(), Vec::new());
+        Self { scene, cameras, variants, notes, default_lights: false, memory: options.memory }
     }
 }
 

@@ -2,11 +2,13 @@
 
 use clap::Args;
 use glam::DVec3;
-use glanz_scene::{Camera, Projection};
+use glanz_math::names::shown;
+use glanz_scene::{Camera, Projection, Scene, camera_named};
 
 use super::values;
 use crate::load::Input;
-use crate::print::failure::Failure;
+use crate::print::failure::{Failure, Report};
+use crate::print::number;
 
 /// Another camera than the scene's.
 #[derive(Args, Clone, Debug, Default)]
@@ -49,6 +51,9 @@ impl CameraArgs {
         camera.eye = vector(self.eye, camera.eye);
         camera.target = vector(self.target, camera.target);
         camera.up = vector(self.up, camera.up);
+        if !(camera.eye.is_finite() && camera.target.is_finite()) {
+            return Err(too_far(scene));
+        }
         if camera.up.try_normalize().is_none() {
             return Err(Failure::Usage("--up is no direction: three numbers that are not all 0".to_owned()));
         }
@@ -62,17 +67,25 @@ impl CameraArgs {
     }
 }
 
+/// That nothing shows all of a scene: it reaches farther than numbers do from where a camera would be.
+fn too_far(scene: &Scene) -> Failure {
+    let [least, most] =
+        [scene.bounds().min, scene.bounds().max].map(|corner| corner.to_array().map(number).join(", "));
+    let message = format!("the objects reach from ({least}) to ({most}): no camera shows all of them");
+    let report = Report::new(message).about_scene();
+    report.help("correct their transforms, or say with --eye and --target where the camera is").into()
+}
+
 /// The camera called `name`, or of that number.
 fn find(name: &str, named: &[(String, Camera)]) -> Result<Camera, Failure> {
-    let by_name = named.iter().find(|(own, _)| own == name);
-    let by_number = || name.parse::<usize>().ok().and_then(|number| named.get(number));
-    match by_name.or_else(by_number) {
-        Some((_, camera)) => Ok(*camera),
+    match camera_named(name, named) {
+        Some(camera) => Ok(camera),
         None if named.is_empty() => {
-            Err(Failure::Usage(format!("there is no camera '{name}': the file has no named cameras")))
+            Err(Failure::Usage(format!("there is no camera '{}': the file has no cameras", shown(name))))
         }
         None => {
-            let known = named.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+            let known: Vec<_> = named.iter().map(|(name, _)| format!("'{}'", shown(name))).collect();
+            let (name, known) = (shown(name), known.join(", "));
             Err(Failure::Usage(format!("there is no camera '{name}'; the file has: {known}")))
         }
     }

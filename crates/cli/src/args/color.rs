@@ -48,6 +48,16 @@ pub(crate) struct Look {
 }
 
 impl ColorArgs {
+    /// That the white has an effect.
+    pub(crate) fn check_white(&self, observation: &Observation) -> Result<(), Failure> {
+        if self.white.is_some() && observation.mode() == ColorMode::Rgb {
+            let message =
+                "--white has no effect in mode rgb; it acts in modes with spectra: add --mode spectral";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        Ok(())
+    }
+
     /// Observer, mode and white for a scene. Views that show no light know no colour mode.
     pub(crate) fn resolve(&self, scene: &Scene, show: DebugView) -> Result<Look, Failure> {
         let white = self.white.unwrap_or(scene.render.white);

@@ -20,7 +20,7 @@ pub(crate) use look::LookArgs;
 pub(crate) use picture::{BitDepth, DevelopArgs};
 pub(crate) use plot::{BesidePlotArgs, PlotOutputArgs, PlotTarget};
 pub(crate) use program::{ProgramArgs, cube_faces};
-pub(crate) use target::{Target, TargetArgs, check_folder};
+pub(crate) use target::{Target, TargetArgs, check_apart, check_beside, check_folder};
 pub(crate) use values::{angles, assignment, numbers, size};
 
 use clap::Args;

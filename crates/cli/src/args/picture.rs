@@ -23,11 +23,11 @@ pub(crate) enum BitDepth {
 #[derive(Args, Clone, Copy, Debug, Default)]
 #[command(next_help_heading = "Development")]
 pub(crate) struct DevelopArgs {
-    /// Exposure in stops: 1 doubles the light
+    /// Exposure in stops: 1 doubles the light; not for .exr
     #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
     pub ev: Option<f32>,
 
-    /// Tone mapping: how light above the white of the screen is compressed
+    /// Tone mapping: how light above the white of the screen is compressed; not for .exr
     #[arg(long, value_name = "NAME", value_parser = choices::tone_map())]
     pub tone_map: Option<ToneMap>,
 
@@ -36,7 +36,7 @@ pub(crate) struct DevelopArgs {
     #[arg(long, value_name = "NAME", value_parser = choices::encoding())]
     pub encoding: Option<Encoding>,
 
-    /// Dither before rounding to 8 bits
+    /// Dither before rounding to 8 bits; not for .exr
     #[arg(long)]
     pub dither: bool,
 }

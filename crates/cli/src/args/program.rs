@@ -54,7 +54,7 @@ impl ProgramArgs {
     /// Lets the scene be drawn by what the options name, in place of or beside its own program.
     pub(crate) fn apply(&self, scene: &mut Scene) -> Result<(), Failure> {
         if self.vs.is_none() && self.fs.is_none() && self.uniform.is_empty() {
-            return Ok(());
+            return self.check_moment(scene);
         }
         let own = scene.program.and_then(|own| scene.programs.get(own)).cloned();
         let mut program = match (&self.vs, &self.fs) {
@@ -80,6 +80,18 @@ impl ProgramArgs {
         }
         scene.set_program(program);
         Ok(())
+    }
+
+    /// That there is a program to be told of time and pointer.
+    fn check_moment(&self, scene: &Scene) -> Result<(), Failure> {
+        let has_program = scene.program.is_some() || scene.objects.iter().any(|own| own.program.is_some());
+        let given = [("--time", self.time != 0.0), ("--mouse", self.mouse.is_some())];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) if !has_program => Err(Failure::Usage(format!(
+                "{option} needs a program: add --fs or --vs, or `program` in the scene"
+            ))),
+            _ => Ok(()),
+        }
     }
 
     /// Numbers between commas, true or false, or a picture.

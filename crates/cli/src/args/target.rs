@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueHint};
-use glanz_picture::output::is_own;
+use glanz_picture::output::{is_own, written_file};
 
 use super::input::STDIN;
 use crate::print::failure::{Failure, Report};
@@ -112,6 +112,24 @@ pub(crate) fn check_folder(path: &Path) -> Result<(), Failure> {
         return Err(report.file(path).into());
     }
     Ok(())
+}
+
+/// That a file may be written beside the numbers, which stdout has; `option` names the file.
+pub(crate) fn check_beside(option: &str, path: &Path) -> Result<(), Failure> {
+    if path == Path::new("-") {
+        let message = format!("stdout takes the numbers, not the file too; name a file with {option}");
+        return Err(Failure::Usage(message));
+    }
+    check_folder(path)
+}
+
+/// That files which one command writes are not one, however their names are written; each stands behind its option.
+pub(crate) fn check_apart(files: [(&str, Option<&Path>); 2]) -> Result<(), Failure> {
+    let [(first, Some(a)), (second, Some(b))] = files else { return Ok(()) };
+    match written_file(a)? == written_file(b)? {
+        true => Err(Failure::Usage(format!("{first} and {second} name the same file"))),
+        false => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use glanz_bsdf::LightTerm;
+use glanz_render::{PrepareOptions, check_memory};
 
 use crate::args::{InputArgs, choices};
 use crate::load::More;
@@ -48,8 +49,10 @@ impl InfoArgs {
                 lobe.shape = lobe.shape.as_model(model).map_err(|error| Failure::Usage(error.to_string()))?;
             }
         }
+        let options = PrepareOptions { memory: input.memory, ..PrepareOptions::default() };
         let summary = Summary {
             input: &input,
+            refusal: check_memory(&input.scene, &options).err().map(|error| error.to_string()),
             path: self.input.name(),
             vertices: self.vertices,
             matrices: self.matrices,

@@ -1,5 +1,6 @@
 //! Objects of a scene as the command line names them.
 
+use glanz_math::names::shown;
 use glanz_scene::Scene;
 
 use crate::print::failure::{Failure, Report};
@@ -15,8 +16,9 @@ pub(crate) fn object_of(scene: &Scene, name: &str) -> Result<usize, Failure> {
     let named = scene.objects.iter().position(|object| object.name == name);
     let numbered = || name.parse().ok().filter(|number: &usize| *number < scene.objects.len());
     named.or_else(numbered).ok_or_else(|| {
-        let known: Vec<_> = (0..scene.objects.len()).map(|number| object_name(scene, number)).collect();
-        let report = Report::new(format_args!("there is no object '{name}'"));
+        let names = (0..scene.objects.len()).map(|number| object_name(scene, number));
+        let known: Vec<_> = names.map(|name| shown(&name).into_owned()).collect();
+        let report = Report::new(format_args!("there is no object '{}'", shown(name)));
         report.help(format_args!("there are: {}", known.join(", "))).into()
     })
 }

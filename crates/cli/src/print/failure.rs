@@ -163,9 +163,9 @@ impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Self {
         let report = Report::new(without_number(&error.to_string()));
         match &error {
-            OutputError::File { path, .. } | OutputError::UnknownExtension { path } => {
-                report.file(path).into()
-            }
+            OutputError::File { path, .. }
+            | OutputError::UnknownExtension { path }
+            | OutputError::Input { path } => report.file(path).into(),
             _ => report.into(),
         }
     }
@@ -216,7 +216,7 @@ impl From<ShotError> for Failure {
         if let ShotError::Prepare(PrepareError::Program(error)) = &error {
             return Texts::known(&error.texts).failure(&error.error);
         }
-        Report { is_of_scene: true, ..Report::new(error) }.into()
+        Report::new(error).about_scene().into()
     }
 }
 
@@ -327,6 +327,11 @@ impl Report {
     pub(crate) fn file(mut self, file: &Path) -> Self {
         self.file = Some(file.display().to_string());
         self
+    }
+
+    /// That it is about the scene that is drawn, whose file [`Failure::of_scene`] adds.
+    pub(crate) fn about_scene(self) -> Self {
+        Self { is_of_scene: true, ..self }
     }
 
     /// Adds the line of the file, from 1, for programs.

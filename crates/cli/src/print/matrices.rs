@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use glam::{DMat3, DMat4};
+use glanz_math::names::shown;
 use glanz_plot::number;
 use glanz_scene::{Camera, Object, Projection, Scene};
 use schemars::JsonSchema;
@@ -72,7 +73,7 @@ impl MatrixTables {
         matrix(&mut text, "V, from the world to the camera", &self.view);
         matrix(&mut text, &format!("P, to clip coordinates, near {near} m, far {far} m"), &self.projection);
         for object in self.objects.iter().take(MOST_OBJECTS) {
-            let name = if object.name.is_empty() { "(unnamed)" } else { &object.name };
+            let name = if object.name.is_empty() { "(unnamed)" } else { &*shown(&object.name) };
             matrix(&mut text, &format!("M of {name}, from its mesh to the world"), &object.model);
             maybe(&mut text, &format!("N of {name} = (M⁻¹)ᵀ, for normals"), object.normal.as_ref());
             matrix(&mut text, &format!("V M of {name}"), &object.model_view);

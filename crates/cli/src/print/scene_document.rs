@@ -33,6 +33,10 @@ pub(crate) struct Document {
     /// Whether the file has no lights, and these are added
     default_lights: bool,
     cameras: Vec<CameraFacts>,
+    /// The names of the variants of a glTF model's materials, which --variant takes
+    variants: Vec<String>,
+    /// Why the scene is not drawn, where that takes more memory than --memory allows; else null
+    refusal: Option<String>,
     /// With --matrices: those of the camera and of all objects
     #[serde(skip_serializing_if = "Option::is_none")]
     matrices: Option<MatrixTables>,
@@ -214,6 +218,8 @@ impl Document {
                 (Some(camera), []) => vec![CameraFacts::of("", camera)],
                 (_, named) => named.iter().map(|(name, camera)| CameraFacts::of(name, camera)).collect(),
             },
+            variants: summary.input.variants.clone(),
+            refusal: summary.refusal.clone(),
             matrices: summary.matrices.then(|| MatrixTables::of(scene)),
             notes: summary.input.notes.clone(),
         }

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use clap::{Args, ValueEnum};
+use glanz_math::names::shown;
 use serde::Serialize;
 
 use super::document::versioned;
@@ -77,7 +78,9 @@ const FEW_NOTES: usize = 3;
 pub(crate) fn notes(input: &std::path::Path, notes: &[String]) {
     match notes {
         [] => {}
-        few if few.len() <= FEW_NOTES => few.iter().for_each(|only| note(format_args!("note: {only}"))),
+        few if few.len() <= FEW_NOTES => {
+            few.iter().for_each(|only| note(format_args!("note: {}", shown(only))))
+        }
         _ => note(format_args!(
             "note: {} things are ignored or changed; 'glanz info {}' lists them",
             notes.len(),

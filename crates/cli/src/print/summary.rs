@@ -5,10 +5,11 @@ use std::path::Path;
 
 use glam::DVec3;
 use glanz_bsdf::{FactorTable, LayerWeight};
+use glanz_math::names::shown;
 use glanz_plot::number;
 use glanz_scene::{
     AlphaMode, AreaShape, Attenuation, Bounds, Camera, Light, LightColors, LightKind, Lobe, Luminaire,
-    Material, Mesh, Projection, Space,
+    Material, Mesh, Projection, RoughnessMap, Space,
 };
 
 use super::matrices::MatrixTables;
@@ -23,6 +24,8 @@ const MOST_LISTED: usize = 40;
 pub(crate) struct Summary<'a> {
     /// The scene.
     pub input: &'a Input,
+    /// Why it is not drawn: what takes more memory than it may.
+    pub refusal: Option<String>,
     /// Its file.
     pub path: &'a Path,
     /// Whether all vertices and facets are told.
@@ -40,6 +43,9 @@ impl Summary<'_> {
         let instances = plural(scene.objects.len(), "object");
         line(&mut text, "shows", &format!("{instances} with {}", plural(total, "triangle")));
         line(&mut text, "bounds", &bounds_text(&scene.bounds()));
+        if let Some(refusal) = &self.refusal {
+            line(&mut text, "drawing", &format!("refused: {refusal}"));
+        }
         let image = scene.image;
         line(
             &mut text,
@@ -69,6 +75,7 @@ impl Summary<'_> {
         section(&mut text, "ambient light", ambient);
         section(&mut text, lights, scene.lights.iter().filter(|light| !is_ambient(light)).map(light_text));
         self.cameras(&mut text);
+        section(&mut text, "variants of materials", self.input.variants.iter().cloned());
         section(&mut text, "ignored or changed", self.input.notes.iter().cloned());
         text
     }
@@ -109,7 +116,7 @@ fn section(text: &mut String, title: &str, items: impl IntoIterator<Item = Strin
     }
     writeln!(text, "  {title}: {}", items.len()).expect("a string takes everything");
     for item in items.iter().take(MOST_LISTED) {
-        writeln!(text, "    {item}").expect("a string takes everything");
+        writeln!(text, "    {}", shown(item)).expect("a string takes everything");
     }
     if let Some(more) = items.len().checked_sub(MOST_LISTED).filter(|more| *more > 0) {
         writeln!(text, "    and {more} more; --format json lists all").expect("a string takes everything");
@@ -170,11 +177,17 @@ fn shape_text(lobe: &Lobe) -> String {
     format!("{}{params}", info.name)
 }
 
+/// What textures give a material.
 pub(super) fn maps(material: &Material) -> Vec<&'static str> {
+    let any = |gives: fn(&Lobe) -> bool| material.lobes.iter().any(gives);
     let has = [
         (material.base_color.is_some(), "base color"),
+        (material.metal_rough_map.is_some(), "metal and roughness"),
         (material.normal_map.is_some(), "normal"),
+        (material.occlusion.is_some(), "occlusion"),
         (material.emission_map.is_some(), "emission"),
+        (any(|lobe| !lobe.masks.is_empty()), "masks of lobes"),
+        (any(|lobe| matches!(lobe.roughness, RoughnessMap::Own(_))), "roughness of lobes"),
     ];
     has.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect()
 }

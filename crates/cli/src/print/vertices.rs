@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use glanz_math::names::shown;
 use glanz_plot::number;
 use glanz_scene::{Mesh, Normals};
 use schemars::JsonSchema;
@@ -63,7 +64,7 @@ impl VertexTables {
 /// The two tables of a mesh for people.
 pub(super) fn tables(mesh: &Mesh) -> String {
     let tables = VertexTables::of(mesh);
-    let name = if mesh.name.is_empty() { "(unnamed)" } else { &mesh.name };
+    let name = if mesh.name.is_empty() { "(unnamed)" } else { &*shown(&mesh.name) };
     let vertices = tables.vertices.iter().map(|vertex| {
         let color = vertex.color.map(|color| format!("  color {}", list(&color))).unwrap_or_default();
         let uv = vertex.uv.map(|uv| format!("  uv {}", list(&uv))).unwrap_or_default();

@@ -44,6 +44,7 @@ fails! {
     a_turntable_without_frames: ["render", "scene.toml", "--turntable"];
     a_field_of_view_beyond_the_half_space: ["render", "scene.toml", "--fov-deg", "180"];
     an_eye_that_is_the_target: ["render", "scene.toml", "--eye", "1,1,1", "--target", "1,1,1"];
+    an_up_that_is_no_direction: ["render", "scene.toml", "--up", "0,0,0"];
     a_background_that_is_no_color: ["render", "scene.toml", "--background", "white"];
     an_exposure_beyond_all_measure: ["render", "scene.toml", "--ev", "1000"];
     a_camera_that_is_not_there: ["render", "scene.toml", "--camera", "left"];

@@ -13,7 +13,7 @@ const JUDGED: [&[&str]; 4] = [
 ];
 
 /// Each command that reads or writes files, with a file that cannot be read or written.
-const COULD_NOT: [&[&str]; 60] = [
+const COULD_NOT: [&[&str]; 59] = [
     &["render", "none.toml", "-o", "a.png"],
     &["render", "none.glb", "-o", "a.png"],
     &["render", "scene.toml", "-o", "none/a.png"],
@@ -37,7 +37,6 @@ const COULD_NOT: [&[&str]; 60] = [
     &["probe", "scene.toml", "9999,1"],
     &["shader", "check", "none.frag"],
     &["shader", "check", "wrong.frag"],
-    &["shader", "print", "phong"],
     &["shader", "print", "phong-330", "--stage", "vertex", "-o", "none/a.vert"],
     &["shader", "xray", "scene.toml", "--pixel", "1,1"],
     &["shader", "xray", "scene.toml", "--fs", "wrong.frag", "--pixel", "1,1"],
@@ -154,6 +153,22 @@ fn wrong_use_of_any_command_is_2() {
 }
 
 #[test]
+fn a_name_of_the_command_line_that_there_is_not_is_2() {
+    let folder = Folder::new();
+    let names: [&[&str]; 5] = [
+        &["shader", "print", "phong"],
+        &["bsdf", "show", "pong"],
+        &["material", "show", "glod"],
+        &["color", "spectrum", "glod"],
+        &["example", "bal"],
+    ];
+    for words in names {
+        let run = folder.glanz(words);
+        assert_eq!(run.code, 2, "{words:?}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn a_value_that_the_command_line_sets_wrongly_is_2() {
     let folder = Folder::with_scene();
     let render = ["render", "scene.toml", "-o", "a.png"];
@@ -188,6 +203,19 @@ fn a_stdout_that_is_full_is_3() {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = command(&folder.path("")).args(words).stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(3), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_help_that_stdout_does_not_take_is_3() {
+    let folder = Folder::new();
+    for words in [&["--help"][..], &["-h"], &["render", "--help"], &["help", "render"], &["--version"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = command(&folder.path("")).args(words).stdout(full).output().unwrap();
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(3), "{words:?}: {told}");
+        assert!(told.contains("stdout"), "{words:?}: {told}");
     }
 }
 

@@ -118,6 +118,19 @@ fn films_and_sheets_tell_where_they_are_black() {
 }
 
 #[test]
+fn a_rate_that_a_gif_does_not_have_is_told() {
+    let folder = ball();
+    let film = |name: &str, fps: &str| {
+        let words = ["render", "scene.toml", "--frames", "0..2", "--turntable", "--fps", fps, "-o", name];
+        let run = folder.glanz(&words);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        run.stderr.contains("a GIF counts hundredths of a second: it has 33.3333 frames a second, not 30")
+    };
+    assert!(film("a.gif", "30"));
+    assert!(!film("a.gif", "25") && !film("a.apng", "30"));
+}
+
+#[test]
 fn a_clipped_picture_is_told_how_much_and_why() {
     let bright = notes(&["--set", "materials.red.diffuse=5"]);
     assert_eq!(bright.len(), 2, "{bright:?}");

@@ -47,6 +47,44 @@ fn what_takes_more_than_the_budget_is_one_error_before_it_is_taken() {
 }
 
 #[test]
+fn films_and_sheets_are_within_the_budget() {
+    let folder = folder();
+    let before = folder.names();
+    let film = ["render", "many.toml", "--frames", "0..2", "--turntable", "--memory", "5MB", "-o"];
+    let large =
+        ["render", "empty.toml", "--frames", "0..2", "--turntable", "--size", "999x999", "--memory", "1MB"];
+    let cases: [(Vec<&str>, &str); 6] = [
+        ([&film[..], &["f{frame}.png"]].concat(), "100000 triangles"),
+        ([&film[..], &["f.gif"]].concat(), "100000 triangles"),
+        ([&large[..], &["-o", "f{frame}.png"]].concat(), "a picture of 999×999 pixels"),
+        ([&large[..], &["-o", "f.apng"]].concat(), "a picture of 999×999 pixels"),
+        (
+            vec!["sweep", "many.toml", "--vary", "render.ev=0,1", "--memory", "5MB", "-o", "f.png"],
+            "100000 triangles",
+        ),
+        (vec!["shade-compare", "many.toml", "--memory", "5MB", "-o", "f.png"], "100000 triangles"),
+    ];
+    for (words, what) in cases {
+        let run = folder.glanz(&words);
+        let told = run.failure();
+        assert!(run.code == 3 && told.contains(what) && told.contains("--memory "), "{words:?} {told}");
+        assert_eq!(folder.names(), before, "{words:?}");
+    }
+}
+
+#[test]
+fn info_tells_what_drawing_refuses() {
+    let folder = folder();
+    let told = folder.glanz(&["info", "many.toml", "--memory", "20MB"]);
+    assert!(told.text().contains("drawing    refused: expected at most 20 MB of memory"), "{}", told.text());
+    assert!(told.text().contains("--memory "), "{}", told.text());
+    let facts = folder.glanz(&["info", "many.toml", "--memory", "20MB", "--format", "json"]).json();
+    assert!(facts["refusal"].as_str().unwrap().contains("the shadows of 100000 triangles"), "{facts}");
+    let facts = folder.glanz(&["info", "many.toml", "--format", "json"]).json();
+    assert!(facts["refusal"].is_null(), "{facts}");
+}
+
+#[test]
 fn a_picture_for_an_eye_is_within_the_budget() {
     let folder = folder();
     let told = folder.glanz(&["eye", "white.png", "--memory", "200kB"]).failure();

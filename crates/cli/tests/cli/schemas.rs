@@ -214,8 +214,9 @@ fn folder() -> Folder {
     folder.write("sight.frag", crate::shader::SIGHT);
     folder
         .write("tetra.obj", "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
-    for (name, ev) in [("a.png", "0"), ("b.png", "-1"), ("a.exr", "0"), ("b.exr", "-1")] {
-        folder.glanz(&["render", "scene.toml", "-o", name, "--ev", ev]).text();
+    for (name, red) in [("a.png", "0.9"), ("b.png", "0.4"), ("a.exr", "0.9"), ("b.exr", "0.4")] {
+        let set = format!("materials.ball.diffuse=[{red}, 0.1, 0.1]");
+        folder.glanz(&["render", "scene.toml", "-o", name, "--set", &set]).text();
     }
     folder
 }

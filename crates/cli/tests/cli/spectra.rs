@@ -116,6 +116,19 @@ fn a_sensor_from_a_file_sees_the_scene() {
 }
 
 #[test]
+fn names_of_channels_that_an_exr_does_not_hold_are_an_error_before_drawing() {
+    let folder = folder();
+    folder.write("camera.csv", "wavelength (nm),red,緑,blue\n400,0,0,1\n500,0,1,0\n600,1,0,0\n");
+    let words = ["render", "scene.toml", "--observer", "camera.csv", "-o"];
+    for more in [&["a.exr"][..], &["a.exr", "--spectral-exr"]] {
+        let run = folder.glanz(&[&words[..], more].concat());
+        assert_eq!(run.code, 3, "{}", run.stderr);
+        assert!(run.stderr.contains("cannot hold the observer 'camera': '緑' has letters"), "{}", run.stderr);
+    }
+    assert_eq!(folder.glanz(&[&words[..], &["a.png"]].concat()).code, 0);
+}
+
+#[test]
 fn a_picture_tells_how_its_colours_came_to_be() {
     let folder = folder();
     let run = folder.glanz(&["render", "scene.toml", "-o", "a.png", "--white", "scene"]);

@@ -3,10 +3,10 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 
 use super::OutputError;
 use super::inputs::is_input;
+use super::temporary::TEMPORARIES;
 
 /// A file being written. Errors name the path that was asked for.
 #[derive(Debug)]
@@ -59,7 +59,7 @@ pub fn write_atomically<T, E: From<OutputError>>(
     write: impl FnOnce(&mut TargetFile) -> Result<T, E>,
 ) -> Result<T, E> {
     let path = path.as_ref();
-    let target = followed(path);
+    let target = written_file(path)?;
     let failed = |action| move |source| OutputError::File { path: path.to_owned(), action, source };
     let old = fs::metadata(&target).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
@@ -68,34 +68,58 @@ pub fn write_atomically<T, E: From<OutputError>>(
     if is_input(&target) {
         return Err(OutputError::Input { path: path.to_owned() }.into());
     }
-    let (temporary, file) = create_beside(&target).map_err(failed("create a file beside it"))?;
+    let (temporary, file) = TEMPORARIES.create_beside(&target).map_err(failed("create a file beside it"))?;
     if let Some(old) = old {
         // Keeping the permissions is a courtesy: some file systems have none.
         let _ = file.set_permissions(old.permissions());
     }
-    let (result, file) = fill(file, path, &temporary.0, write)?;
+    let (result, file) = fill(file, path, temporary.path(), write)?;
     file.sync_all().map_err(failed("write it to the disk"))?;
     drop(file);
     temporary.put_at(&target).map_err(failed("replace it"))?;
     Ok(result)
 }
 
-/// Where a path leads: through links, also to what is not there.
-fn followed(path: &Path) -> PathBuf {
+/// The file that [`write_atomically`] writes for a path: through links, also to what is not there. Two paths that lead
+/// to one file have the same.
+///
+/// ```
+/// use glanz_picture::output::written_file;
+///
+/// let folder = std::env::temp_dir();
+/// assert_eq!(written_file(folder.join("./a.png"))?, written_file(folder.join("a.png"))?);
+/// # Ok::<(), glanz_picture::output::OutputError>(())
+/// ```
+///
+/// # Errors
+/// [`OutputError::File`] for links in a circle.
+pub fn written_file(path: impl AsRef<Path>) -> Result<PathBuf, OutputError> {
     /// More links than any system follows.
     const LINKS: usize = 40;
+    let path = path.as_ref();
     let mut target = path.to_owned();
     for _ in 0..LINKS {
         if let Ok(whole) = fs::canonicalize(&target) {
-            return whole;
+            return Ok(whole);
         }
         match fs::read_link(&target) {
             // A relative link begins at the folder that it lies in.
             Ok(next) => target = target.parent().unwrap_or(Path::new("")).join(next),
-            Err(_) => return target,
+            Err(_) => return Ok(in_whole_folder(target)),
         }
     }
-    path.to_owned()
+    let source = io::Error::other("its links lead to no file");
+    Err(OutputError::File { path: path.to_owned(), action: "follow it", source })
+}
+
+/// The path of a file that is not there, by the whole path of its folder.
+fn in_whole_folder(path: PathBuf) -> PathBuf {
+    let folder = path.parent().map(|folder| if folder == Path::new("") { Path::new(".") } else { folder });
+    let folder = folder.and_then(|folder| fs::canonicalize(folder).ok());
+    match folder.zip(path.file_name()) {
+        Some((folder, name)) => folder.join(name),
+        None => path,
+    }
 }
 
 /// Gives a device or a pipe a whole file, which some formats are written to with steps back.
@@ -107,9 +131,9 @@ fn into_stream<T, E: From<OutputError>>(
     let failed = |action| move |source| OutputError::File { path: path.to_owned(), action, source };
     let mut stream = OpenOptions::new().write(true).open(target).map_err(failed("open"))?;
     let beside = std::env::temp_dir().join("glanz");
-    let (temporary, file) = create_beside(&beside).map_err(failed("create a temporary file"))?;
-    let (result, _) = fill(file, path, &temporary.0, write)?;
-    let mut whole = File::open(&temporary.0).map_err(failed("read a temporary file"))?;
+    let (temporary, file) = TEMPORARIES.create_beside(&beside).map_err(failed("create a temporary file"))?;
+    let (result, _) = fill(file, path, temporary.path(), write)?;
+    let mut whole = File::open(temporary.path()).map_err(failed("read a temporary file"))?;
     io::copy(&mut whole, &mut stream).map_err(failed("write"))?;
     Ok(result)
 }
@@ -126,72 +150,6 @@ fn fill<T, E: From<OutputError>>(
     file.flush().map_err(OutputError::Stream)?;
     let file = file.file.into_inner().map_err(|error| OutputError::Stream(error.into_error()))?;
     Ok((result, file))
-}
-
-/// The temporary files that there are now.
-static TEMPORARIES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-/// Removes all temporary files of [`write_atomically`]. It is for a program that is about to end because it was told to,
-/// in the middle of writing: what it writes after this is lost, and the targets stay as they were.
-pub fn remove_temporaries() {
-    let mut temporaries = TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner);
-    for path in temporaries.drain(..) {
-        let _ = fs::remove_file(path);
-    }
-}
-
-/// A file that is removed when this is dropped.
-struct Temporary(PathBuf);
-
-impl Temporary {
-    fn new(path: PathBuf) -> Self {
-        TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner).push(path.clone());
-        Self(path)
-    }
-
-    fn put_at(self, target: &Path) -> io::Result<()> {
-        fs::rename(&self.0, target)?;
-        self.unlist();
-        core::mem::forget(self);
-        Ok(())
-    }
-
-    /// Takes the file off the list of those that are to be removed; false if it is not there any more.
-    fn unlist(&self) -> bool {
-        let mut temporaries = TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner);
-        let place = temporaries.iter().position(|path| *path == self.0);
-        place.map(|place| temporaries.swap_remove(place)).is_some()
-    }
-}
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        // Nothing is left to do if this fails: the error that led here is reported already.
-        if self.unlist() {
-            let _ = fs::remove_file(&self.0);
-        }
-    }
-}
-
-/// A new file in the folder of `target`; a name that is taken is passed over, so that processes
-/// writing the same target do not meet.
-fn create_beside(target: &Path) -> io::Result<(Temporary, File)> {
-    /// File systems have names of at most 255 bytes.
-    const LONGEST: usize = 240;
-    let name = target.file_name().ok_or_else(|| io::Error::other("the path names no file"))?;
-    let name = if name.len() > LONGEST { std::ffi::OsStr::new("glanz") } else { name };
-    for attempt in 0..10_000 {
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{attempt}.tmp"));
-        let path = target.with_file_name(hidden);
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Ok(file) => return Ok((Temporary::new(path), file)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::Error::other("ten thousand temporary files are in the way"))
 }
 
 #[cfg(test)]
@@ -340,6 +298,36 @@ mod tests {
             Ok(fs::metadata(out.written_path()).unwrap().permissions().mode() & 0o777)
         });
         assert_eq!(seen.unwrap(), 0o600);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_in_a_circle_are_an_error_and_stay() {
+        use std::os::unix::fs::symlink;
+        let folder = Folder::new("circle");
+        symlink("b.png", folder.0.join("a.png")).unwrap();
+        symlink("a.png", folder.0.join("b.png")).unwrap();
+        let message = write(&folder.0.join("a.png"), "x").unwrap_err().to_string();
+        assert!(message.contains("a.png: cannot follow it: its links lead to no file"), "{message}");
+        assert!(fs::symlink_metadata(folder.0.join("a.png")).unwrap().is_symlink());
+        assert_eq!(folder.names(), ["a.png", "b.png"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn one_file_has_many_names() {
+        use std::os::unix::fs::symlink;
+        let folder = Folder::new("names-of-one");
+        symlink(&folder.0, folder.0.join("same")).unwrap();
+        symlink("a.png", folder.0.join("link.png")).unwrap();
+        let of = |name: &str| written_file(folder.0.join(name)).unwrap();
+        for name in ["./a.png", "same/a.png", "link.png", "same/link.png"] {
+            // Before the file is there, and when it is.
+            assert_eq!(of(name), of("a.png"), "{name}");
+        }
+        write(&folder.0.join("a.png"), "x").unwrap();
+        assert_eq!(of("same/link.png"), of("a.png"));
+        assert_ne!(of("b.png"), of("a.png"));
     }
 
     #[cfg(unix)]

@@ -15,11 +15,24 @@ static INPUTS: Mutex<Option<HashSet<Identity>>> = Mutex::new(None);
 
 /// From now on files that this process reads are not written over: [`write_atomically`](super::write_atomically) refuses
 /// it, by whatever name or link. The command asks for it; a program that changes its own files does not.
+///
+/// ```
+/// use glanz_picture::output::{OutputError, keep_inputs, note_input, write_atomically};
+///
+/// let path = std::env::temp_dir().join("glanz-doc-input.csv");
+/// std::fs::write(&path, "nm,value\n")?;
+/// keep_inputs();
+/// note_input(&path);
+/// let written = write_atomically(&path, |_| Ok::<_, OutputError>(()));
+/// assert!(matches!(written, Err(OutputError::Input { .. })));
+/// # std::fs::remove_file(path)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
 pub fn keep_inputs() {
     INPUTS.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default();
 }
 
-/// Notes that a file is read, if [`keep_inputs`] was called.
+/// Notes that a file is read, if [`keep_inputs`] was called; see the example there.
 pub fn note_input(path: &Path) {
     if let Some(inputs) = INPUTS.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
         inputs.extend(identity(path));

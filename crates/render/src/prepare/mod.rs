@@ -27,6 +27,7 @@ mod source;
 mod update;
 
 pub(crate) use build::check::check_background;
+pub use build::memory::check_memory;
 pub(crate) use build::memory::memory_beside;
 pub use build::prepare;
 pub use build::programs::ProgramError;

@@ -1,7 +1,7 @@
 //! What is asked of the preparation, and why it fails.
 
 use glanz_bsdf::ParamError;
-use glanz_math::{MemoryBudget, OverBudget};
+use glanz_math::{MemoryBudget, OverBudget, names};
 use glanz_scene::{Interpolation, Shading};
 use thiserror::Error;
 
@@ -27,7 +27,7 @@ pub struct PrepareOptions {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum PrepareError {
     /// A mesh is malformed.
-    #[error("mesh '{name}': {source}")]
+    #[error("mesh '{}': {source}", names::shown(name))]
     Mesh {
         /// The mesh's name.
         name: String,

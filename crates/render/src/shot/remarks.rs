@@ -1,6 +1,7 @@
 //! Remarks on pictures that are hardly what was meant: black, empty, clipped, or wrong on purpose.
 
 use glanz_bsdf::LightTerm;
+use glanz_math::names;
 use glanz_picture::output::PictureData;
 use glanz_picture::{Frame, ToneMap};
 use glanz_scene::{Background, DebugView, Light, LightKind, Material, Scene, Tint};
@@ -347,7 +348,7 @@ fn too_much(scene: &Scene, (index, material): (usize, &Material)) -> Option<Stri
     (is_used && most > WHITE).then(|| {
         format!(
             "diffuse and specular of material '{}' add up to {most:.3}, where 1 is all light",
-            material.name
+            names::shown(&material.name)
         )
     })
 }

@@ -78,9 +78,12 @@ impl View {
         if camera.eye == camera.target {
             return error("eye and target are the same point; they must differ");
         }
+        let least = Projection::FOV_MARGIN;
         match camera.projection {
-            Projection::Perspective { fov_y } if !(fov_y > 1e-6 && fov_y < core::f64::consts::PI - 1e-6) => {
-                return error("field of view must be between 0 and 180 degrees");
+            Projection::Perspective { fov_y }
+                if !(least < fov_y && fov_y < core::f64::consts::PI - least) =>
+            {
+                return error("field of view must be above 1e-6 and below π - 1e-6 radians");
             }
             Projection::Orthographic { height } if !(height > 0.0 && height.is_finite()) => {
                 return error("orthographic height must be a positive number");

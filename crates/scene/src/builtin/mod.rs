@@ -31,6 +31,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::Mesh;
+use crate::memory::counted;
 use crate::scene::access::known_names;
 
 /// The most triangles that a mesh or a scene may have: so the numbers of their corners, at most three for each, stay below 2³¹.
@@ -175,7 +176,7 @@ pub enum BuiltinError {
         major: f64,
     },
     /// Too many triangles.
-    #[error("{mesh}: at most {MAX_TRIANGLES} triangles are made, but {triangles} are asked for")]
+    #[error("{mesh}: at most {MAX_TRIANGLES} triangles are made, but {} are asked for", counted(*triangles))]
     TooLarge {
         /// The mesh's name.
         mesh: &'static str,

@@ -291,6 +291,10 @@ fn parameters_out_of_range_are_refused_with_their_name() {
         message(Builtin::Icosphere { radius: 1.0, subdivisions: 13 }),
         "icosphere: at most 500000000 triangles are made, but 1342177280 are asked for"
     );
+    assert_eq!(
+        message(Builtin::Icosphere { radius: 1.0, subdivisions: 4_000_000_000 }),
+        "icosphere: at most 500000000 triangles are made, but more than can be counted are asked for"
+    );
     for length in [0.0, -1.0, f64::INFINITY, 1e-16, 1e16] {
         assert!(matches!(Builtin::Cube { size: length }.mesh(), Err(BuiltinError::Length { .. })));
     }

@@ -158,6 +158,20 @@ mod tests {
     }
 
     #[test]
+    fn of_a_long_message_begin_and_end_are_told() {
+        let source = Source::new(Path::new("a.toml"), "x = 1\n");
+        let long = format!("begin {} end", "ä".repeat(5000));
+        let error = source.error(Problem::at(&(0..1), long.clone()).help(long));
+        for text in [Some(error.message), error.help] {
+            let text = text.expect("given");
+            assert!(text.starts_with("begin ä") && text.ends_with("ä end") && text.contains(" … "), "{text}");
+            assert!(text.len() < MAX_MESSAGE, "{}", text.len());
+        }
+        let short = "x".repeat(MAX_MESSAGE);
+        assert_eq!(source.error(Problem::at(&(0..1), short.clone())).message, short);
+    }
+
+    #[test]
     fn spans_inside_characters_or_past_the_end_are_clipped() {
         let source = Source::new(Path::new("a.toml"), "é");
         let error = source.error(Problem::at(&(1..1), "no"));

@@ -28,6 +28,11 @@ pub struct ChannelUse {
     pub channel: TextureChannel,
 }
 
+impl ChannelUse {
+    /// The most different ones that all of a material may have.
+    pub const MOST: usize = 16;
+}
+
 /// A factor that a picture says: from one value where its channel is 0 to another where it is 1. On surfaces that are
 /// shaded at facets or vertices, and where there are no texture coordinates, the channel counts as 1.
 ///

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use glanz_color::read::{Place, ReadError, excerpt};
 use glanz_math::MemoryBudget;
 use glanz_picture::wrong_png_palette;
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
 use super::{ReadOptions, jpeg};
 use crate::Texture;
@@ -52,8 +52,12 @@ pub(super) fn decode(
         let found = format!("{found} bytes");
         return Err(ReadError::malformed(file, place, "a palette of whole entries", found));
     }
-    let picture = |error: image::ImageError| {
-        ReadError::malformed(file, place.clone(), "a complete picture", error.to_string())
+    let picture = |error: ImageError| {
+        let (expected, found) = match &error {
+            ImageError::Limits(_) => (within(options.max_texture_side), "a larger one".to_owned()),
+            _ => ("a complete picture".to_owned(), error.to_string()),
+        };
+        ReadError::malformed(file, place.clone(), expected, found)
     };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     reader.limits(limits(options, *memory));
@@ -79,6 +83,11 @@ pub(super) fn spend(
     memory
         .take(format_args!("a texture of {width}×{height} texels"), texture_bytes(width, height))
         .map_err(|over| ReadError::memory(file, place.clone(), over))
+}
+
+/// How large a picture may be.
+fn within(side: u32) -> String {
+    format!("a picture of 1 to {side} texels along each side")
 }
 
 /// The format after the first bytes.
@@ -117,7 +126,7 @@ fn check_size(
     };
     let side = options.max_texture_side;
     if width == 0 || height == 0 || width > side || height > side {
-        return malformed(format!("a picture of 1 to {side} texels along each side"));
+        return malformed(within(side));
     }
     let held = (bytes as u64).saturating_mul(TEXELS_PER_BYTE).max(ALWAYS_ALLOWED_TEXELS);
     if texels > held {
@@ -209,6 +218,22 @@ pub(super) mod tests {
         );
         assert!(error.contains("it takes at least --memory 2kB"), "{error}");
         assert!(read_texture(&bytes, "p", &with(1195)).is_ok());
+    }
+
+    #[test]
+    fn a_picture_that_is_too_wide_is_told_what_is_allowed() {
+        let narrow = ReadOptions { max_texture_side: 15, ..ReadOptions::default() };
+        let mut huge = encode(8, 8, &[128; 256], ImageFormat::Jpeg);
+        let frame = huge.windows(2).position(|pair| pair == [0xff, 0xc0]).unwrap();
+        // Height and width, behind marker, length and precision.
+        huge[frame + 5..frame + 9].copy_from_slice(&[0xff; 4]);
+        for bytes in samples().into_iter().chain([huge]) {
+            let error = read_texture(&bytes, "p", &narrow).unwrap_err().to_string();
+            assert!(
+                error.contains("expected a picture of 1 to 15 texels along each side, found "),
+                "{error}"
+            );
+        }
     }
 
     #[test]

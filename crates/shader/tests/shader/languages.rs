@@ -163,6 +163,16 @@ fn the_preprocessor_knows_macros_conditions_and_includes() {
 }
 
 #[test]
+fn a_text_that_is_too_long_is_told_whether_macros_made_it_so() {
+    let message = |text: String| error(&text).to_string();
+    let plain = format!("#version 330\nvoid main() {{ float x;\n{}}}\n", "x = x + 1.0;\n".repeat(60_000));
+    assert!(message(plain).contains("the text is too long: more than 200000 words"));
+    let doubled: String = (1..20).map(|i| format!("#define M{i} M{0} M{0}\n", i - 1)).collect();
+    let macros = format!("#version 330\n#define M0 x = x + 1.0;\n{doubled}void main() {{ float x; M19 }}\n");
+    assert!(message(macros).contains("macros make the text too long"));
+}
+
+#[test]
 fn what_is_not_there_is_refused_by_name_and_line() {
     for (text, part, line) in [
         ("#version 400\nsubroutine vec4 shade();\nvoid main() {}", "subroutine", 2),

@@ -12,7 +12,7 @@ use glanz_plot::{NamedSpectrum, ReradiationMap};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::args::{BesidePlotArgs, PlotTarget, check_folder, light_words};
+use crate::args::{BesidePlotArgs, PlotTarget, check_apart, check_beside, light_words};
 use crate::input::dyes::DyeArgs;
 use crate::input::spectra::{FluorescentSource, Source, fluorescent_source, light_source, observer_source};
 use crate::print::failure::Failure;
@@ -90,7 +90,8 @@ impl FluorescenceArgs {
     /// Tells the colour of the material under each light.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
-        self.csv.as_deref().map_or(Ok(()), check_folder)?;
+        self.csv.as_deref().map_or(Ok(()), |file| check_beside("--csv", file))?;
+        check_apart([("--csv", self.csv.as_deref()), ("--plot", plot.as_ref().and_then(PlotTarget::path))])?;
         let lights = light_words(&self.light)?;
         let material = self.material()?;
         let observer = observer_source(&self.observer)?;

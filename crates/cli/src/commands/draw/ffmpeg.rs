@@ -2,11 +2,11 @@
 
 use std::io::{Read, Write};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{ChildStderr, ChildStdin, Command, Stdio};
 
 use glanz_picture::output::{Animation, Metadata, TargetFile};
 
-use crate::interrupt;
+use crate::interrupt::Ended;
 use crate::print::failure::{Failure, Report};
 
 /// The program.
@@ -57,10 +57,9 @@ pub(in crate::commands) fn write(
 ) -> Result<(), Failure> {
     let path = out.written_path().to_owned();
     let named = out.path().to_owned();
-    let mut child = start(&path, &named, animation, fps, metadata)?;
-    let mut stdin = child.stdin.take().expect("it was asked for");
-    let mut stderr = child.stderr.take().expect("it was asked for");
-    let child = interrupt::Ended::of(child);
+    let (child, stdin, stderr) = start(&path, &named, animation, fps, metadata)?;
+    let mut stdin = stdin.expect("it was asked for");
+    let mut stderr = stderr.expect("it was asked for");
     let errors = std::thread::spawn(move || {
         let mut text = String::new();
         let _ = stderr.read_to_string(&mut text);
@@ -89,7 +88,7 @@ fn start(
     animation: &Animation,
     fps: f64,
     metadata: &Metadata,
-) -> Result<Child, Failure> {
+) -> Result<(Ended, Option<ChildStdin>, Option<ChildStderr>), Failure> {
     let (_, format, codec) = container(named).expect("it was asked before");
     let comment = format!("comment={}", metadata.text().trim_end().replace('\n', "; "));
     let size = format!("{}x{}", animation.width, animation.height);
@@ -115,7 +114,7 @@ fn start(
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::piped());
-    command.spawn().map_err(|_| missing(named))
+    Ended::start(&mut command).map_err(|_| missing(named))
 }
 
 fn failed(path: &Path, said: &str) -> Failure {

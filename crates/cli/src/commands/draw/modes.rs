@@ -111,10 +111,10 @@ impl ModesArgs {
         let mut look = self.pictures.look.clone();
         look.color.mode = Some(mode);
         if mode == ColorMode::Rgb {
-            // RGB is what a screen shows, whoever looks.
-            look.color.observer = None;
+            // RGB is what a screen shows, whoever looks, and under whatever white.
+            (look.color.observer, look.color.white) = (None, None);
         }
-        let plan = self.pictures.plan(input, &look)?;
+        let plan = self.pictures.plan(input, &look)?.at(self.input.program.moment());
         let mut shot = plan.shot(&input.scene)?;
         let picture = pipeline::developed(&mut shot, progress)?;
         progress.step();

@@ -119,7 +119,7 @@ impl RelightArgs {
         let mut pictures = Vec::with_capacity(sources.len());
         for Source { name, color, look } in sources {
             relight(&mut input.scene.lights, &own, color);
-            let plan = self.pictures.plan(input, look)?;
+            let plan = self.pictures.plan(input, look)?.at(self.input.program.moment());
             let mut shot = plan.shot(&input.scene)?;
             let picture = pipeline::codes(&mut shot, &mut Timings::default(), progress)?;
             if let Some(remarked) = &mut remarked {

@@ -106,7 +106,7 @@ pub(crate) struct RenderArgs {
     pub animate: Vec<frames::Motion>,
 
     /// Frames per second of .gif, .apng, .mp4 and .webm
-    #[arg(long, value_name = "N", default_value_t = 25.0, help_heading = "Film")]
+    #[arg(long, value_name = "N", default_value_t = 25.0, requires = "frames", help_heading = "Film")]
     pub fps: f64,
 
     /// Do everything so many times, to measure it
@@ -241,10 +241,10 @@ impl RenderArgs {
     /// The scene as arrays, and how it is drawn.
     pub(crate) fn plan(&self, input: &Input) -> Result<(Plan, Shot), Failure> {
         let plan = Plan::new(input, self.size.size, &self.look, &self.camera, self.develop)?;
+        let plan = plan.at(self.input.program.moment());
         let shot = plan.shot(&input.scene)?.of_scene_hash(input.scene.content_hash());
-        let (mut shot, told) = self.device.apply(shot)?;
+        let (shot, told) = self.device.apply(shot)?;
         told.iter().for_each(|told| print::note(format_args!("note: {told}")));
-        shot.set_moment(self.input.program.moment());
         Ok((plan, shot))
     }
 
@@ -254,9 +254,12 @@ impl RenderArgs {
             let message = "--spectral-exr needs an output that ends in .exr, such as -o spectra.exr";
             return Err(Failure::Usage(message.to_owned()));
         }
-        if format == Format::Exr && self.develop.encoding == Some(Encoding::Raw) {
+        if format == Format::Exr {
+            self.check_light()?;
+        }
+        if self.develop.dither && self.bit_depth == BitDepth::Sixteen {
             let message =
-                "--encoding raw is for pictures of codes; an .exr holds the linear values themselves";
+                "--dither has no effect with --bit-depth 16; it acts where light is rounded to 8 bits";
             return Err(Failure::Usage(message.to_owned()));
         }
         match (format, self.bit_depth) {
@@ -265,6 +268,25 @@ impl RenderArgs {
             (Format::Png, BitDepth::Sixteen) => Ok(PictureKind::Codes16),
             (_, BitDepth::Eight) => Ok(PictureKind::Codes8),
             (_, BitDepth::Sixteen) => Err(Failure::Usage("only a .png can have --bit-depth 16".to_owned())),
+        }
+    }
+
+    /// That no option is given that makes codes of light, for a file that holds the light itself. A preview has codes.
+    pub(super) fn check_light(&self) -> Result<(), Failure> {
+        let DevelopArgs { ev, tone_map, encoding, dither } = self.develop;
+        let is_shown = self.preview.is_some();
+        let given = [
+            ("--encoding raw", encoding == Some(Encoding::Raw)),
+            ("--bit-depth 16", self.bit_depth == BitDepth::Sixteen),
+            ("--ev", ev.is_some() && !is_shown),
+            ("--tone-map", tone_map.is_some() && !is_shown),
+            ("--dither", dither && !is_shown),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) => Err(Failure::Usage(format!(
+                "{option} is for pictures of codes; an .exr holds the linear values themselves"
+            ))),
+            None => Ok(()),
         }
     }
 

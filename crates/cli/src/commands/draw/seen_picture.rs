@@ -25,6 +25,9 @@ impl RenderArgs {
         let path = &self.input.input;
         let target = self.target.resolve(path, "_seen.png")?;
         let format = encode::format(&target)?;
+        if format == Format::Exr {
+            self.check_light()?;
+        }
         let picture = PictureInput::read(path, self.input.memory)?;
         picture.notes.iter().for_each(|note| print::note(format_args!("note: {note}")));
         let frame = picture.seen_by(&viewer)?.screen().map_err(Failure::from)?;

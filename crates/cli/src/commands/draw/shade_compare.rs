@@ -51,7 +51,7 @@ impl ShadeCompareArgs {
             return Err(Failure::Usage(message.to_owned()));
         }
         let (target, input) = self.pictures.begin(&self.input, "_shading.png", "a comparison")?;
-        let plan = self.pictures.plan(&input, &self.pictures.look)?;
+        let plan = self.pictures.plan(&input, &self.pictures.look)?.at(self.input.program.moment());
         let mut pictures = Vec::with_capacity(SHADINGS.len());
         let mut progress = Progress::new(SHADINGS.len(), "pictures");
         let mut remarked = Remarked::default();

@@ -7,7 +7,9 @@ use glanz_plot::Canvas;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::args::{CameraArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs};
+use crate::args::{
+    CameraArgs, ColorArgs, DevelopArgs, InputArgs, LookArgs, MachineArgs, SizeArgs, Target, TargetArgs,
+};
 use crate::encode;
 use crate::load::{Input, More};
 use crate::pipeline::Plan;
@@ -90,7 +92,9 @@ impl SideBySideArgs {
 
     /// Brings the pictures, on one sheet, to where they go, and says so.
     pub(super) fn deliver(&self, sheet: Canvas, target: &Target, input: &Input) -> Result<(), Failure> {
-        let makings = self.plan(input, &self.look)?.options.makings();
+        // How the pictures were made does not depend on their colours, of which each has its own.
+        let look = LookArgs { color: ColorArgs::default(), ..self.look.clone() };
+        let makings = self.plan(input, &look)?.options.makings();
         let metadata = encode::metadata_of_sheet(input.scene.content_hash(), makings);
         encode::deliver(sheet.into(), target, &metadata)?;
         if let Target::File(path) = target {

@@ -78,6 +78,7 @@ impl SweepArgs {
         for (index, values) in cells.iter().enumerate() {
             let input = self.input.load(Some(&self.camera), More { option: "--vary", values })?;
             let plan = Plan::new(&input, Some(self.size), &self.look, &self.camera, self.develop)?;
+            let plan = plan.at(self.input.program.moment());
             let mut shot = plan.shot(&input.scene)?;
             let codes = pipeline::codes(&mut shot, &mut Timings::default(), &mut progress)?;
             sheet.put(&mut canvas, index, &codes);

@@ -128,6 +128,7 @@ impl EyeArgs {
             ..LookArgs::default()
         };
         let plan = Plan::new(input, self.size.size, &look, &self.camera, self.develop)?;
+        let plan = plan.at(self.input.program.moment());
         let (width, height) = plan.size();
         if y >= height {
             let message = format!("--mach: the picture has rows 0 to {}, but not {y}", height - 1);

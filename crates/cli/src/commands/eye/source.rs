@@ -116,6 +116,7 @@ impl Source {
 /// A frame of a scene, as its eye or its observer sees it.
 fn drawn(args: &EyeArgs, input: &Input, progress: &mut Progress) -> Result<(Looked, Frame), Failure> {
     let plan = Plan::new(input, args.size.size, &args.look(), &args.camera, args.develop)?;
+    let plan = plan.at(args.input.program.moment());
     let mut shot = plan.shot(&input.scene)?;
     let aovs = Aovs { object: true, ..Aovs::default() };
     let frame = shot.frame_in_steps(aovs, &mut |part| progress.within(part))?;

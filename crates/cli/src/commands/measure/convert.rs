@@ -298,15 +298,6 @@ pub(super) fn check_output(file: &Path, format: FormatArgs) -> Result<(), Failur
     check_folder(file)
 }
 
-/// That a file may be written beside the numbers, which stdout has.
-pub(super) fn check_beside(file: &Path) -> Result<(), Failure> {
-    if file == Path::new("-") {
-        let message = "stdout takes the numbers, not the file too; name a file with -o";
-        return Err(Failure::Usage(message.to_owned()));
-    }
-    check_folder(file)
-}
-
 /// Writes a file, or to stdout for `-`, and tells it.
 pub(super) fn deliver(
     bytes: &[u8],

@@ -7,12 +7,12 @@ use clap::{Args, ValueHint};
 use glanz_measure::{Fit, FitError, FitOptions, FittedLobe, Metric, Readings, fit_observed};
 use glanz_picture::output::{OutputError, write_atomically};
 
-use super::convert::check_beside;
 pub(crate) use super::fit_facts::Document;
 use super::fit_facts::{Candidate, text};
 use super::fit_rank::RankBy;
 use super::fitted_material::material;
 use super::{ReadArgs, fit_rank, fit_report, read};
+use crate::args::{check_apart, check_beside};
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
@@ -101,9 +101,10 @@ impl FitArgs {
         }
         let candidates = candidates(&self.models)?;
         if let Some(output) = &self.output {
-            check_beside(output)?;
+            check_beside("-o", output)?;
         }
         let report = fit_report::target(self.report.as_deref())?;
+        check_apart([("-o", self.output.as_deref()), ("--report", self.report.as_deref())])?;
         let measured = read(&self.file, &self.read)?;
         let readings = measured.readings();
         let options = FitOptions {

@@ -8,9 +8,10 @@ use glanz_measure::{Channels, Quantity, Smoothed};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::convert::{Kind, check_beside, save};
+use super::convert::{Kind, save};
 use super::written::Written;
 use super::{ReadArgs, read};
+use crate::args::check_beside;
 use crate::print::failure::{Failure, Report};
 use crate::print::{self, FormatArgs};
 use crate::progress::Progress;
@@ -86,7 +87,7 @@ impl SmoothArgs {
     /// Reads, smooths and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let kind = self.output.as_deref().map(|output| Kind::of(output, self.to)).transpose()?;
-        self.output.as_deref().map(check_beside).transpose()?;
+        self.output.as_deref().map_or(Ok(()), |output| check_beside("-o", output))?;
         let measured = read(&self.file, &self.read)?;
         let mut notes = measured.notes.clone();
         let smoothed = Smoothed::of(&measured, self.neighbours.map(|count| count as usize))

@@ -93,6 +93,7 @@ impl ProbeArgs {
         let target = self.plot.as_deref().map(PlotTarget::of_file).transpose()?;
         let input = self.input.load(Some(&self.camera), More::default())?;
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, self.develop)?;
+        let plan = plan.at(self.input.program.moment());
         let mut shot = plan.shot(&input.scene)?;
         let mut notes = input.notes.clone();
         let pixels = match (&self.object, self.uv) {

@@ -1,5 +1,6 @@
 //! A pixel in words and numbers.
 
+use glanz_math::names::shown;
 use glanz_render::ToneMap;
 use glanz_render::{Arrival, PointPlace, Probe, ProbedLight, ProbedLobe, ProbedPoint, ProbedSurface, Shot};
 use glanz_scene::{Scene, Shading};
@@ -31,8 +32,8 @@ fn surface(text: &mut String, found: &ProbedSurface, scene: &Scene, shot: &Shot)
         Shading::Gouraud => "Gouraud",
         Shading::Phong => "Phong",
     };
-    let object = object_name(scene, found.object);
-    let material = material_name(scene, found.material);
+    let object = shown(&object_name(scene, found.object)).into_owned();
+    let material = shown(&material_name(scene, found.material)).into_owned();
     line(
         text,
         format_args!(

@@ -1,10 +1,12 @@
 //! `glanz shader export`: the lights and materials of a scene as programs with filled structs.
 
+use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use glanz_bsdf::LightTerm;
+use glanz_math::names::shown;
 use glanz_picture::output::{OutputError, write_atomically};
 use glanz_render::{Shot, UniformFill};
 use glanz_scene::{Program, ProgramText, Scene};
@@ -42,14 +44,17 @@ pub(crate) struct ExportArgs {
 impl ExportArgs {
     /// Writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.output.as_os_str() == "-" {
+            return Err(Failure::Usage("stdout takes one file, not a folder; name one with -o".to_owned()));
+        }
         let (scene, shot) = self.scene.shot()?;
         let mut notes = Vec::new();
         let mut files = Vec::new();
-        let mut done = Vec::new();
+        let (mut done, mut names) = (Vec::new(), HashSet::new());
         for (number, object) in scene.objects.iter().enumerate() {
             if !done.contains(&object.material) {
                 done.push(object.material);
-                files.extend(of_material(&scene, &shot, number, &mut notes)?);
+                files.extend(of_material(&scene, &shot, number, &mut names, &mut notes)?);
             }
         }
         if files.is_empty() {
@@ -98,11 +103,12 @@ fn of_material(
     scene: &Scene,
     shot: &Shot,
     object: usize,
+    names: &mut HashSet<String>,
     notes: &mut Vec<String>,
 ) -> Result<Vec<(String, String)>, Failure> {
     let number = scene.objects[object].material;
     let material = &scene.materials[number];
-    let name = file_stem(&material.name, number);
+    let name = file_stem(&material.name, number, names);
     let program = program_of(scene, number, notes)?;
     let fills = |program: &DefaultProgram| -> Result<Vec<UniformFill>, Failure> {
         let text = ProgramText::new(program.file_name(Stage::Fragment), program.text(Stage::Fragment));
@@ -128,17 +134,22 @@ fn program_of(
     if let Some(program) = DefaultProgram::all().iter().find(|program| program.model == Some(model)) {
         return Ok(program);
     }
-    notes.push(format!("material '{}': its model {model} has no program; Phong's stands in", material.name));
+    let name = shown(&material.name);
+    notes.push(format!("material '{name}': its model {model} has no program; Phong's stands in"));
     known("phong-330")
 }
 
-/// A name for files, from that of a material.
-fn file_stem(name: &str, number: usize) -> String {
+/// A name for files, from that of a material; another than those that are `taken`, also where case does not count.
+fn file_stem(name: &str, number: usize, taken: &mut HashSet<String>) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() || "-_".contains(c) { c } else { '_' };
-    match name {
+    let mut stem: String = match name {
         "" => format!("material{number}"),
         name => name.chars().map(plain).collect(),
+    };
+    while !taken.insert(stem.to_ascii_lowercase()) {
+        stem += &format!("_{number}");
     }
+    stem
 }
 
 /// A number that reads back to the same bits.
@@ -233,4 +244,17 @@ pub(crate) struct Document {
     files: Vec<String>,
     /// What stands in for something else
     notes: Vec<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn materials_have_files_of_their_own() {
+        let mut taken = HashSet::new();
+        let names = ["a b", "A_b", "紅", "白", "", "a_b_1"];
+        let stems: Vec<_> = (0..).zip(names).map(|(i, name)| file_stem(name, i, &mut taken)).collect();
+        assert_eq!(stems, ["a_b", "A_b_1", "_", "__3", "material4", "a_b_1_5"]);
+    }
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::check::StageName;
 use crate::args::check_folder;
-use crate::print::failure::{Failure, Report};
+use crate::print::failure::Failure;
 use crate::print::{self, FormatArgs};
 
 /// Shown after the help of `list`.
@@ -47,7 +47,7 @@ pub(crate) struct PrintArgs {
     #[arg(long, value_enum, value_name = "STAGE")]
     stage: Option<StageName>,
 
-    /// Write it into this file
+    /// Write it into this file; - for stdout
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "stage")]
     output: Option<PathBuf>,
 
@@ -112,8 +112,9 @@ impl PrintArgs {
         let names = || DefaultProgram::all().iter().map(|program| program.name);
         let Some(program) = DefaultProgram::named(&self.name) else {
             let near = glanz_math::names::did_you_mean(&self.name, names());
-            let report = Report::new(format!("there is no program '{}'{near}", self.name));
-            return Err(report.help(format!("there are: {}", names().collect::<Vec<_>>().join(", "))).into());
+            let known = names().collect::<Vec<_>>().join(", ");
+            let message = format!("there is no program '{}'{near}; there are: {known}", self.name);
+            return Err(Failure::Usage(message));
         };
         let text = match self.stage {
             Some(stage) => program.text(stage.stage()),
@@ -131,7 +132,7 @@ impl PrintArgs {
             fragment: program.text(Stage::Fragment),
             file,
         };
-        let Some(path) = &self.output else {
+        let Some(path) = self.output.as_ref().filter(|path| path.as_os_str() != "-") else {
             return if self.format.is_json() { print::json(&document(None)) } else { print::text(&text) };
         };
         check_folder(path)?;

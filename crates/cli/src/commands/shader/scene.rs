@@ -27,8 +27,8 @@ impl SceneArgs {
     pub(super) fn shot(&self) -> Result<(Scene, Shot), Failure> {
         let input = self.input.load(Some(&self.camera), More::default())?;
         let plan = Plan::new(&input, self.size.size, &self.look, &self.camera, DevelopArgs::default())?;
-        let mut shot = plan.shot(&input.scene).map_err(|failure| failure.of_scene(&self.input.input))?;
-        shot.set_moment(self.input.program.moment());
+        let plan = plan.at(self.input.program.moment());
+        let shot = plan.shot(&input.scene).map_err(|failure| failure.of_scene(&self.input.input))?;
         Ok((input.scene, shot))
     }
 }

@@ -1,6 +1,7 @@
 //! `glanz shader xray`: every named value of every line of a program at a pixel or a vertex.
 
 use clap::Args;
+use glanz_math::names::shown;
 use glanz_render::Xray;
 use glanz_scene::Scene;
 use glanz_shader::{Record, RecordKind, Source, Stage};
@@ -122,7 +123,7 @@ fn is_nan(record: &Record, lane: usize) -> bool {
 /// For people.
 fn text(xray: &Xray, scene: &Scene, what: &str) -> String {
     let stage = xray.stage.name();
-    let mut text = format!("{what}, object '{}', {stage} shader", object_name(scene, xray.object));
+    let mut text = format!("{what}, object '{}', {stage} shader", shown(&object_name(scene, xray.object)));
     if xray.source == Source::StandIn {
         text.push_str(match xray.stage {
             Stage::Vertex => " that stands in for one of yours",

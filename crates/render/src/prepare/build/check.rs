@@ -1,5 +1,6 @@
 //! What must hold of a scene before it is prepared.
 
+use glanz_math::names;
 use glanz_scene::{Background, LightKind, Material, Scene};
 
 use super::memory;
@@ -9,7 +10,7 @@ use crate::prepare::{PrepareError, PrepareOptions};
 pub(crate) fn check(scene: &Scene, options: &PrepareOptions) -> Result<(), PrepareError> {
     check_references(scene)?;
     check_background(scene)?;
-    memory::memory_beside(scene, options).map(|_| ())
+    memory::check_memory(scene, options)
 }
 
 /// Where the background is to be the environment, one must be there.
@@ -30,11 +31,12 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
     let fail = |what: String| Err(PrepareError::Scene { what });
     for object in &scene.objects {
         if object.mesh >= scene.meshes.len() {
-            return fail(format!("object '{}' names mesh {}, which is not there", object.name, object.mesh));
+            let (name, number) = (names::shown(&object.name), object.mesh);
+            return fail(format!("object '{name}' names mesh {number}, which is not there"));
         }
         if object.material >= scene.materials.len() {
-            let number = object.material;
-            return fail(format!("object '{}' names material {number}, which is not there", object.name));
+            let (name, number) = (names::shown(&object.name), object.material);
+            return fail(format!("object '{name}' names material {number}, which is not there"));
         }
     }
     scene.materials.iter().try_for_each(|material| check_material(scene, material))
@@ -43,7 +45,7 @@ fn check_references(scene: &Scene) -> Result<(), PrepareError> {
 /// Every texture of a material must be there.
 pub(crate) fn check_material(scene: &Scene, material: &Material) -> Result<(), PrepareError> {
     if !has_textures(scene, material) {
-        let what = format!("material '{}' names a texture that is not there", material.name);
+        let what = format!("material '{}' names a texture that is not there", names::shown(&material.name));
         return Err(PrepareError::Scene { what });
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! Materials with their rows of the tint table.
 
 use glanz_bsdf::{LayerWeight, LightTerm, Side};
+use glanz_math::names;
 use glanz_scene::{ChannelUse, Lobe, Mask, Material, Metalness, RoughnessMap, Tint};
 
 use crate::prepare::PrepareError;
@@ -18,7 +19,7 @@ pub(crate) fn prepare(
 ) -> Result<PreparedMaterial, PrepareError> {
     let finite_through = material.transmittance.as_ref().is_none_or(glanz_scene::Transmittance::is_finite);
     if material.lobes.iter().any(|lobe| !lobe.tint.is_finite()) || !finite_through {
-        let what = format!("material '{}': tints must be finite numbers", material.name);
+        let what = format!("material '{}': tints must be finite numbers", names::shown(&material.name));
         return Err(PrepareError::Scene { what });
     }
     let direct = direct_lobes(material, model)?;
@@ -29,7 +30,7 @@ pub(crate) fn prepare(
     let ambient_metalness = ambient_metalness(material)?;
     let most = PreparedMaterial::MOST_CHANNELS;
     if channels.0.len() > most {
-        let (name, count) = (&material.name, channels.0.len());
+        let (name, count) = (names::shown(&material.name), channels.0.len());
         let what =
             format!("material '{name}': its masks name {count} channels of pictures, more than {most}");
         return Err(PrepareError::Scene { what });
@@ -83,7 +84,8 @@ fn ambient_metalness(material: &Material) -> Result<Metalness, PrepareError> {
     } else {
         return Ok(own);
     };
-    Err(PrepareError::Scene { what: format!("material '{}': expected {what}", material.name) })
+    let name = names::shown(&material.name);
+    Err(PrepareError::Scene { what: format!("material '{name}': expected {what}") })
 }
 
 /// The lobes for lights with a direction. A model without a highlight takes the highlights away rather

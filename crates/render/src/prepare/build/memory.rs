@@ -37,6 +37,26 @@ const MIXED: u64 = 36;
 /// A tint that depends on an angle: at most 32 terms.
 const SERIES: u64 = 24 + 32 * TINT;
 
+/// That a scene can be drawn within the memory of the options, before anything is made of it.
+///
+/// ```
+/// use glanz_math::MemoryBudget;
+/// use glanz_render::{PrepareOptions, check_memory};
+///
+/// let text = "[[objects]]\nmesh = \"sphere\"\n";
+/// let scene = glanz_scene::open_str(text, "".as_ref(), &Default::default())?.scene;
+/// let little = PrepareOptions { memory: MemoryBudget::of_bytes(1000), ..PrepareOptions::default() };
+/// assert!(check_memory(&scene, &little).is_err());
+/// assert!(check_memory(&scene, &PrepareOptions::default()).is_ok());
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If it takes more: what would take how much, and which budget allows it.
+pub fn check_memory(scene: &Scene, options: &PrepareOptions) -> Result<(), PrepareError> {
+    memory_beside(scene, options).map(|_| ())
+}
+
 /// The budget without what a scene takes of it. The scene must be valid.
 ///
 /// # Errors

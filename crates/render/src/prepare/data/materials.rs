@@ -136,7 +136,7 @@ pub struct MixTints {
 
 impl PreparedMaterial {
     /// The most channels of pictures beside the maps that all of a material has.
-    pub const MOST_CHANNELS: usize = 16;
+    pub const MOST_CHANNELS: usize = ChannelUse::MOST;
 
     /// All uses of textures.
     pub fn textures(&self) -> impl Iterator<Item = TextureUse> {

@@ -14,7 +14,7 @@ use super::geometry::objects::FileKey;
 use crate::file::error::Problem;
 use crate::file::tables::values::At;
 use crate::read::{Model, ReadOptions};
-use crate::{Camera, EnvironmentMap, Material, Profile, Scene};
+use crate::{Camera, ChannelUse, EnvironmentMap, Material, Profile, Scene};
 
 /// The way from tables to a scene.
 pub(in crate::file) struct Builder {
@@ -76,6 +76,8 @@ pub(in crate::file) struct Made {
     pub factors: HashMap<String, Arc<FactorTable>>,
     /// Textures, by file and use.
     pub textures: HashMap<String, usize>,
+    /// The channels of pictures that the material being made has.
+    pub channels: Vec<ChannelUse>,
 }
 
 /// A mesh of something, placed relative to the whole.

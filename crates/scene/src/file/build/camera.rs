@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::builder::Builder;
 use crate::file::error::Problem;
-use crate::file::near::{did_you_mean, list};
+use crate::file::near::{did_you_mean, list, shown};
 use crate::file::tables::camera::{CameraRef, CameraTable, ProjectionName};
 use crate::file::tables::values::{At, FieldOfView};
 use crate::{Camera, Projection};
@@ -13,15 +13,12 @@ impl Builder {
     pub(super) fn camera(&self, camera: &At<CameraRef>) -> Result<Camera, Problem> {
         match &camera.value {
             CameraRef::Table(table) => table.build(&camera.span),
-            CameraRef::Name(name) => {
-                let found = self.made.cameras.iter().find(|(known, _)| known == name);
-                found.map(|(_, camera)| *camera).ok_or_else(|| {
-                    let known = || self.made.cameras.iter().map(|(name, _)| name.as_str());
-                    let message = format!("unknown camera '{name}'{}", did_you_mean(name, known()));
-                    Problem::at(&camera.span, message)
-                        .help(format!("the cameras in the files of the objects are: {}", list(known())))
-                })
-            }
+            CameraRef::Name(name) => crate::camera_named(name, &self.made.cameras).ok_or_else(|| {
+                let known = || self.made.cameras.iter().map(|(name, _)| name.as_str());
+                let message = format!("unknown camera '{}'{}", shown(name), did_you_mean(name, known()));
+                Problem::at(&camera.span, message)
+                    .help(format!("the cameras in the files of the objects are: {}", list(known())))
+            }),
         }
     }
 }

@@ -37,7 +37,7 @@ pub(crate) struct CameraTable {
 pub(crate) enum CameraRef {
     /// A camera.
     Table(CameraTable),
-    /// The name of a camera of a glTF file that an object is from.
+    /// The name of a camera of a glTF file that an object is from, or its number among all of them, from 0.
     Name(String),
 }
 

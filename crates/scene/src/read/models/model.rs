@@ -21,6 +21,9 @@ pub struct Model {
     pub lights: Vec<Light>,
     /// Cameras with their names, in the space of the model.
     pub cameras: Vec<(String, Camera)>,
+    /// The names of the variants of its materials, one of which a reader is asked for
+    /// ([`ReadOptions::variant`](super::super::ReadOptions::variant)).
+    pub variants: Vec<String>,
     /// What was ignored or mapped approximately, in words for people.
     pub notes: Vec<String>,
 }

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use super::{Done, MOST_STEPS, MOST_TOKENS, Preprocessor};
 use crate::intake::Complaint;
+use crate::intake::source::Origin;
 use crate::intake::token::{Hidden, Kind, Token};
 
 /// Expansions inside each other, of arguments.
@@ -45,7 +46,7 @@ impl Preprocessor<'_> {
         while let Some(token) = input.pop_front() {
             self.steps += 1;
             if self.steps > MOST_STEPS || out.len() > MOST_TOKENS || depth > MOST_DEPTH {
-                return Err(Complaint::at("macros make the text too long", token.origin));
+                return Err(self.too_long(token.origin));
             }
             if !token.is_identifier() || token.hides(&token.text) {
                 out.push(token);
@@ -70,13 +71,25 @@ impl Preprocessor<'_> {
                     self.substitute(&token, &found.body, parameters, &arguments, depth)?
                 }
             };
+            self.uses_macros = true;
             self.steps += body.len();
             if input.len() > MOST_TOKENS {
-                return Err(Complaint::at("macros make the text too long", token.origin));
+                return Err(self.too_long(token.origin));
             }
             replace(&token, body, &mut input);
         }
         Ok(out)
+    }
+
+    /// That the text is too long, and whether macros made it so.
+    pub(super) fn too_long(&self, origin: Origin) -> Complaint {
+        match self.uses_macros {
+            true => Complaint::at("macros make the text too long", origin),
+            false => Complaint::at(
+                format!("the text is too long: more than {MOST_TOKENS} words, numbers and signs"),
+                origin,
+            ),
+        }
     }
 
     fn built_in(&self, token: &Token) -> Option<String> {
@@ -130,7 +143,7 @@ impl Preprocessor<'_> {
             out.extend(piece);
             self.steps += 1;
             if out.len() > MOST_TOKENS {
-                return Err(Complaint::at("macros make the text too long", token.origin));
+                return Err(self.too_long(token.origin));
             }
         }
         Ok(out)

@@ -42,6 +42,8 @@ pub(super) struct Preprocessor<'a> {
     pub(super) version: Version,
     out: Vec<Token>,
     steps: usize,
+    /// Whether a macro was expanded.
+    uses_macros: bool,
     bytes: usize,
     /// The files around, by their paths.
     within: Vec<String>,
@@ -88,6 +90,7 @@ impl<'a> Preprocessor<'a> {
             version: Version::default(),
             out: Vec::new(),
             steps: 0,
+            uses_macros: false,
             bytes: 0,
             within: Vec::new(),
             once: HashSet::new(),
@@ -139,7 +142,7 @@ impl<'a> Preprocessor<'a> {
                 let expanded = self.expand(all[at..end].to_vec(), 0)?;
                 self.out.extend(expanded);
                 if self.out.len() > MOST_TOKENS {
-                    return Err(Complaint::at("macros make the text too long", all[at].origin));
+                    return Err(self.too_long(all[at].origin));
                 }
             }
             at = end;

@@ -14,7 +14,7 @@ use glanz_color::{FineSpectrum, Observer, Sampled, SpectrumKind};
 use glanz_plot::{NamedSpectrum, WavelengthChart, Word, spectra};
 use serde_json::{Map, Value, json};
 
-use crate::args::{BesidePlotArgs, PlotTarget, check_folder};
+use crate::args::{BesidePlotArgs, PlotTarget, check_apart, check_beside};
 use crate::input::resolution::{Coarse, CoarseTable};
 use crate::input::spectra::{Source, TableArgs, light_source_with, observer_source, source};
 use crate::print::failure::Failure;
@@ -99,10 +99,8 @@ impl SpectrumArgs {
     /// Tells the numbers, and draws and writes what is asked for.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let plot = self.plot.target()?;
-        self.csv.as_deref().map_or(Ok(()), check_folder)?;
-        if self.csv.is_some() && self.csv.as_deref() == plot.as_ref().and_then(PlotTarget::path) {
-            return Err(Failure::Usage("--csv and --plot name the same file".to_owned()));
-        }
+        self.csv.as_deref().map_or(Ok(()), |file| check_beside("--csv", file))?;
+        check_apart([("--csv", self.csv.as_deref()), ("--plot", plot.as_ref().and_then(PlotTarget::path))])?;
         let source = source(&self.spectrum, None, &self.table)?.interpolated(self.interpolation);
         if self.table.kind.is_some_and(|kind| kind.spectrum_kind() != source.kind) {
             let message = "is known by its name; --as tells what a file's spectrum is of";

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use glanz_math::names;
 use glanz_scene::{Interpolation, Mesh, Object, Scene, Shading};
 
 use super::closed::is_closed;
@@ -126,7 +127,10 @@ fn check_transform(object: &Object) -> Result<(), PrepareError> {
     match object.transform.is_finite() {
         true => Ok(()),
         false => Err(PrepareError::Scene {
-            what: format!("object '{}' has a transform with numbers that are not finite", object.name),
+            what: format!(
+                "object '{}' has a transform with numbers that are not finite",
+                names::shown(&object.name)
+            ),
         }),
     }
 }

@@ -20,6 +20,7 @@ impl Builder {
         name: &str,
         table: &MaterialTable,
     ) -> Result<Material, Problem> {
+        self.made.channels.clear();
         let mut material = table.build(name, self)?;
         if let (Some(library), Some(_)) = (&table.library, &table.base_color_texture)
             && !material.lobes.iter().any(|lobe| lobe.textured)

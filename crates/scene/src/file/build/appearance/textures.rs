@@ -77,7 +77,19 @@ impl Builder {
         channel: TextureChannel,
     ) -> Result<ChannelUse, Problem> {
         let map = self.texture_use(Some(picture), false)?.expect("there is a picture");
-        Ok(ChannelUse { map, channel })
+        let found = ChannelUse { map, channel };
+        let (channels, most) = (&mut self.made.channels, ChannelUse::MOST);
+        if !channels.contains(&found) {
+            channels.push(found);
+        }
+        match channels.len() > most {
+            true => {
+                let message =
+                    format!("a material has at most {most} channels of pictures, and this is one more");
+                Err(Problem::at(&picture.span, message))
+            }
+            false => Ok(found),
+        }
     }
 
     /// A factor that a picture says.

@@ -237,7 +237,12 @@ impl Builder {
     fn read_file(&mut self, (path, variant): &FileKey, object: &ObjectTable) -> Result<FileModel, Problem> {
         let options = ReadOptions { variant: variant.clone(), ..self.input.options.clone() };
         let span = &object.mesh.span;
-        let mut model = read_model(path, &options).map_err(|error| Problem::at(span, error.to_string()))?;
+        let mut model = read_model(path, &options).map_err(|error| {
+            // What can be read without the variant has none of this name.
+            let plain = ReadOptions { variant: None, ..options.clone() };
+            let variant = object.variant.as_ref().filter(|_| read_model(path, &plain).is_ok());
+            Problem::at(variant.map_or(span, |variant| &variant.span), error.to_string())
+        })?;
         let textures = model.textures.iter().map(|texture| texture_bytes(texture.width, texture.height));
         let file = file_name(path);
         self.take(format_args!("the textures of '{file}'"), textures.sum(), span)?;

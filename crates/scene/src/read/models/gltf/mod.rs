@@ -139,7 +139,8 @@ pub(super) fn read(bytes: &[u8], context: &mut Context<'_>) -> Result<Model, Rea
         budget: &budget,
         draco: draco::Decoded::default(),
     };
-    let mut model = Model::default();
+    let variants = root.extensions.variants.variants.iter().map(|own| own.name.clone()).collect();
+    let mut model = Model { variants, ..Model::default() };
     let mut builder = primitive::Builder::new(&source);
     nodes::read(&source, &mut builder, &mut model, &mut context.notes)?;
     let used = builder.finish(&mut model);

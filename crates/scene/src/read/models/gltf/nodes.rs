@@ -278,11 +278,22 @@ impl Visit<'_> {
             source.malformed(Place::Path(self.path("camera")), expected, format!("camera {index}"))
         })?;
         let projection = projection(camera).ok_or_else(|| {
-            let expected = "a perspective with a yfov between 0 and π, or an orthographic with a ymag";
-            source.malformed(Place::Path(format!("cameras[{index}]")), expected, "neither")
+            let least = Projection::FOV_MARGIN;
+            let expected = format!(
+                "a perspective with a yfov above {least} and below π - {least}, or an orthographic with a ymag"
+            );
+            let found = match &camera.perspective {
+                Some(perspective) => format!("a yfov of {}", perspective.yfov),
+                None => "neither".to_owned(),
+            };
+            source.malformed(Place::Path(format!("cameras[{index}]")), expected, found)
         })?;
         let eye = self.transform.w_axis.truncate();
         let target = eye + self.forward("camera")?;
+        if target == eye {
+            let (expected, place) = ("a camera nearer to the origin", Place::Path(self.path("camera")));
+            return Err(source.malformed(place, expected, "one whose direction is lost in rounding"));
+        }
         let up = self.transform.transform_vector3(DVec3::Y).try_normalize().unwrap_or(DVec3::Y);
         let name = if camera.name.is_empty() { &self.node.name } else { &camera.name };
         Ok((name.clone(), Camera { eye, target, up, projection }))
@@ -364,8 +375,9 @@ fn cone(light: &json::Light) -> Option<(f64, f64)> {
 fn projection(camera: &json::Camera) -> Option<Projection> {
     match (camera.kind.as_str(), &camera.perspective, &camera.orthographic) {
         ("perspective", Some(perspective), _) => {
-            let fov_y = perspective.yfov;
-            (fov_y > 0.0 && fov_y < std::f64::consts::PI).then_some(Projection::Perspective { fov_y })
+            let (fov_y, least) = (perspective.yfov, Projection::FOV_MARGIN);
+            (least < fov_y && fov_y < std::f64::consts::PI - least)
+                .then_some(Projection::Perspective { fov_y })
         }
         ("orthographic", _, Some(orthographic)) => {
             let height = 2.0 * orthographic.ymag.abs();
