@@ -45,7 +45,9 @@ pub use prepare::{
 };
 pub use session::Session;
 pub use shot::{
-    LightError, NOT_REACHED, PictureLight, Remark, RemarkKind, SaveError, SeenPicture, Shot, ShotError, ShotOptions,
-    Step, UniformFill, ValueFrame, Xray, picture_frame, see_picture,
+    LightError, NOT_REACHED, PictureLight, Remark, RemarkKind, SaveError, SeenPicture, Shot, ShotError,
+    ShotOptions, Step, UniformFill, ValueFrame, Xray, picture_frame, see_picture,
 };
-pub use view::{Aovs, DebugView, DrawOptions, ExactLighting, Half, Moment, Samples, SamplesError, View, ViewError};
+pub use view::{
+    Aovs, DebugView, DrawOptions, ExactLighting, Half, Moment, Samples, SamplesError, View, ViewError,
+};

@@ -55,4 +55,6 @@ pub use mistake::{Mistake, NoEffect};
 pub use open::{OpenError, Opened, is_scene_file, open, open_str};
 pub use program::{Program, ProgramText, UniformValue, cube_face_files};
 pub use scene::{Key, LookupError, Object, Scene};
-pub use settings::{Background, DebugView, Encoding, Image, Interpolation, Lighting, RenderSettings, Shading, ToneMap};
+pub use settings::{
+    Background, DebugView, Encoding, Image, Interpolation, Lighting, RenderSettings, Shading, ToneMap,
+};

@@ -158,7 +158,8 @@ fn texture(file: &str) -> Result<Texture, Failure> {
     let path = Path::new(file);
     let could_not =
         |why: String| Failure::from(Report::new(format!("cannot read '{file}': {why}")).file(path));
-    let bytes = read_whole(path, MOST_BYTES).map_err(|error| could_not(without_number(&error.to_string())))?;
+    let bytes =
+        read_whole(path, MOST_BYTES).map_err(|error| could_not(without_number(&error.to_string())))?;
     let texture = read_texture(&bytes, file, &ReadOptions::default());
     let texture = texture.map_err(|error| could_not(error.to_string()))?;
     remark_of_texture(&bytes, file).iter().for_each(|note| print::note(format_args!("note: {note}")));

@@ -39,7 +39,8 @@ impl PictureInput {
 
     /// Reads one, which may take so much memory with what an eye makes of it.
     pub(crate) fn read(path: &Path, mut memory: MemoryBudget) -> Result<Self, Failure> {
-        let bytes = read_whole(path, MOST_BYTES).map_err(|error| Failure::from(Report::new(error).file(path)))?;
+        let bytes =
+            read_whole(path, MOST_BYTES).map_err(|error| Failure::from(Report::new(error).file(path)))?;
         let name = path.display().to_string();
         let told = |error: &dyn std::fmt::Display| Failure::from(Report::new(error).file(path));
         if let Some(image) = spectra(&bytes, &name, memory).map_err(|error| told(&error))? {

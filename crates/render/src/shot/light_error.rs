@@ -75,7 +75,8 @@ impl Shot {
             self.backend.draw(&self.prepared, &view, &options)
         });
         let seen: Vec<usize> = (0..halves[0].alpha.len()).filter(|i| halves[0].alpha[*i] > 0.0).collect();
-        let of = |half: usize, i: usize| halves[half].rgb.iter().map(|plane| f64::from(plane[i])).sum::<f64>();
+        let of =
+            |half: usize, i: usize| halves[half].rgb.iter().map(|plane| f64::from(plane[i])).sum::<f64>();
         let mean = seen.iter().map(|i| 0.5 * (of(0, *i) + of(1, *i))).sum::<f64>() / seen.len() as f64;
         let error = |i: &usize| 0.5 * (of(0, *i) - of(1, *i)).abs() / mean;
         let squares = seen.iter().map(|i| error(i) * error(i)).sum::<f64>();

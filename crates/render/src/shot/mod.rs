@@ -18,8 +18,8 @@ mod xray;
 
 pub use draw::{Shot, Step};
 pub use error::{SaveError, ShotError};
-pub(crate) use mistaken::mistaken;
 pub use light_error::LightError;
+pub(crate) use mistaken::mistaken;
 pub use of_picture::{PictureLight, SeenPicture, picture_frame, see_picture};
 pub use options::ShotOptions;
 pub use remarks::{Remark, RemarkKind};

@@ -1,7 +1,7 @@
 //! What a frame shows, and how.
 
-use glanz_scene::{Background, Lighting, RenderSettings};
 pub use glanz_scene::DebugView;
+use glanz_scene::{Background, Lighting, RenderSettings};
 
 use super::Samples;
 

@@ -153,10 +153,10 @@ mod tests {
 
     #[test]
     fn what_is_hardly_matte_gets_surroundings_too() {
-        let lobe = |shape: &str, value: f32| {
-            Lobe::new(Shape::named(shape, &[]).unwrap(), Rgb::gray(value))
-        };
-        for (matte, glossy, expected) in [(0.05, 0.9, true), (0.5, 0.04, false), (0.4, 0.5, false), (0.01, 0.04, true)] {
+        let lobe = |shape: &str, value: f32| Lobe::new(Shape::named(shape, &[]).unwrap(), Rgb::gray(value));
+        for (matte, glossy, expected) in
+            [(0.05, 0.9, true), (0.5, 0.04, false), (0.4, 0.5, false), (0.01, 0.04, true)]
+        {
             let lobes = vec![lobe("lambert", matte), lobe("ggx", glossy)];
             assert_eq!(only_mirrors(&Material::of_lobes("m", lobes)), expected, "{matte}, {glossy}");
         }

@@ -131,8 +131,12 @@ impl Compared {
             format!("95 % {:.2}, max {:.2}", spread.p95, spread.max),
         ];
         let sheet = ContactSheet {
-            columns: ["fast".to_owned(), "exact".to_owned(), format!("dE00 0..{}", print::number(rounded(top)))]
-                .into(),
+            columns: [
+                "fast".to_owned(),
+                "exact".to_owned(),
+                format!("dE00 0..{}", print::number(rounded(top))),
+            ]
+            .into(),
             captions: vec![Vec::new(), Vec::new(), numbers],
             per_row: 3,
             count: 3,

@@ -62,12 +62,7 @@ pub(crate) fn add_lobe<R: Real>(sum: &mut LightSum<R>, around: Around, k: usize,
 
 /// What a lobe sees of the environment, as amounts of the three spectra; 1 where they are uniform.
 #[inline(always)]
-fn seen<R: Real>(
-    sum: &LightSum<R>,
-    around: Around,
-    lobe: &DirectLobe,
-    integrals: &LobeIntegrals,
-) -> [R; 3] {
+fn seen<R: Real>(sum: &LightSum<R>, around: Around, lobe: &DirectLobe, integrals: &LobeIntegrals) -> [R; 3] {
     let Around { environment, number, to_map, .. } = around;
     let one = sum.cos_o.one();
     let Some(map) = &environment.map else { return [one; 3] };

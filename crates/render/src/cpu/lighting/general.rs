@@ -8,10 +8,10 @@
 
 use glanz_math::Real;
 
+use crate::cpu::lighting::environment::Around;
 use crate::cpu::lighting::light_sum::{LightSum, apart};
 use crate::cpu::lighting::point::{Reflected, ShadingPoint};
 use crate::cpu::lighting::shade_material::{ShadeLights, ShadeMaterial};
-use crate::cpu::lighting::environment::Around;
 use crate::cpu::lighting::{area, environment, exact, punctual};
 use crate::view::lights::ViewLight;
 

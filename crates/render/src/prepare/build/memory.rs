@@ -108,7 +108,8 @@ fn check_triangles(
     }
     let meshes: u64 = scene.meshes.iter().map(mesh_bytes).sum();
     let vertex = vertex_bytes(scene);
-    let fixed = meshes + completed(scene) + triangles * (TRIANGLE + DRAWING + shading_bytes(scene, mixes_spectra));
+    let fixed =
+        meshes + completed(scene) + triangles * (TRIANGLE + DRAWING + shading_bytes(scene, mixes_spectra));
     let shadows = if scene.render.shadows { triangles * SHADOW } else { 0 };
     let most = fixed.saturating_add(3 * triangles * vertex).saturating_add(shadows);
     if most <= memory.left() / 8 {

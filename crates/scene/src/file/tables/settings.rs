@@ -9,7 +9,9 @@ use serde::{Deserialize, Deserializer};
 
 use super::sampled::ObserverValue;
 use super::values::{At, Color, Stops};
-use crate::{COLOR_MODES, ColorMode, DebugView, Encoding, Interpolation, Lighting, Mistake, Shading, ToneMap, White};
+use crate::{
+    COLOR_MODES, ColorMode, DebugView, Encoding, Interpolation, Lighting, Mistake, Shading, ToneMap, White,
+};
 
 /// The picture to be made.
 #[derive(Debug, Deserialize, JsonSchema)]

@@ -138,9 +138,7 @@ impl<'a, R: Real> Target<'a, R> {
     fn point(&self, point: &SquarePoint) -> Met<R> {
         let zero = self.center.x.zero();
         let (x, y) = match self.area.form {
-            AreaShape::Rectangle { width, height } => {
-                (width * (point.u - 0.5), height * (point.v - 0.5))
-            }
+            AreaShape::Rectangle { width, height } => (width * (point.u - 0.5), height * (point.v - 0.5)),
             AreaShape::Disk { radius } => {
                 let off = radius * libm::sqrt(point.v);
                 (off * point.turn[0], off * point.turn[1])

@@ -18,9 +18,8 @@ impl<R: Real, const N: usize> Gathered<R, N> {
     /// Nothing yet, for the rows from `row` on; of an environment, or of an area.
     pub(super) fn new(sum: &LightSum<R>, row: usize, is_around: bool) -> Self {
         let material = sum.material;
-        let skips = |lobe: &DirectLobe| {
-            lobe.shape.info().delta || (is_around && is_seen_through(material, lobe))
-        };
+        let skips =
+            |lobe: &DirectLobe| lobe.shape.info().delta || (is_around && is_seen_through(material, lobe));
         let skips = material.lobes.iter().map(skips).collect();
         Self { row, of_lobes: vec![[sum.cos_o.zero(); N]; material.lobes.len()], skips }
     }

@@ -82,7 +82,8 @@ impl<'a, R: Real> Mixture<'a, R> {
             false => {
                 let number = number - of_lobes;
                 let sign = if number < self.counts.hemisphere { 1.0 } else { -1.0 };
-                let local = self.of_hemisphere(&self.points.hemisphere[number % self.counts.hemisphere], sign);
+                let local =
+                    self.of_hemisphere(&self.points.hemisphere[number % self.counts.hemisphere], sign);
                 (local, local.z.zero().lt(local.z.abs()))
             }
         };

@@ -14,8 +14,7 @@ use crate::Mesh;
 use crate::mesh::topology::Splitter;
 
 /// A remark.
-const SHIFTED: &str =
-    "PLY: faces with more values than the header tells have no colour, since which values are the colour is not known";
+const SHIFTED: &str = "PLY: faces with more values than the header tells have no colour, since which values are the colour is not known";
 
 /// What faces have that belongs to vertices of a mesh; empty where they do not have it.
 #[derive(Default)]

@@ -13,8 +13,7 @@ use super::super::source::Source;
 use crate::read::notes::Notes;
 
 /// A remark.
-const OTHER_COUNTS: &str =
-    "glTF: what Draco compressed has other numbers of vertices or triangles than its accessors say; its own are taken";
+const OTHER_COUNTS: &str = "glTF: what Draco compressed has other numbers of vertices or triangles than its accessors say; its own are taken";
 
 const NAME: &str = "KHR_draco_mesh_compression";
 
@@ -129,7 +128,11 @@ impl<'a> Source<'a> {
         self.budget.check(FACE_BYTES.saturating_mul(faces), self.file, || path.to_owned())?;
         self.budget.spend(12 * faces, self.file, || path.to_owned())?;
         let corners = Some(corners(&mesh).map_err(wrong)?);
-        Ok(Decoded { corners, points: mesh.num_points(), items: self.items_of(&mesh, primitive, compressed, path)? })
+        Ok(Decoded {
+            corners,
+            points: mesh.num_points(),
+            items: self.items_of(&mesh, primitive, compressed, path)?,
+        })
     }
 
     /// For each accessor its items without gaps, or why there are none.
@@ -161,8 +164,7 @@ impl<'a> Source<'a> {
 
 /// The mesh in these bytes, within so much memory.
 fn decode(bytes: &[u8], memory: u64) -> Result<Mesh, DracoError> {
-    let limits =
-        DecodeLimits::default().with_max_faces(memory / FACE_BYTES).with_max_decoded_bytes(memory);
+    let limits = DecodeLimits::default().with_max_faces(memory / FACE_BYTES).with_max_decoded_bytes(memory);
     let mut buffer = DecoderBuffer::new(bytes).with_limits(limits);
     let mut mesh = Mesh::new();
     MeshDecoder::new().decode(&mut buffer, &mut mesh)?;

@@ -125,10 +125,15 @@ fn draco_primitives_take_part_in_skins_and_morph_targets() {
 
 #[test]
 fn counts_of_accessors_give_way_to_what_draco_has() {
-    for (path, count) in [("/accessors/0/count", 5), ("/accessors/4/count", 6), ("/accessors/4/count", 3000)] {
+    for (path, count) in [("/accessors/0/count", 5), ("/accessors/4/count", 6), ("/accessors/4/count", 3000)]
+    {
         let model = read_bytes(&file(&[(path, json!(count))]), Format::Gltf).unwrap();
         check_sheet(&model, Vec3::ZERO, DRACO_TOLERANCE);
-        assert!(model.notes.iter().any(|note| note.contains("other numbers of vertices")), "{:?}", model.notes);
+        assert!(
+            model.notes.iter().any(|note| note.contains("other numbers of vertices")),
+            "{:?}",
+            model.notes
+        );
     }
 }
 
@@ -152,16 +157,12 @@ fn draco_must_agree_with_the_accessors() {
     let found = error(&[(numbers, json!({ "NORMAL": 4 }))]);
     assert!(found.contains(&format!("{place} the positions among its attributes, found none")), "{found}");
     let found = error(&[(numbers, json!({ "POSITION": 77 }))]);
-    assert!(
-        found.contains(
-            "accessors[0]: expected items of 3 numbers in the attribute 77"
-        ),
-        "{found}"
-    );
+    assert!(found.contains("accessors[0]: expected items of 3 numbers in the attribute 77"), "{found}");
     let view = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/bufferView";
     assert!(error(&[(view, json!(9))]).contains("bufferViews[9]"));
     // Of what is not needed there is a remark.
-    for changes in [(&format!("{numbers}/NORMAL"), json!(7)), (&format!("{numbers}/NORMAL"), json!(77))] {
+    for number in [7, 77] {
+        let changes = (&*format!("{numbers}/NORMAL"), json!(number));
         let model = read_bytes(&file(&[changes]), Format::Gltf).unwrap();
         let left_out = "the attribute NORMAL is left out";
         assert!(model.notes.iter().any(|note| note.contains(left_out)), "{:?}", model.notes);
