@@ -10,7 +10,7 @@ use crate::builtin::MAX_TRIANGLES;
 use crate::file::{self, FileError, LoadOptions, Loaded};
 use crate::memory::LEAST_TRIANGLE_BYTES;
 use crate::read::{Model, Place, ReadError, ReadOptions, read_model};
-use crate::{Camera, Scene, exposure};
+use crate::{Background, Camera, Scene, exposure};
 
 /// The material that values set for a bare model: the one of objects that name none.
 const MODEL_MATERIAL: &str =
@@ -128,6 +128,11 @@ impl Opened {
     fn expose(&mut self) {
         let Some(stops) = exposure::of_lamps(&self.scene) else { return };
         self.scene.render.ev = stops;
+        // What is behind the model has no light of its own to be exposed by.
+        if let Background::Color(color) = &mut self.scene.image.background {
+            let dimmed = libm::exp2(-stops) as f32;
+            color.0.iter_mut().for_each(|value| *value *= dimmed);
+        }
         self.notes.push(format!(
             "the lights of the file ask for an exposure of {stops:+.1} stops, which is taken; --ev sets another one, \
              --lights three-point or studio other lights"
@@ -175,7 +180,13 @@ mod tests {
                 .iter()
                 .any(|note| note.contains("an exposure of -10.0 stops") && note.contains("--ev"))
         );
+        // The background stays what it is on the screen.
+        let shown = |opened: &Opened| match opened.scene.image.background {
+            Background::Color(color) => f64::from(color.0[2]) * libm::exp2(opened.scene.render.ev),
+            other => panic!("{other:?}"),
+        };
         let plain = opened(white, &[]);
+        assert!((shown(&bright) - shown(&plain)).abs() < 1e-6 && shown(&plain) > 0.01);
         assert_eq!((plain.scene.render.ev, plain.notes.len()), (0.0, 0));
         let set = opened(white * 1024.0, &[("render.ev", "-3")]);
         assert_eq!((set.scene.render.ev, set.notes.len()), (-3.0, 0));
