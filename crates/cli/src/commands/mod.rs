@@ -38,7 +38,7 @@ pub(crate) enum Command {
     /// Draw with flat, Gouraud and Phong shading side by side, and measure the difference
     #[command(after_help = shade_compare::EXAMPLES)]
     ShadeCompare(Box<shade_compare::ShadeCompareArgs>),
-    /// Measure how far the fast way to light from areas and environments is from the exact one
+    /// Measure how far fast light from areas and environments is from exact light
     #[command(after_help = lighting_error::EXAMPLES)]
     LightingError(Box<lighting_error::LightingErrorArgs>),
     /// Draw in several colour modes side by side, and measure their errors

@@ -139,7 +139,7 @@ fn counts_of_accessors_give_way_to_what_draco_has() {
 
 #[test]
 fn joints_and_colours_may_be_numbers_of_another_type() {
-    let skin = [("/skins", json!([{ "joints": [0] }])), ("/nodes/0/skin", json!(0))];
+    let skin = [("/skins", json!([{ "joints": [0, 0] }])), ("/nodes/0/skin", json!(0))];
     for code in [5123, 5126] {
         let mut changes = skin.to_vec();
         changes.push(("/accessors/5/componentType", json!(code)));
