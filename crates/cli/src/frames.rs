@@ -1,7 +1,8 @@
 //! Several pictures in a row: their numbers, their names, their cameras.
 
+use std::ffi::OsString;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::{DQuat, DVec3};
 use glanz_picture::output::Animation;
@@ -80,8 +81,8 @@ fn numbers(text: &str) -> Option<(Vec<f64>, bool)> {
 /// A file name with a place for the frame's number: `{frame}`, or `{frame:04}` for four digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Template {
-    before: String,
-    after: String,
+    before: OsString,
+    after: OsString,
     digits: usize,
 }
 
@@ -107,13 +108,33 @@ impl Template {
             );
             return Err(Failure::Usage(message));
         }
-        match path.to_str() {
-            None if template.is_some() => Err(Failure::Usage(format!(
-                "'{}' is not UTF-8, so it cannot be the pattern of names with {{frame}}",
-                path.display()
-            ))),
-            _ => Ok(template),
-        }
+        Ok(match template {
+            Some(template) if path.to_str().is_none() => Some(template.with_bytes_of(path)?),
+            template => template,
+        })
+    }
+
+    /// The same with the bytes of a name that is not UTF-8.
+    #[cfg(unix)]
+    fn with_bytes_of(self, path: &Path) -> Result<Self, Failure> {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt;
+
+        let bytes = path.as_os_str().as_bytes();
+        // The place itself is ASCII, and no part of another character.
+        let open = bytes.windows(6).position(|six| six == b"{frame").unwrap_or(0);
+        let close =
+            bytes[open..].iter().position(|byte| *byte == b'}').map_or(bytes.len(), |at| open + at + 1);
+        let part = |bytes: &[u8]| OsStr::from_bytes(bytes).to_owned();
+        Ok(Self { before: part(&bytes[..open]), after: part(&bytes[close..]), ..self })
+    }
+
+    #[cfg(not(unix))]
+    fn with_bytes_of(self, path: &Path) -> Result<Self, Failure> {
+        Err(Failure::Usage(format!(
+            "'{}' is not Unicode, so it cannot be the pattern of names with {{frame}}",
+            path.display()
+        )))
     }
 
     /// The template in `text`; `None` if there is no place for a number.
@@ -125,12 +146,15 @@ impl Template {
             None if format.is_empty() => 1,
             None => return None,
         };
-        Some(Self { before: before.to_owned(), after: after.to_owned(), digits })
+        Some(Self { before: before.into(), after: after.into(), digits })
     }
 
     /// The name of frame `number`.
-    pub(crate) fn name(&self, number: u32) -> String {
-        format!("{}{number:0digits$}{}", self.before, self.after, digits = self.digits)
+    pub(crate) fn name(&self, number: u32) -> PathBuf {
+        let mut name = self.before.clone();
+        name.push(format!("{number:0digits$}", digits = self.digits));
+        name.push(&self.after);
+        name.into()
     }
 }
 
@@ -180,8 +204,8 @@ mod tests {
     #[test]
     fn a_template_says_where_the_number_goes() {
         let name = |text: &str| Template::parse(text).map(|template| template.name(7));
-        assert_eq!(name("spin_{frame:04}.png").as_deref(), Some("spin_0007.png"));
-        assert_eq!(name("{frame}/a.png").as_deref(), Some("7/a.png"));
+        assert_eq!(name("spin_{frame:04}.png").as_deref(), Some(Path::new("spin_0007.png")));
+        assert_eq!(name("{frame}/a.png").as_deref(), Some(Path::new("7/a.png")));
         for wrong in ["spin.png", "{frame", "{frames}", "{frame:x}", "{frame:99999}"] {
             assert_eq!(name(wrong), None, "{wrong}");
         }

@@ -135,7 +135,7 @@ impl RenderArgs {
         frames: &mut Frames<'_>,
     ) -> Result<Vec<PathBuf>, Failure> {
         let kind = self.kind(format)?;
-        let names: Vec<PathBuf> = range.map(|frame| template.name(frame).into()).collect();
+        let names: Vec<PathBuf> = range.map(|frame| template.name(frame)).collect();
         for name in &names {
             check_folder(name)?;
             self.target.check_free(name)?;

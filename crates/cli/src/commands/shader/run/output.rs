@@ -120,7 +120,7 @@ impl<'a, 'b> Frames<'a, 'b> {
 
 fn files(toy: &Toy<'_>, remarks: &mut Remarks, template: &Template) -> Result<Vec<PathBuf>, Failure> {
     let range = toy.args.frames.clone().unwrap_or(0..1);
-    let names: Vec<PathBuf> = range.clone().map(|frame| template.name(frame).into()).collect();
+    let names: Vec<PathBuf> = range.clone().map(|frame| template.name(frame)).collect();
     for name in &names {
         check_folder(name)?;
         toy.args.target.check_free(name)?;
