@@ -54,6 +54,7 @@ fn checks(workspace: &Workspace, options: &Options) -> Steps {
             compare(workspace, "models", MITSUBA, ("GLANZ_EVAL", &eval))
         })
     });
+    steps.run("exact light against Mitsuba", || oracle(workspace, lighting));
     steps.run("measured reflectance against Mitsuba and Radiance", || oracle(workspace, measured));
     steps.run("shaders against OpenGL", || shaders(workspace));
     steps.run("examples of the library", || library_examples::run_all(workspace));
@@ -89,6 +90,11 @@ fn oracle(workspace: &Workspace, comparison: impl FnOnce(&Workspace) -> Result<(
         return Outcome::Skipped("there is no python3 (3.10 or newer, with venv) on this machine".to_owned());
     }
     comparison(workspace).into()
+}
+
+/// Areas, environments and half-shadows, as Mitsuba finds them.
+fn lighting(workspace: &Workspace) -> Result<()> {
+    compare(workspace, "lighting", MITSUBA, ("GLANZ_PROGRAM", &workspace.glanz(Profile::Dev)?))
 }
 
 /// Tables that the virtual goniometer writes, as Mitsuba and Radiance's library read them.
