@@ -1,12 +1,18 @@
 //! From a prepared scene to a picture.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::{self, Thread};
+use std::time::Duration;
+
 use glanz_color::exr::SpectralImage;
 use glanz_math::SimdLevel;
 use glanz_picture::compare::frames::Developed;
 use glanz_picture::output::{PictureData, PictureKind};
 use glanz_picture::{Develop, Frame, develop};
 use glanz_plot::Canvas;
-use glanz_render::{Aovs, Moment, PrepareOptions, Shot, ShotError, ShotOptions, View, takes_several_frames};
+use glanz_render::{
+    Aovs, Moment, PrepareOptions, Shot, ShotError, ShotOptions, Step, View, takes_several_frames,
+};
 use glanz_scene::{Camera, Scene, Shading};
 
 use super::args::{CameraArgs, DevelopArgs, LookArgs};
@@ -125,10 +131,47 @@ pub(crate) fn picture(
             Ok(PictureData::Codes16 { width, height, rgba })
         }
         PictureKind::Light | PictureKind::Spectrum => {
-            let picture =
-                timings.measure(Stage::Draw, || shot.picture(kind, &mut |part| progress.within(part)));
+            let picture = timings
+                .measure(Stage::Draw, || watched(shot, progress, |shot, step| shot.picture(kind, step)));
             picture.map_err(without_spectra)
         }
+    }
+}
+
+/// How often it is asked how much of a frame is drawn.
+const INTERVAL: Duration = Duration::from_millis(100);
+
+/// Draws with progress: where there is one frame alone, and that takes long, as it is drawn.
+fn watched<T>(shot: &mut Shot, progress: &mut Progress, draw: impl FnOnce(&mut Shot, Step) -> T) -> T {
+    let takes_long = shot.draw_options().exact.is_some() && !takes_several_frames(shot.prepared());
+    let Some(meter) = shot.meter().filter(|_| takes_long) else {
+        return draw(shot, &mut |part| progress.within(part));
+    };
+    let is_over = AtomicBool::new(false);
+    thread::scope(|scope| {
+        let watch = || {
+            while !is_over.load(Ordering::Acquire) {
+                progress.within(meter.part());
+                thread::park_timeout(INTERVAL);
+            }
+        };
+        let watcher = scope.spawn(watch);
+        // Dropped by a panic, too, so that nobody waits for a picture that will not come.
+        let _ending = Ending { is_over: &is_over, watcher: watcher.thread().clone() };
+        draw(shot, &mut |_| ())
+    })
+}
+
+/// Ends the watch of a frame.
+struct Ending<'a> {
+    is_over: &'a AtomicBool,
+    watcher: Thread,
+}
+
+impl Drop for Ending<'_> {
+    fn drop(&mut self) {
+        self.is_over.store(true, Ordering::Release);
+        self.watcher.unpark();
     }
 }
 
@@ -155,7 +198,7 @@ pub(crate) fn codes(
         return Ok(Canvas { width, height, rgba });
     }
     let mut rgba = vec![0; 4 * width * height];
-    timings.measure(Stage::Draw, || shot.draw_into(&mut rgba))?;
+    timings.measure(Stage::Draw, || watched(shot, progress, |shot, _| shot.draw_into(&mut rgba)))?;
     Ok(Canvas { width, height, rgba })
 }
 
@@ -169,7 +212,8 @@ pub(crate) fn developed(shot: &mut Shot, progress: &mut Progress) -> Result<Deve
 
 /// All channels that the observer sees.
 fn frame(shot: &mut Shot, aovs: Aovs, progress: &mut Progress) -> Result<Frame, Failure> {
-    Ok(shot.frame_in_steps(aovs, &mut |part| progress.within(part))?)
+    let draw = |shot: &mut Shot, step: Step| shot.frame_in_steps(aovs, step);
+    Ok(watched(shot, progress, draw)?)
 }
 
 /// A frame that is on the screen already, developed.

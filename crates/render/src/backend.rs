@@ -1,9 +1,50 @@
 //! The seam between what is drawn and what draws it.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use glanz_picture::{ChannelError, Develop, Frame, develop};
 
 use crate::cpu::Renderer;
 use crate::{DrawOptions, Prepared, View};
+
+/// How much of a frame is drawn, for those who watch another thread draw it.
+///
+/// ```
+/// use glanz_render::Shot;
+/// use glanz_scene::Scene;
+///
+/// let mut shot = Shot::new(&Scene::new().with_size(40, 40))?;
+/// let meter = shot.meter().expect("the CPU tells it");
+/// assert_eq!(meter.part(), 0.0);
+/// shot.rgba8()?;
+/// assert_eq!(meter.part(), 1.0);
+/// # Ok::<(), glanz_render::ShotError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct DrawMeter {
+    done: AtomicUsize,
+    all: AtomicUsize,
+}
+
+impl DrawMeter {
+    /// From 0 to 1; 0 before the first frame.
+    pub fn part(&self) -> f64 {
+        let [done, all] = [&self.done, &self.all].map(|count| count.load(Ordering::Relaxed));
+        if all == 0 { 0.0 } else { (done as f64 / all as f64).min(1.0) }
+    }
+
+    /// A frame of so many pieces begins.
+    pub(crate) fn begin(&self, pieces: usize) {
+        self.done.store(0, Ordering::Relaxed);
+        self.all.store(pieces, Ordering::Relaxed);
+    }
+
+    /// A piece of it is drawn.
+    pub(crate) fn step(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+}
 
 /// Why a back end drew no frame.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -55,6 +96,11 @@ pub trait Backend: Send {
 
     /// Why the last frame is of no use, if it is not: a program did not come to its end, or the device failed. Asked once.
     fn take_error(&mut self) -> Option<BackendError> {
+        None
+    }
+
+    /// How much of a frame is drawn while it is drawn, where the back end knows.
+    fn meter(&self) -> Option<Arc<DrawMeter>> {
         None
     }
 

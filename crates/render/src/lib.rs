@@ -30,7 +30,7 @@ mod session;
 mod shot;
 pub mod view;
 
-pub use backend::{Backend, BackendError, default_backend, draw, draw_rgba8};
+pub use backend::{Backend, BackendError, DrawMeter, default_backend, draw, draw_rgba8};
 pub use cpu::probe::{Arrival, PointPlace, Probe, ProbedLight, ProbedLobe, ProbedPoint, ProbedSurface};
 pub use glam;
 pub use glanz_picture::{

@@ -1,10 +1,9 @@
 //! Both passes over a frame, in parallel where the feature `rayon` is on.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glanz_math::{SimdLevel, at_level};
 
-use crate::BackendError;
 use crate::cpu::frame::FrameView;
 use crate::cpu::geometry::bins::{TILE_HEIGHT, columns};
 use crate::cpu::geometry::chunk::ChunkOutput;
@@ -21,6 +20,7 @@ use crate::cpu::tile::draw;
 use crate::cpu::tile::state::{TilePlace, TileScratch};
 use crate::cpu::tile::target::{Band, Codes, PlaneBand, empty_block};
 use crate::{Aovs, Backend, DrawOptions, Prepared, Samples, View};
+use crate::{BackendError, DrawMeter};
 use glanz_picture::DevelopKernel;
 use glanz_picture::{ChannelError, Channels, Develop, Frame};
 use glanz_scene::Background;
@@ -38,6 +38,7 @@ pub struct Renderer {
     failed: Option<RunError>,
     chunks: Vec<ChunkOutput>,
     tiles: Vec<Mutex<TileScratch>>,
+    meter: Arc<DrawMeter>,
 }
 
 /// Chunks of clusters per thread: enough that culled ones do not leave threads idle.
@@ -85,6 +86,10 @@ impl Backend for Renderer {
 
     fn take_error(&mut self) -> Option<BackendError> {
         self.failed.take().map(BackendError::from)
+    }
+
+    fn meter(&self) -> Option<Arc<DrawMeter>> {
+        Some(Arc::clone(&self.meter))
     }
 
     fn draw_rgba8(
@@ -255,6 +260,7 @@ impl Renderer {
         // From the middle of the picture outwards: there is most to do there, and what comes last should be short.
         let middle = tasks.len() / 2;
         tasks.sort_by_key(|(row, _)| row.abs_diff(middle));
+        self.meter.begin(tasks.len());
         threads::for_each(tasks, |(row, mut band)| {
             // No two threads have the same number, so none ever waits here.
             let own = self.tiles[threads::number().min(self.tiles.len() - 1)].lock();
@@ -264,6 +270,7 @@ impl Renderer {
                 let place = TilePlace { column, row };
                 column += draw_tile(level, frame, &projected, place, &mut scratch, &mut band);
             }
+            self.meter.step();
         });
     }
 }

@@ -1,5 +1,7 @@
 //! One picture: a scene, prepared, with its camera, its observer and its development.
 
+use std::sync::Arc;
+
 use glanz_eye::{Seen, Viewer};
 use glanz_math::{MemoryBudget, SimdLevel};
 use glanz_picture::output::PictureKind;
@@ -10,7 +12,7 @@ use super::{ShotError, ShotOptions, Sight, angles, mistaken};
 use crate::cpu::Renderer;
 use crate::prepare::{Change, Prepared, memory_beside, prepare};
 use crate::view::{Aovs, DrawOptions, Moment, View};
-use crate::{Backend, draw_observed, draw_observed_into, takes_several_frames};
+use crate::{Backend, DrawMeter, draw_observed, draw_observed_into, takes_several_frames};
 
 /// A picture of a scene: honours all that the scene says.
 ///
@@ -89,6 +91,11 @@ impl Shot {
     #[must_use]
     pub fn on_level(self, level: SimdLevel) -> Self {
         self.on(Box::new(Renderer::with_level(level)))
+    }
+
+    /// How much of a picture is drawn, for another thread while this one draws; nothing where the back end does not know.
+    pub fn meter(&self) -> Option<Arc<DrawMeter>> {
+        self.backend.meter()
     }
 
     /// The scene as arrays.

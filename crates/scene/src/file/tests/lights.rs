@@ -10,7 +10,7 @@ use glanz_color::Rgb;
 
 use super::*;
 use super::{parse, scene};
-use crate::{AreaShape, Attenuation, Background, EnvironmentMap, Light, LightColor, LightColors, LightKind};
+use crate::{AreaShape, Attenuation, Background, EnvironmentMap, Light, LightColor, LightColors, LightKind, Lighting};
 
 /// Rounding of a few products, and of the sines of a turn.
 const ROUNDING: f64 = 1e-12;
@@ -161,6 +161,18 @@ fn the_background_may_be_the_surroundings_if_there_are_any() {
     assert_eq!(error.message, "the background is to be the environment, but there is none");
     assert_eq!(&error.text[error.span.unwrap()], "'environment'");
     assert!(scene("[render]\nshadows = true").render.shadows && !scene("").render.shadows);
+}
+
+#[test]
+fn exact_light_is_read_and_written() {
+    let own = scene("[render]\nlighting = 'exact'\nlight_samples = 4096");
+    assert_eq!((own.render.lighting, own.render.light_samples), (Lighting::Exact, Some(4096)));
+    let written = crate::file::write(&own, "").unwrap().text;
+    let again = scene(&written);
+    assert_eq!(again.render, own.render, "{written}");
+    assert_eq!(scene("").render.lighting, Lighting::Fast);
+    let error = parse("[render]\nlight_samples = 1").unwrap_err();
+    assert!(error.message.contains("between 2 and 1048576 points, found 1"), "{}", error.message);
 }
 
 #[test]

@@ -258,6 +258,8 @@ fn layers_and_luminance_of_exr_are_pictures() {
     );
     let (map, notes) = read(&exr_of(&[("Y", 0.5)], |_, _| ()));
     assert_eq!((map.pixels[7], notes.len()), ([0.5; 3], 1));
+    let (map, notes) = read(&exr_of(&[("BY", 0.1), ("RY", 0.2), ("Y", 0.5)], |_, _| ()));
+    assert_eq!((map.pixels[7], notes.len()), ([0.5; 3], 1));
     let error = error(&exr_of(&[("Z", 0.5)], |_, _| ()));
     assert!(error.contains("expected channels R, G and B, or Y, found Z"), "{error}");
 }

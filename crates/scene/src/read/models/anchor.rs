@@ -105,6 +105,18 @@ mod tests {
     }
 
     #[test]
+    fn small_parts_of_a_large_model_are_no_cause_to_tell() {
+        let told = |at: f32| {
+            let corners = [[at, 0.0, 0.0], [at + 0.01, 0.0, 0.0], [at, 0.01, 0.0]];
+            let mesh = Mesh { positions: corners.map(Vec3::from).to_vec(), ..Mesh::default() };
+            let mut notes = Notes::default();
+            Anchor::default().tell_of_steps(&mesh, &mut notes);
+            !notes.into_strings().is_empty()
+        };
+        assert!(!told(9.5) && told(12_000.0));
+    }
+
+    #[test]
     fn far_positions_keep_their_digits_wherever_the_first_far_one_comes() {
         let points = [[0.0, 0.0, 0.0], [5e6 + 0.25, -3e6 + 0.125, 12.5], [5e6 + 0.375, -3e6, 13.0]];
         let (mut anchor, mut positions) = (Anchor::default(), Vec::new());

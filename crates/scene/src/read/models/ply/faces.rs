@@ -64,16 +64,14 @@ impl FaceData {
                 continue;
             }
             if has_colors {
-                if !is_as_told {
+                let odd = match (is_as_told, shade.is_finite()) {
                     // Values that the header does not tell of may stand before the colours.
-                    context.notes.add_at(SHIFTED, body.place());
-                    shade = Vec4::ONE;
-                }
-                if !shade.is_finite() {
-                    context.notes.add_at(NO_COLOR, body.place());
-                    shade = Vec4::ONE;
-                }
-                self.colors.push(shade);
+                    (false, _) => Some(SHIFTED),
+                    (true, false) => Some(NO_COLOR),
+                    (true, true) => None,
+                };
+                odd.iter().for_each(|odd| context.notes.add_at(odd, body.place()));
+                self.colors.push(if odd.is_some() { Vec4::ONE } else { shade });
             }
             if has_uvs && !self.push_uvs(&uvs, listed, mesh.corners.len() - first) {
                 context.notes.add_at(

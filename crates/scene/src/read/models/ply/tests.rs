@@ -280,6 +280,23 @@ fn faces_have_colours_and_texture_coordinates_of_their_own() {
 }
 
 #[test]
+fn faces_whose_lines_are_longer_than_the_header_tells_have_no_colour() {
+    let list = "property list uchar int vertex_indices\n";
+    let colors = format!("{list}property uchar red\nproperty uchar green\nproperty uchar blue\n");
+    let bytes = square(&[
+        (list, &colors),
+        ("3 0 1 2\n", "3 0 1 2 6 1 1 1 1 1 1 255 0 0 255\n"),
+        ("3 0 2 3\n", "3 0 2 3 0 255 0\n"),
+    ]);
+    let model = read_bytes(&bytes, Format::Ply).unwrap();
+    check(&model);
+    let mesh = &model.meshes[0];
+    let color = |corner: usize| mesh.colors[mesh.corners[corner] as usize].to_array();
+    assert_eq!([color(0), color(3)], [[1.0; 4], [0.0, 1.0, 0.0, 1.0]]);
+    assert!(model.notes.iter().any(|note| note.contains("have no colour, since")), "{:?}", model.notes);
+}
+
+#[test]
 fn the_texture_that_a_comment_names_is_used() {
     let comment = ("element vertex", "comment TextureFile some where.png\nelement vertex");
     let list = "property list uchar int vertex_indices\n";
