@@ -10,7 +10,9 @@ use glanz_color::Rgb;
 
 use super::*;
 use super::{parse, scene};
-use crate::{AreaShape, Attenuation, Background, EnvironmentMap, Light, LightColor, LightColors, LightKind, Lighting};
+use crate::{
+    AreaShape, Attenuation, Background, EnvironmentMap, Light, LightColor, LightColors, LightKind, Lighting,
+};
 
 /// Rounding of a few products, and of the sines of a turn.
 const ROUNDING: f64 = 1e-12;

@@ -108,7 +108,8 @@ mod tests {
     fn small_parts_of_a_large_model_are_no_cause_to_tell() {
         let told = |at: f32| {
             let corners = [[at, 0.0, 0.0], [at + 0.01, 0.0, 0.0], [at, 0.01, 0.0]];
-            let mesh = Mesh { positions: corners.map(Vec3::from).to_vec(), ..Mesh::default() };
+            let positions = corners.map(Vec3::from).to_vec();
+            let mesh = Mesh { positions, corners: vec![0, 1, 2], ..Mesh::default() };
             let mut notes = Notes::default();
             Anchor::default().tell_of_steps(&mesh, &mut notes);
             !notes.into_strings().is_empty()
