@@ -169,7 +169,7 @@ fn the_background_may_be_the_surroundings_if_there_are_any() {
 fn exact_light_is_read_and_written() {
     let own = scene("[render]\nlighting = 'exact'\nlight_samples = 4096");
     assert_eq!((own.render.lighting, own.render.light_samples), (Lighting::Exact, Some(4096)));
-    let written = crate::file::write(&own, "").unwrap().text;
+    let written = write(&own, "").unwrap().text;
     let again = scene(&written);
     assert_eq!(again.render, own.render, "{written}");
     assert_eq!(scene("").render.lighting, Lighting::Fast);
