@@ -12,3 +12,16 @@ pub(crate) fn collect<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync + Sen
         (0..count).map(f).collect()
     }
 }
+
+/// Gives each part of so many values, and its number, to a function.
+pub(crate) fn chunks<T: Send>(values: &mut [T], size: usize, f: impl Fn(usize, &mut [T]) + Sync + Send) {
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        values.par_chunks_mut(size).enumerate().for_each(|(i, chunk)| f(i, chunk));
+    }
+    #[cfg(not(feature = "rayon"))]
+    {
+        values.chunks_mut(size).enumerate().for_each(|(i, chunk)| f(i, chunk));
+    }
+}

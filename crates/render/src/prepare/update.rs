@@ -69,9 +69,6 @@ impl Prepared {
         let recolored = new.colors != old.colors;
         let same_map = self.place_light(number, new)?;
         Arc::make_mut(&mut self.source.colors).lights[number] = new.clone();
-        if !same_map {
-            self.forget_integrals();
-        }
         if recolored || !same_map { fill_table(self) } else { Ok(()) }
     }
 
@@ -86,11 +83,6 @@ impl Prepared {
             self.lights[place] = light;
         }
         Ok(same_map)
-    }
-
-    /// What lobes made of an environment map is of no use once there is another.
-    fn forget_integrals(&mut self) {
-        self.materials.iter_mut().for_each(|material| material.integrals.clear());
     }
 
     fn update_material(
@@ -187,12 +179,8 @@ impl Prepared {
 
     /// Takes over all lights and materials of a scene that has as many of the same kinds.
     fn refill_from(&mut self, scene: &Scene) -> Result<(), PrepareError> {
-        let mut same_maps = true;
         for (number, light) in scene.lights.iter().enumerate() {
-            same_maps &= self.place_light(number, light)?;
-        }
-        if !same_maps {
-            self.forget_integrals();
+            self.place_light(number, light)?;
         }
         self.refill(Colors::of(scene))
     }

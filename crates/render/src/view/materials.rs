@@ -65,7 +65,7 @@ fn lit_test(material: &PreparedMaterial, lights: &[PreparedLight]) -> PreparedMa
     PreparedMaterial {
         lobes: vec![DirectLobe::new(Shape::Lambert(Lambert))],
         tints: vec![[1.0; 3]; lights.iter().map(|light| light.shape.rows()).sum()],
-        integrals: vec![LobeIntegrals::of_cosine(lights.len())],
+        integrals: vec![LobeIntegrals::of_cosine()],
         anisotropic: false,
         transmits: false,
         metal_rough_map: None,

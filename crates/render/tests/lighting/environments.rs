@@ -152,3 +152,106 @@ fn turning_the_environment_turns_what_is_seen() {
     // What was at +X is now at +Y, where the mirrored ray has no part.
     assert!((value(&scene) - 0.5).abs() < 1e-3);
 }
+
+/// The room on a map of so many rows, each pixel the mean of sixteen points.
+fn room_map(height: usize) -> Arc<EnvironmentMap> {
+    let width = 2 * height;
+    let pixel = |i: usize| {
+        let mut sum = 0.0;
+        for k in 0..16 {
+            let (u, v) = ((i % width) as f64 + (k % 4) as f64 * 0.25 + 0.125, (i / width) as f64 + (k / 4) as f64 * 0.25 + 0.125);
+            sum += room(EnvironmentMap::direction(u / width as f64, v / height as f64)) / 16.0;
+        }
+        [sum as f32; 3]
+    };
+    Arc::new(EnvironmentMap { width, height, pixels: (0..width * height).map(pixel).collect() })
+}
+
+/// ∫ L f_cos dω by rings about the mirrored (or refracted) direction, as half vectors or as they are.
+fn by_rings(shape: &Shape, degrees: f64, azimuth: f64, light: impl Fn(DVec3) -> f64) -> f64 {
+    let below = shape.info().side == glanz_bsdf::Side::Transmission;
+    let wo = Vec3::from_angles(degrees.to_radians(), azimuth.to_radians());
+    let (n, m) = (300, 300);
+    let mut sum = 0.0;
+    for i in 0..n {
+        let edge = |i: usize| (i as f64 / n as f64).powi(4) * core::f64::consts::PI * 0.99;
+        let (low, high) = (edge(i), edge(i + 1));
+        let theta = 0.5 * (low + high);
+        let ring = (low.cos() - high.cos()) * 2.0 * core::f64::consts::PI / m as f64;
+        for k in 0..m {
+            let phi = (k as f64 + 0.5 * (i % 2) as f64) / m as f64 * 2.0 * core::f64::consts::PI;
+            let d = Vec3::from_angles(theta, phi);
+            let (wi, weight) = if below {
+                let sine = degrees.to_radians().sin() / shape.eta();
+                let z = Vec3::new(-wo.x / shape.eta(), -wo.y / shape.eta(), -(1.0 - sine * sine).max(0.0).sqrt()).normalized();
+                let f = glanz_math::Frame::around(z);
+                (f.t * d.x + f.b * d.y + f.n * d.z, ring)
+            } else {
+                // Half vectors.
+                let cos = d.dot(wo);
+                if cos <= 0.0 { continue; }
+                (d * (2.0 * cos) - wo, ring * 4.0 * cos)
+            };
+            if (wi.z > 0.0) == below { continue; }
+            let value = shape.f_cos(&DirectionPair::new(wo, wi)) * weight;
+            if value > 0.0 {
+                sum += value * light(DVec3::new(wi.x, wi.y, wi.z));
+            }
+        }
+    }
+    sum
+}
+
+#[test]
+#[ignore]
+fn table() {
+    let map = room_map(512);
+    let mean = map.mean()[0];
+    let mut all: Vec<(String, Shape)> = Vec::new();
+    let mut push = |name: &str, key: &str, values: &[f64]| {
+        for value in values {
+            match Shape::named(name, &[(key, *value)]) {
+                Ok(shape) => all.push((format!("{name} {value}"), shape)),
+                Err(error) => eprintln!("{name}: {error}"),
+            }
+        }
+    };
+    push("ggx", "alpha", &[0.02, 0.05, 0.1, 0.2, 0.3, 0.6, 1.0]);
+    push("cook-torrance", "m", &[0.02, 0.05, 0.1, 0.2, 0.4, 1.0]);
+    push("beckmann", "alpha", &[0.3, 1.0]);
+    push("ward", "alpha", &[0.05, 0.15, 0.4]);
+    push("phong-normalized", "shininess", &[1.0, 5.0, 20.0, 100.0, 1000.0, 5000.0]);
+    push("blinn-phong-normalized", "shininess", &[1.0, 10.0, 100.0, 1000.0, 5000.0]);
+    push("ashikhmin-shirley", "nu", &[10.0, 100.0, 1000.0]);
+    push("charlie", "alpha", &[0.1, 0.25, 0.5, 1.0]);
+    push("oren-nayar", "sigma_deg", &[20.0, 30.0, 60.0]);
+    push("ggx-transmission", "alpha", &[0.1, 0.3, 0.6]);
+    push("lambert-transmission", "x", &[]);
+    all.push(("lambert".into(), shape("lambert", &[])));
+    all.push(("ggx .05x.3".into(), shape("ggx", &[("alpha", 0.05), ("alpha_y", 0.3)])));
+    all.push(("ggx .1x.9".into(), shape("ggx", &[("alpha", 0.1), ("alpha_y", 0.9)])));
+    all.push(("ward .1x.3".into(), shape("ward", &[("alpha", 0.1), ("alpha_y", 0.3)])));
+    let only = std::env::var("ONLY").unwrap_or_default();
+    for (name, shape) in all {
+        if !name.starts_with(&only) { continue; }
+        let mut line = format!("{name:<28}");
+        let mut worst = 0.0f64;
+        let azimuths: &[f64] = if shape.is_anisotropic() && name.contains('x') { &[0.0, 30.0, 60.0, 90.0] } else { &[0.0] };
+        for azimuth in azimuths {
+            for degrees in [0.0, 15.0, 30.0, 45.0, 60.0, 70.0, 75.0, 80.0] {
+                let mut scene = surface(&shape, degrees);
+                let eye = Vec3::from_angles(f64::to_radians(degrees), azimuth.to_radians());
+                scene.camera.as_mut().unwrap().eye = DVec3::new(eye.x, eye.y, eye.z) * 10.0;
+                scene.lights.push(environment(Some(Arc::clone(&map))));
+                let start = std::time::Instant::now();
+                let got = value(&scene);
+                if degrees == 0.0 && *azimuth == 0.0 { line += &format!(" {:5.1} ms", start.elapsed().as_secs_f64() * 1e3); }
+                let error = (got - by_rings(&shape, degrees, *azimuth, room)) / mean;
+                let azi = if *azimuth == 0.0 && degrees == 80.0 { " |" } else { "" };
+                worst = worst.max(error.abs());
+                line += &format!(" {error:7.3}{azi}");
+            }
+        }
+        eprintln!("{line} worst {worst:.3}");
+    }
+}

@@ -197,7 +197,7 @@ fn density<R: Real>(inverse: Option<[R; 5]>, direction: &Vec3<R>) -> R {
 
 /// The frame around the normal whose x axis is the viewer's tangential direction.
 #[inline(always)]
-fn view_frame<R: Real>(wo: Vec3<R>, n: Vec3<R>, cos_o: R) -> Frame<R> {
+pub(crate) fn view_frame<R: Real>(wo: Vec3<R>, n: Vec3<R>, cos_o: R) -> Frame<R> {
     let flat = wo - n * cos_o;
     let squared = flat.dot(flat);
     let known = squared.lit(1e-10).lt(squared);

@@ -1,13 +1,16 @@
 //! Light from all around.
 
 use glanz_bsdf::LightTerm;
-use glanz_math::{Real, Vec3};
+use glanz_math::{Frame, Real, Vec3};
 
+use crate::cpu::lighting::area::view_frame;
 use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
-use crate::prepare::{DirectLobe, EnvironmentLight, LobeIntegrals, PreparedMaterial};
+use crate::prepare::{
+    DirectLobe, EnvironmentChain, EnvironmentLight, LobeIntegrals, LobeLookups, PreparedMaterial,
+};
 use crate::view::lights::turned;
 
 /// An environment among the lights.
@@ -63,38 +66,92 @@ pub(crate) fn add_lobe<R: Real>(sum: &mut LightSum<R>, around: Around, k: usize,
 /// What a lobe sees of the environment, as amounts of the three spectra; 1 where they are uniform.
 #[inline(always)]
 fn seen<R: Real>(sum: &LightSum<R>, around: Around, lobe: &DirectLobe, integrals: &LobeIntegrals) -> [R; 3] {
-    let Around { environment, number, to_map, .. } = around;
+    let Around { environment, to_map, .. } = around;
     let one = sum.cos_o.one();
     let Some(map) = &environment.map else { return [one; 3] };
     let normal = sum.point.normal;
     let below = is_transmitting(lobe);
-    if lobe.term == LightTerm::Diffuse {
-        let side = if below { -normal } else { normal };
-        let side = turned(to_map, side);
+    if lobe.shape.info().delta {
+        let direction = match below {
+            true => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
+            false => sum.point.wo.reflected(normal),
+        };
+        let direction = turned(to_map, direction);
         return apart(
             one,
             #[inline(always)]
-            || environment.irradiance.at(side),
+            || map.at(direction),
         );
     }
-    let direction = match lobe.shape.info().delta {
-        true if below => refracted(sum.point.wo, normal, sum.cos_o, lobe.shape.eta()),
-        true => sum.point.wo.reflected(normal),
-        false => {
-            let [sine, cosine] = &integrals.middle;
-            let (sine, cosine) = (sine.at(sum.cos_o), cosine.at(sum.cos_o));
-            let up = if below { -cosine } else { cosine };
-            let middle = (normal * sum.cos_o - sum.point.wo) * sine + normal * up;
-            middle * middle.dot(middle).max(one.lit(1e-12)).rsqrt()
-        }
+    let irradiance = || {
+        let side = turned(to_map, if below { -normal } else { normal });
+        apart(
+            one,
+            #[inline(always)]
+            || environment.irradiance.at(side),
+        )
     };
-    let own = integrals.prefiltered.get(number).and_then(Option::as_deref).unwrap_or(map);
-    let direction = turned(to_map, direction);
+    let (Some(lookups), Some(chain)) = (&integrals.lookups, map.chain()) else { return irradiance() };
     apart(
         one,
         #[inline(always)]
-        || own.at(direction),
+        || looked_up(sum, to_map, lobe, (lookups, chain), irradiance),
     )
+}
+
+/// The sum of a lobe's lookups.
+#[inline(always)]
+fn looked_up<R: Real>(
+    sum: &LightSum<R>,
+    to_map: &[[f32; 3]; 3],
+    lobe: &DirectLobe,
+    (lookups, chain): (&LobeLookups, &EnvironmentChain),
+    irradiance: impl FnOnce() -> [R; 3],
+) -> [R; 3] {
+    let (cos_o, normal, wo) = (sum.cos_o, sum.point.normal, sum.point.wo);
+    let one = cos_o.one();
+    let azimuth = sum.axes.map(
+        #[inline(always)]
+        |[x, y]| wo.dot(y).atan2(wo.dot(x)),
+    );
+    let place = lookups.place(cos_o, azimuth);
+    // The frame of the lobe.
+    let Frame { t, b, n } = view_frame(wo, normal, cos_o);
+    let below = is_transmitting(lobe);
+    let sine = (one - cos_o.sqr()).max(one.zero()).sqrt();
+    let (sin, cos) = match below {
+        true => {
+            let sin = (sine * one.lit(1.0 / lobe.shape.eta())).min(one);
+            (sin, (one - sin.sqr()).max(one.zero()).sqrt())
+        }
+        false => (sine, cos_o),
+    };
+    let side = if below { -n } else { n };
+    let frame = [t * cos + side * sin, b * place.side, side * cos - t * sin].map(
+        #[inline(always)]
+        |axis| turned(to_map, axis),
+    );
+    let mut sums = [[0.0; 4]; 16];
+    for number in 0..lookups.count {
+        let [x, y, z, level, amount] = lookups.at(&place, number);
+        let direction = frame[0] * x + frame[1] * y + frame[2] * z;
+        let direction = direction * direction.dot(direction).max(one.lit(1e-12)).rsqrt();
+        chain.add_to(&mut sums, direction, level, amount, lookups.wide);
+    }
+    let mut arrays = [[0.0; 16]; 3];
+    for (lane, sum) in sums.iter().enumerate() {
+        for (array, value) in arrays.iter_mut().zip(sum) {
+            array[lane] = *value;
+        }
+    }
+    let mut seen = [one.with_array(&arrays[0]), one.with_array(&arrays[1]), one.with_array(&arrays[2])];
+    if let Some(amount) = lookups.cosine_at(&place) {
+        let matte = irradiance();
+        for (seen, matte) in seen.iter_mut().zip(matte) {
+            *seen = *seen + amount * matte;
+        }
+    }
+    seen
 }
 
 /// Where a line of sight goes on below a surface; where it is reflected totally, along the surface.

@@ -1,10 +1,11 @@
-//! Environments as pictures that the pixel loop looks up: the picture itself, what a lobe makes of it, and
-//! what a matte surface gets of it.
+//! Environments as pictures that the pixel loop looks up.
 
 use core::fmt;
 use std::sync::OnceLock;
 
 use glanz_math::{PI, Real, Vec3};
+
+use super::EnvironmentChain;
 
 /// The coarsest of the levels that programs see has so many rows.
 const FEWEST_ROWS: usize = 2;
@@ -19,34 +20,41 @@ pub struct EnvironmentMap {
     /// By rows from the top.
     pub pixels: Vec<[f32; 3]>,
     /// The same, ever coarser, made when a program first looks.
-    halves: Halves,
+    halves: Derived<Vec<EnvironmentMap>>,
+    /// The same, ever more blurred, made for the first lobe that looks it up.
+    chain: Derived<EnvironmentChain>,
 }
 
 /// What follows from a map, so it is no part of what the map is.
-#[derive(Default)]
-struct Halves(OnceLock<Vec<EnvironmentMap>>);
+struct Derived<T>(OnceLock<T>);
 
-impl Clone for Halves {
+impl<T> Default for Derived<T> {
+    fn default() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+impl<T> Clone for Derived<T> {
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
-impl PartialEq for Halves {
+impl<T> PartialEq for Derived<T> {
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl fmt::Debug for Halves {
+impl<T> fmt::Debug for Derived<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Halves")
+        f.write_str("Derived")
     }
 }
 
 impl From<&glanz_scene::EnvironmentMap> for EnvironmentMap {
     fn from(map: &glanz_scene::EnvironmentMap) -> Self {
-        Self { width: map.width, height: map.height, pixels: map.pixels.clone(), halves: Halves::default() }
+        Self::of(map.width, map.height, map.pixels.clone())
     }
 }
 
@@ -59,12 +67,21 @@ impl EnvironmentMap {
                 glanz_scene::EnvironmentMap::direction(column / width as f64, row / height as f64).to_array(),
             )
         };
-        Self {
-            width,
-            height,
-            pixels: crate::parallel::collect(width * height, at),
-            halves: Halves::default(),
-        }
+        Self::of(width, height, crate::parallel::collect(width * height, at))
+    }
+
+    fn of(width: usize, height: usize, pixels: Vec<[f32; 3]>) -> Self {
+        Self { width, height, pixels, halves: Derived::default(), chain: Derived::default() }
+    }
+
+    /// The map at ever greater widths; none before a lobe asks for it.
+    pub fn chain(&self) -> Option<&EnvironmentChain> {
+        self.chain.0.get()
+    }
+
+    /// Makes the chain of widths, if there is none.
+    pub(crate) fn chain_with(&self, make: impl FnOnce() -> EnvironmentChain) {
+        self.chain.0.get_or_init(make);
     }
 
     /// Rows and columns.
@@ -107,8 +124,7 @@ impl EnvironmentMap {
             }
             sum.map(|sum| (sum / weight) as f32)
         };
-        let pixels = (0..width * height).map(mean).collect();
-        Self { width, height, pixels, halves: Halves::default() }
+        Self::of(width, height, crate::parallel::collect(width * height, mean))
     }
 
     /// This map and ever coarser ones, each half as fine as the one before.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glanz_math::Chebyshev;
 
-use super::{EnvironmentMap, LtcTable};
+use super::{LobeLookups, LtcTable};
 
 /// How a lobe is integrated over area lights.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,21 +24,17 @@ pub enum AreaIntegral {
 pub struct LobeIntegrals {
     /// Its albedo over the cosine of the view angle, layers included.
     pub albedo: Chebyshev,
-    /// Its mean direction, away from the viewer: the sine of its angle from the normal over that of the view angle,
-    /// and its cosine, both over the cosine of the view angle.
-    pub middle: [Chebyshev; 2],
     /// How it is integrated over area lights.
     pub area: AreaIntegral,
-    /// The environment maps of the scene as the lobe blurs them, in the order of the lights; none of uniform
-    /// environments, and of lobes that take the irradiance.
-    pub prefiltered: Vec<Option<Arc<EnvironmentMap>>>,
+    /// How it looks up environments; none where they are uniform, of perfect mirrors, and of the clamped cosine, which takes
+    /// the irradiance.
+    pub lookups: Option<Arc<LobeLookups>>,
 }
 
 impl LobeIntegrals {
-    /// That of the clamped cosine, in scenes of so many lights.
-    pub fn of_cosine(lights: usize) -> Self {
-        let constant = || Chebyshev::interpolate(1, |_| 1.0);
-        let (albedo, middle) = (constant(), [constant(), constant()]);
-        Self { albedo, middle, area: AreaIntegral::Cosine, prefiltered: vec![None; lights] }
+    /// That of the clamped cosine.
+    pub fn of_cosine() -> Self {
+        let albedo = Chebyshev::interpolate(1, |_| 1.0);
+        Self { albedo, area: AreaIntegral::Cosine, lookups: None }
     }
 }

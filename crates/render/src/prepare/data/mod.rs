@@ -26,12 +26,14 @@
 //! ```
 
 pub(crate) mod bvh;
+pub(crate) mod environment_chain;
 pub(crate) mod environment_map;
 pub(crate) mod geometry;
 pub(crate) mod intensity_grid;
 pub(crate) mod irradiance;
 pub(crate) mod lights;
 pub(crate) mod lobe_integrals;
+pub(crate) mod lookups;
 pub(crate) mod ltc;
 pub(crate) mod materials;
 pub(crate) mod mipmap;
@@ -46,12 +48,14 @@ use glanz_math::Chebyshev;
 use glanz_picture::Channels;
 
 pub use bvh::{Bvh, BvhNode};
+pub use environment_chain::{BlurredMap, EnvironmentChain};
 pub use environment_map::EnvironmentMap;
 pub use geometry::{CLUSTER_TRIANGLES, CLUSTER_VERTICES, Cluster, Geometry, VERTEX_ALIGN};
 pub use intensity_grid::IntensityGrid;
 pub use irradiance::{IRRADIANCE_TERMS, Irradiance};
 pub use lights::{EnvironmentLight, LightShape, PreparedLight, PreparedLuminaire};
 pub use lobe_integrals::{AreaIntegral, LobeIntegrals};
+pub use lookups::{FLATTEST as FLATTEST_VIEW, LobeLookups, Lookup, VIEWS as LOOKUP_VIEWS};
 pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
 pub use materials::{DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TextureMeans};
 pub use mipmap::{MipLevel, Mipmap};

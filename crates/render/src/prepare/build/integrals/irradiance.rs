@@ -2,67 +2,102 @@
 
 use glanz_math::{PI, Vec3};
 
+use crate::parallel;
 use crate::prepare::data::EnvironmentMap;
-use crate::prepare::data::irradiance::{IRRADIANCE_TERMS as TERMS, Irradiance, harmonics};
+use crate::prepare::data::irradiance::{
+    IRRADIANCE_TERMS as TERMS, Irradiance, LAST_DEGREE, first_of, harmonics,
+};
 
 /// The fewest rows whose pixels are summed as they are.
 const COARSEST: usize = 32;
 
-/// What the clamped cosine over π leaves of the degrees 0, 1, 2 and 4.
-const KEPT: [f64; 4] = [1.0, 2.0 / 3.0, 0.25, -1.0 / 24.0];
+/// What the clamped cosine over π leaves of each degree.
+const KEPT: [f64; LAST_DEGREE + 1] = [1.0, 2.0 / 3.0, 0.25, 0.0, -1.0 / 24.0, 0.0, 1.0 / 64.0];
+
+/// Cosine and sine of each order.
+const WAVES: usize = LAST_DEGREE + 1;
 
 /// What a matte surface gets of an environment map.
 pub(crate) fn irradiance(map: &EnvironmentMap) -> Irradiance {
-    if map.size()[1] < COARSEST {
+    let [width, height] = map.size();
+    if height < COARSEST {
         // So few pixels would be lights from single directions.
         let finer = EnvironmentMap::from_fn(2 * COARSEST, COARSEST, |[x, y, z]| {
             map.at(Vec3::new(x as f32, y as f32, z as f32))
         });
         return irradiance(&finer);
     }
-    let mut sums = [[0.0f64; 3]; TERMS];
-    let [width, height] = map.size();
-    for row in 0..height {
-        let weight = map.solid_angle(row);
-        for column in 0..width {
-            let [x, y, z] = map.direction(row, column);
-            let basis = harmonics(Vec3::new(x, y, z));
-            for (sum, y) in sums.iter_mut().zip(basis) {
-                for (sum, value) in sum.iter_mut().zip(map.pixel(row, column)) {
-                    *sum += weight * y * f64::from(value);
+    let waves: Vec<[[f64; 2]; WAVES]> = (0..width).map(|column| waves(map, column)).collect();
+    let row = |row: usize| {
+        let mut sums = [[[0.0f64; 2]; 3]; WAVES];
+        for (pixel, waves) in map.pixels[row * width..].iter().zip(&waves) {
+            for (sum, wave) in sums.iter_mut().zip(waves) {
+                for c in 0..3 {
+                    let value = f64::from(pixel[c]);
+                    sum[c][0] += wave[0] * value;
+                    sum[c][1] += wave[1] * value;
                 }
             }
         }
-    }
-    let scale = |i: usize| norm(i) * norm(i) * KEPT[degree(i)];
-    Irradiance { terms: core::array::from_fn(|i| sums[i].map(|sum| (sum * scale(i)) as f32)) }
-}
-
-/// Which of the degrees kept a term is of.
-fn degree(term: usize) -> usize {
-    match term {
-        0 => 0,
-        1..4 => 1,
-        4..9 => 2,
-        _ => 3,
-    }
-}
-
-/// The factor that makes a term's polynomial a normalised harmonic: the usual constants.
-fn norm(term: usize) -> f64 {
-    let over_pi: f64 = match term {
-        0 => 1.0 / 4.0,
-        1..4 => 3.0 / 4.0,
-        4 | 5 | 7 => 15.0 / 4.0,
-        6 => 5.0 / 16.0,
-        8 => 15.0 / 16.0,
-        9 | 17 => 315.0 / 16.0 * if term == 9 { 1.0 } else { 1.0 / 16.0 },
-        10 | 16 => 315.0 / 32.0,
-        11 | 15 => 45.0 / 16.0 * if term == 11 { 1.0 } else { 0.25 },
-        12 | 14 => 45.0 / 32.0,
-        _ => 9.0 / 256.0,
+        sums
     };
-    libm::sqrt(over_pi / PI)
+    let rows = parallel::collect(height, row);
+    let mut terms = [[0.0f64; 3]; TERMS];
+    for (row, sums) in rows.iter().enumerate() {
+        let (sin, cos) = libm::sincos((row as f64 + 0.5) / height as f64 * PI);
+        // Where the azimuth of the harmonics is 0, those with the cosine are their factors of the polar angle.
+        let factors = harmonics(Vec3::new(0.0, cos, sin));
+        let solid = map.solid_angle(row);
+        for_each(|term, m, part| {
+            let factor = factors[term.max(2 * zonal(term) - term)] * solid;
+            for c in 0..3 {
+                terms[term][c] += factor * sums[m][c][part];
+            }
+        });
+    }
+    let mut scaled = [[0.0; 3]; TERMS];
+    for_each(|term, m, _| {
+        let degree = degree(term);
+        scaled[term] = terms[term].map(|sum| (sum * squared_norm(degree, m) * KEPT[degree]) as f32);
+    });
+    Irradiance { terms: scaled }
+}
+
+/// Cosine and sine of the multiples of a column's azimuth.
+fn waves(map: &EnvironmentMap, column: usize) -> [[f64; 2]; WAVES] {
+    let [x, _, z] = map.direction(map.size()[1] / 2, column);
+    let azimuth = libm::atan2(x, z);
+    core::array::from_fn(|m| {
+        let (sin, cos) = libm::sincos(m as f64 * azimuth);
+        [cos, sin]
+    })
+}
+
+/// Gives the number of each term, its order, and 1 where it has the sine of its azimuth.
+fn for_each(mut give: impl FnMut(usize, usize, usize)) {
+    for term in 0..TERMS {
+        let zonal = zonal(term);
+        give(term, term.abs_diff(zonal), usize::from(term < zonal));
+    }
+}
+
+/// The degree of a term.
+fn degree(term: usize) -> usize {
+    let mut degrees = (0..=LAST_DEGREE).rev();
+    degrees.find(|degree| first_of(*degree).is_some_and(|first| first <= term)).unwrap_or(0)
+}
+
+/// The zonal term of the degree of a term.
+fn zonal(term: usize) -> usize {
+    let degree = degree(term);
+    first_of(degree).unwrap_or(0) + degree
+}
+
+/// The square of the factor that makes a term's polynomial a normalised harmonic.
+fn squared_norm(degree: usize, order: usize) -> f64 {
+    let below: f64 = (degree - order + 1..=degree + order).map(|factor| factor as f64).product();
+    let both = if order == 0 { 1.0 } else { 2.0 };
+    both * (2 * degree + 1) as f64 / (4.0 * PI * below)
 }
 
 #[cfg(test)]
@@ -81,6 +116,7 @@ mod tests {
                 let basis = harmonics(Vec3::new(x, y, z));
                 for i in 0..TERMS {
                     for j in 0..TERMS {
+                        let norm = |term: usize| squared_norm(degree(term), term.abs_diff(zonal(term))).sqrt();
                         gram[i][j] += basis[i] * norm(i) * basis[j] * norm(j) * map.solid_angle(row);
                     }
                 }

@@ -1,15 +1,15 @@
-//! Precomputed integrals of each lobe for area and environment lights: albedo, mean direction, LTC maps,
-//! prefiltered environment maps.
+//! Precomputed integrals of each lobe for area and environment lights: albedo, LTC maps, lookups.
 
-use core::cell::OnceCell;
 use std::sync::Arc;
 
 use glanz_bsdf::models::ggx::LEAST_ALPHA;
 use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
 use glanz_math::{Chebyshev, PI};
 
+use super::chain::chain;
+use super::lookups::lookups;
 use super::ltc;
-use super::prefilter::{self, Pyramid};
+use crate::parallel;
 use crate::prepare::data::{
     AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, PreparedLight,
     PreparedMaterial,
@@ -28,19 +28,57 @@ pub(crate) fn attach(
     if lights.iter().all(|light| light.shape.is_punctual()) {
         return;
     }
-    let has_areas = lights.iter().any(|light| matches!(light.shape, LightShape::Area { .. }));
-    let maps = maps(lights);
-    let pyramids = maps.iter().map(|_| OnceCell::new()).collect();
-    let mut maker = Maker { has_areas, maps, pyramids, known: Vec::new() };
+    let maps: Vec<&EnvironmentMap> = lights.iter().filter_map(|light| map_of(&light.shape)).collect();
+    let areas = lights.iter().any(|light| matches!(light.shape, LightShape::Area { .. }));
+    let over = Over { areas, maps: !maps.is_empty() };
+    let mut known: Vec<Known> = Vec::new();
     for material in before {
         let lobes = material.lobes.iter().map(|lobe| typical(lobe, material));
-        maker.known.extend(lobes.zip(material.integrals.iter().cloned()));
+        known.extend(lobes.zip(material.integrals.iter().cloned()));
     }
-    for material in materials {
-        let typical = material.lobes.iter().map(|lobe| typical(lobe, material));
-        let integrals = typical.map(|lobe| maker.integrals(&lobe)).collect();
-        material.integrals = integrals;
+    let wanted: Vec<Vec<DirectLobe>> = materials
+        .iter()
+        .map(|material| material.lobes.iter().map(|lobe| typical(lobe, material)).collect())
+        .collect();
+    let mut new: Vec<DirectLobe> = Vec::new();
+    for lobe in wanted.iter().flatten() {
+        if !new.iter().chain(done(&known, over)).any(|known| is_alike(known, lobe) && known.layers == lobe.layers)
+        {
+            new.push(lobe.clone());
+        }
     }
+    let made = new_integrals(&new, over, &known);
+    known.retain(|known| is_done(known, over));
+    known.extend(made);
+    for (material, lobes) in materials.iter_mut().zip(wanted) {
+        material.integrals = lobes.iter().map(|lobe| found(&known, lobe)).collect();
+    }
+    if materials.iter().any(|material| material.integrals.iter().any(|own| own.lookups.is_some())) {
+        maps.iter().for_each(|map| map.chain_with(|| chain(map)));
+    }
+}
+
+fn map_of(shape: &LightShape) -> Option<&EnvironmentMap> {
+    match shape {
+        LightShape::Environment(environment) => environment.map.as_deref(),
+        _ => None,
+    }
+}
+
+/// Whether all is known of a lobe that the lights ask for.
+fn is_done((lobe, integrals): &Known, over: Over) -> bool {
+    let has_lookups = !over.maps || !looks_up(lobe) || integrals.lookups.is_some();
+    let points = matches!(integrals.area, AreaIntegral::Points);
+    has_lookups && (!over.areas || !points || lobe.is_anisotropic())
+}
+
+fn done(known: &[Known], over: Over) -> impl Iterator<Item = &DirectLobe> {
+    known.iter().filter(move |known| is_done(known, over)).map(|known| &known.0)
+}
+
+fn found(known: &[Known], lobe: &DirectLobe) -> LobeIntegrals {
+    let same = |known: &&Known| is_alike(&known.0, lobe) && known.0.layers == lobe.layers;
+    known.iter().find(same).expect("the integrals of each lobe were made").1.clone()
 }
 
 /// The lobe as rough as it is on the whole, where a texture says how rough it is.
@@ -69,65 +107,63 @@ fn widened(shape: &Shape, factor: f64) -> Shape {
     Shape::named(info.name, &scaled).expect("widths within their range make a shape")
 }
 
-fn maps(lights: &[PreparedLight]) -> Vec<Option<Arc<EnvironmentMap>>> {
-    let map = |light: &PreparedLight| match &light.shape {
-        LightShape::Environment(environment) => Some(environment.map.clone()),
-        _ => None,
-    };
-    lights.iter().filter_map(map).collect()
+/// What lobes are integrated over.
+#[derive(Clone, Copy)]
+struct Over {
+    areas: bool,
+    maps: bool,
 }
 
-struct Maker {
-    has_areas: bool,
-    maps: Vec<Option<Arc<EnvironmentMap>>>,
-    /// Of each of the maps, once a lobe asks for it.
-    pyramids: Vec<OnceCell<Pyramid>>,
-    known: Vec<(DirectLobe, LobeIntegrals)>,
+/// A lobe and its integrals.
+type Known = (DirectLobe, LobeIntegrals);
+
+/// Whether two lobes are integrated alike, but for their layers.
+fn is_alike(a: &DirectLobe, b: &DirectLobe) -> bool {
+    a.shape == b.shape && a.term == b.term
 }
 
-impl Maker {
-    fn integrals(&mut self, lobe: &DirectLobe) -> LobeIntegrals {
-        let same_shape = |known: &&(DirectLobe, LobeIntegrals)| known.0.shape == lobe.shape;
-        let same = self.known.iter().find(|known| same_shape(known) && known.0.layers == lobe.layers);
-        if let Some((_, integrals)) = same {
-            return integrals.clone();
-        }
-        let integrals = match self.known.iter().find(same_shape) {
-            Some((_, like)) => LobeIntegrals { albedo: albedo(&lobe.shape, &lobe.layers), ..like.clone() },
-            None => self.new_integrals(lobe),
-        };
-        self.known.push((lobe.clone(), integrals.clone()));
-        integrals
-    }
-
-    fn new_integrals(&self, lobe: &DirectLobe) -> LobeIntegrals {
-        let shape = &lobe.shape;
-        let blurs = lobe.term == LightTerm::Specular && !shape.info().delta;
-        let blurred = |(map, pyramid): (&Option<Arc<EnvironmentMap>>, &OnceCell<Pyramid>)| {
-            let map = map.as_ref().filter(|_| blurs)?;
-            Some(prefilter::blurred(pyramid.get_or_init(|| Pyramid::of(map)), shape))
-        };
-        LobeIntegrals {
-            albedo: albedo(shape, &lobe.layers),
-            middle: [0, 1].map(|i: usize| match blurs && !self.maps.is_empty() {
-                true => Chebyshev::interpolate(TERMS, |cosine| ltc::mean_direction(shape, cosine)[i]),
-                false => Chebyshev::default(),
-            }),
-            area: self.area(lobe),
-            prefiltered: self.maps.iter().zip(&self.pyramids).map(blurred).collect(),
+/// The integrals of lobes that are not known yet.
+fn new_integrals(lobes: &[DirectLobe], over: Over, known: &[Known]) -> Vec<Known> {
+    let like = |lobe: &DirectLobe| known.iter().find(|known| is_alike(&known.0, lobe)).map(|known| &known.1);
+    // Of each shape once.
+    let mut shapes: Vec<&DirectLobe> = Vec::new();
+    for lobe in lobes {
+        if !shapes.iter().any(|shape| is_alike(shape, lobe)) {
+            shapes.push(lobe);
         }
     }
+    let parts = parallel::collect(shapes.len(), |i| {
+        let (lobe, like) = (shapes[i], like(shapes[i]));
+        let lookups = match like.and_then(|like| like.lookups.clone()) {
+            None if over.maps && looks_up(lobe) => Some(Arc::new(lookups(&lobe.shape, lobe.term))),
+            known => known,
+        };
+        (area(lobe, over.areas, like), lookups)
+    });
+    let albedos = parallel::collect(lobes.len(), |i| albedo(&lobes[i].shape, &lobes[i].layers));
+    let all = lobes.iter().zip(albedos).map(|(lobe, albedo)| {
+        let number = shapes.iter().position(|shape| is_alike(shape, lobe)).expect("each lobe's shape is there");
+        let (area, lookups) = parts[number].clone();
+        (lobe.clone(), LobeIntegrals { albedo, area, lookups })
+    });
+    all.collect()
+}
 
-    fn area(&self, lobe: &DirectLobe) -> AreaIntegral {
-        let shape = &lobe.shape;
-        match shape.info().delta {
-            true => AreaIntegral::Mirror,
-            false if is_cosine(shape) => AreaIntegral::Cosine,
-            false if self.has_areas && !lobe.is_anisotropic() => {
-                AreaIntegral::Ltc(Arc::new(ltc::fit_table(shape)))
-            }
-            false => AreaIntegral::Points,
-        }
+/// Whether a lobe looks up environments that are not uniform.
+fn looks_up(lobe: &DirectLobe) -> bool {
+    !lobe.shape.info().delta && !is_cosine(&lobe.shape)
+}
+
+fn area(lobe: &DirectLobe, has_areas: bool, like: Option<&LobeIntegrals>) -> AreaIntegral {
+    let shape = &lobe.shape;
+    match shape.info().delta {
+        true => AreaIntegral::Mirror,
+        false if is_cosine(shape) => AreaIntegral::Cosine,
+        false if has_areas && !lobe.is_anisotropic() => match like.map(|like| &like.area) {
+            Some(AreaIntegral::Ltc(table)) => AreaIntegral::Ltc(Arc::clone(table)),
+            _ => AreaIntegral::Ltc(Arc::new(ltc::fit_table(shape))),
+        },
+        false => AreaIntegral::Points,
     }
 }
 

@@ -6,7 +6,7 @@ use glanz_scene::{AreaShape, Space};
 
 use super::{NO_RECORD, Packer, Section, place, short};
 use crate::prepare::data::{
-    EnvironmentLight, EnvironmentMap, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire,
+    EnvironmentChain, EnvironmentLight, EnvironmentMap, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire,
 };
 
 /// The values of a light, each at 0 where its kind has none.
@@ -51,11 +51,20 @@ impl Packer {
         let rotation = environment.rotation.map(short);
         let values = [environment.irradiance.terms.as_flattened(), rotation.as_flattened()].concat();
         self.floats(Section::EnvironmentValues, &values);
-        self.words(Section::Environments, &[map])
+        let chain = environment.map.as_ref().and_then(|map| map.chain()).map_or(NO_RECORD, |chain| self.chain(chain));
+        self.words(Section::Environments, &[map, chain])
     }
 
-    /// An environment map, as it is or as a lobe blurs it.
-    pub(super) fn map(&mut self, map: &Arc<EnvironmentMap>) -> u32 {
+    fn chain(&mut self, chain: &EnvironmentChain) -> u32 {
+        let first = self.next(Section::BlurredMaps);
+        for level in &chain.levels {
+            let pixels = self.floats(Section::BlurredPixels, level.pixels.as_flattened());
+            self.words(Section::BlurredMaps, &[level.width as u32, level.height as u32, pixels]);
+        }
+        first
+    }
+
+    fn map(&mut self, map: &Arc<EnvironmentMap>) -> u32 {
         self.once(map, |packer, map| {
             let first = packer.floats(Section::Pixels, map.pixels.as_flattened());
             packer.words(Section::Maps, &[map.width as u32, map.height as u32, first])

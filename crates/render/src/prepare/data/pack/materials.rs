@@ -6,7 +6,7 @@ use glanz_scene::{AlphaMode, ChannelUse, Metalness, TextureUse};
 
 use super::{NO_RECORD, Packer, Section};
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, LobeIntegrals, LobeRoughness, LtcTable, MixTints, PreparedMask,
+    AreaIntegral, DirectLobe, LobeIntegrals, LobeLookups, LobeRoughness, Lookup, LtcTable, MixTints, PreparedMask,
     PreparedMaterial, TintCoordinate,
 };
 
@@ -157,23 +157,26 @@ impl Packer {
     fn integrals(&mut self, integrals: &[LobeIntegrals]) -> u32 {
         let first = self.next(Section::Integrals);
         for lobe in integrals {
-            let [sine, cosine] = &lobe.middle;
-            let series = [&lobe.albedo, sine, cosine].map(|series| self.scalar_series(series));
+            let albedo = self.scalar_series(&lobe.albedo);
             let (area, ltc) = match &lobe.area {
                 AreaIntegral::Cosine => (0, NO_RECORD),
                 AreaIntegral::Ltc(table) => (1, self.once(table, Self::ltc)),
                 AreaIntegral::Points => (2, NO_RECORD),
                 AreaIntegral::Mirror => (3, NO_RECORD),
             };
-            let maps = lobe.prefiltered.iter();
-            let maps: Vec<u32> =
-                maps.map(|map| map.as_ref().map_or(NO_RECORD, |map| self.map(map))).collect();
-            let prefiltered = self.words(Section::Prefiltered, &maps);
-            let [albedo, sine, cosine] = series;
-            let record = [albedo, sine, cosine, area, ltc, prefiltered, maps.len() as u32];
-            self.words(Section::Integrals, &record);
+            let lookups = lobe.lookups.as_ref().map_or(NO_RECORD, |lookups| self.once(lookups, Self::lookups));
+            self.words(Section::Integrals, &[albedo, area, ltc, lookups]);
         }
         first
+    }
+
+    fn lookups(&mut self, table: &LobeLookups) -> u32 {
+        let values: Vec<_> = table.lookups.iter().map(Lookup::values).collect();
+        let first = self.floats(Section::Lookups, values.as_flattened());
+        let cosines = or_none(&table.cosine, |cosines| self.floats(Section::LookupCosines, cosines));
+        let sizes = [table.count, table.azimuths, table.quarters, usize::from(table.wide)];
+        let [count, azimuths, quarters, wide] = sizes.map(|size| size as u32);
+        self.words(Section::LookupTables, &[count, azimuths, quarters, wide, first, cosines])
     }
 
     fn ltc(&mut self, table: &LtcTable) -> u32 {

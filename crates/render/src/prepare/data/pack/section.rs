@@ -104,10 +104,14 @@ sections! {
     MixTints: Floats 9, "of each entry: channels through each of three spectra(3 · 3)";
     MixSpotAmbient: Floats 9, "of each light of the table: channels through each of three spectra(3 · 3)";
     MixValues: Floats 18, "ambient through each of three spectra(3 · 3), emission likewise(3 · 3)";
-    Integrals: Words 7, "of each lobe: ScalarSeries of albedo, of the mean direction's sine and of its cosine, area (0 \
-        cosine, 1 LTC, 2 points, 3 mirror), first of LtcRows, first of Prefiltered, maps there";
+    Integrals: Words 4, "of each lobe: ScalarSeries of albedo, area (0 cosine, 1 LTC, 2 points, 3 mirror), first of \
+        LtcRows, one of LookupTables";
     LtcRows: Floats 5, "of each of 32 view angles: a, b, c, d, e of the inverse map";
-    Prefiltered: Words 1, "of each environment: one of Maps, or none";
+    LookupTables: Words 6, "lookups of a view, azimuths, the last azimuth in quarters of a turn, 1 where levels of whole \
+        octaves are mixed, first of Lookups, first of LookupCosines";
+    Lookups: Floats 5, "by azimuth, view and number: direction, place among the levels in half octaves, fraction of the \
+        lobe";
+    LookupCosines: Floats 1, "by azimuth and view: the fraction of the lobe that is a cosine";
     Lights: Words 6, "kind (0 directional, 1 point, 2 spot, 3 area, 4 environment), flags (bit 0 in the camera's space, 1 \
         fades, 2 smooth edge, 3 two-sided), area (0 rectangle, 1 disk, 2 sphere), its first light of the tint table, one \
         of Luminaires, one of Environments";
@@ -117,11 +121,13 @@ sections! {
     Luminaires: Words 1, "first of Intensities";
     LuminaireFrames: Floats 9, "of each luminaire: directions of C 0°, C 90° and γ 0°(3 · 3)";
     Intensities: Floats 1, "fraction of the greatest intensity; 361 planes C of 181 angles γ";
-    Environments: Words 1, "one of Maps; none for 1 everywhere";
+    Environments: Words 2, "one of Maps, none for 1 everywhere; first of BlurredMaps";
     EnvironmentValues: Floats 63, "of each environment: irradiance polynomial(18 · 3), columns of the rotation(3 · 3)";
     EnvironmentTint: Floats 9, "of the first environment, seen directly: channels of each of three spectra(3 · 3)";
     Maps: Words 3, "width, height, first of Pixels";
     Pixels: Floats 3, "of an environment map, by rows from the top";
+    BlurredMaps: Words 3, "width, height, first of BlurredPixels";
+    BlurredPixels: Floats 4, "by rows from the top, one pixel more at both ends of each, and a row more at the bottom";
     Textures: Words 5, "first of Levels, levels, wrap along u, along v, filter";
     Decode: Floats 256, "of each texture: the linear value of each code of red, green and blue";
     Levels: Words 3, "width, height, first of Texels; the finest first";
