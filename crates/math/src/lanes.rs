@@ -124,6 +124,14 @@ impl<S: Simd> Real for Lanes<S> {
         Self::load(self.0.simd, values)
     }
     #[inline(always)]
+    fn whole(self) -> ([i32; 16], Self) {
+        let simd = self.0.simd;
+        let numbers = simd.cvt_i32_f32x16(self.0);
+        let mut whole = [0; 16];
+        numbers.store_slice(&mut whole);
+        (whole, Self(simd.cvt_f32_i32x16(numbers)))
+    }
+    #[inline(always)]
     fn at_own_level<T>(self, f: impl FnOnce() -> T) -> T {
         self.0.simd.vectorize(f)
     }

@@ -44,6 +44,17 @@ pub trait Real:
     fn to_array(self) -> [f32; 16];
     /// The lanes from an array; a scalar takes the first.
     fn with_array(self, values: &[f32; 16]) -> Self;
+    /// The whole parts of numbers from 0 to 2^31, lane by lane and as numbers; a scalar is all sixteen. Others give
+    /// numbers without meaning.
+    #[inline(always)]
+    fn whole(self) -> ([i32; 16], Self) {
+        let (mut whole, mut floor) = ([0; 16], self.to_array());
+        for (whole, floor) in whole.iter_mut().zip(&mut floor) {
+            *whole = *floor as i32;
+            *floor = *whole as f32;
+        }
+        (whole, self.with_array(&floor))
+    }
     /// How many lanes there are.
     const LANES: usize;
 

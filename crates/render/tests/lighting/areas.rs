@@ -15,6 +15,11 @@ pub(super) fn area(form: AreaShape, position: DVec3) -> LightKind {
 
 /// ∫ f_cos dω over the light, by a grid of points.
 pub(super) fn by_sum(form: AreaShape, position: DVec3, shape: &Shape, degrees: f64) -> f64 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    by_sum_seen(form, position, shape, glanz_math::Vec3::new(sin, 0.0, cos))
+}
+
+fn by_sum_seen(form: AreaShape, position: DVec3, shape: &Shape, wo: glanz_math::Vec3<f64>) -> f64 {
     const N: usize = 240;
     let facing = -position.normalize();
     let across = DVec3::Y.cross(facing).normalize();
@@ -46,7 +51,8 @@ pub(super) fn by_sum(form: AreaShape, position: DVec3, shape: &Shape, degrees: f
             let cosine = (-direction.dot(normal)).max(0.0);
             // Of a sphere, a cell of the projection is so much more surface.
             let surface = if bulge == DVec3::ZERO { cell } else { cell / normal.dot(facing) };
-            sum += lobe_value(shape, degrees, direction) * cosine * surface / to.length_squared();
+            let pair = glanz_bsdf::DirectionPair::new(wo, glanz_math::Vec3::new(direction.x, direction.y, direction.z));
+            sum += shape.f_cos(&pair) * cosine * surface / to.length_squared();
         }
     }
     sum
@@ -197,5 +203,39 @@ fn lights_without_bounds_fill_half_of_what_there_is() {
                 assert!((got - expected).abs() < 5e-4, "{form:?}, {cos}: {got} for {expected}");
             }
         }
+    }
+}
+
+#[test]
+#[ignore]
+fn table() {
+    let only = std::env::var("ONLY").unwrap_or_default();
+    for (name, shape) in super::environments::all_lobes() {
+        if !name.starts_with(&only) || name == "lambert" { continue; }
+        let mut line = format!("{name:<28} 0 ms");
+        let mut worst_of_all = 0.0f64;
+        let azimuths: &[f64] = if shape.is_anisotropic() && name.contains('x') { &[0.0, 30.0, 60.0, 90.0] } else { &[0.0] };
+        for form in [AreaShape::Rectangle { width: 1.0, height: 0.6 }, AreaShape::Disk { radius: 0.4 }, AreaShape::Sphere { radius: 0.35 }] {
+            let mut worst = Worst::default();
+            for azimuth in azimuths {
+                for degrees in [0.0, 15.0, 30.0, 45.0, 60.0, 70.0, 75.0, 80.0] {
+                    let wo = glanz_math::Vec3::from_angles(f64::to_radians(degrees), azimuth.to_radians());
+                    let albedo = glanz_bsdf::albedo_at(&shape, f64::to_radians(degrees).cos(), azimuth.to_radians());
+                    for place in PLACES {
+                        let below = shape.info().side == glanz_bsdf::Side::Transmission;
+                        let position = DVec3::from_array(place) * DVec3::new(1.0, 1.0, if below { -1.0 } else { 1.0 });
+                        let mut scene = surface(&shape, degrees);
+                        scene.camera.as_mut().unwrap().eye = DVec3::new(wo.x, wo.y, wo.z) * 10.0;
+                        scene.lights.push(white(area(form, position)));
+                        let (got, expected) = (value(&scene), by_sum_seen(form, position, &shape, wo));
+                        let error = (got - expected) / albedo;
+                        worst.note(error, || format!("{azimuth}° {degrees}°, {place:?}: {got:.5} for {expected:.5}"));
+                    }
+                }
+            }
+            line += &format!(" | {:.4} at {}", worst.0, worst.1);
+            worst_of_all = worst_of_all.max(worst.0);
+        }
+        eprintln!("{line} worst {worst_of_all:.4}");
     }
 }

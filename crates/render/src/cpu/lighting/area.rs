@@ -10,11 +10,10 @@ use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
-use crate::cpu::lighting::light_sum::shape_value;
 use crate::cpu::lighting::point::ShadingPoint;
 use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
-use crate::prepare::{AreaIntegral, DirectLobe, LobeIntegrals, LtcTable};
+use crate::prepare::{AreaIntegral, DirectLobe, LobeIntegrals};
 use crate::view::lights::{ViewArea, splat};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
@@ -30,9 +29,6 @@ const SMALL: f64 = 0.01;
 /// inverse.
 const LARGE: f64 = 1e5;
 
-/// Points of the light along each of its directions, for lobes that know a tangent.
-const POINTS: usize = 8;
-
 /// The corners of a polygon with the area of the unit circle.
 static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
     let turn = 2.0 * PI / ROUND as f64;
@@ -43,20 +39,9 @@ static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
     })
 });
 
-/// Points of the unit disk that stand for equal areas of it.
-static DISK: LazyLock<[(f64, f64); POINTS * POINTS]> = LazyLock::new(|| {
-    core::array::from_fn(|i| {
-        let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
-        let (sin, cos) = libm::sincos(2.0 * PI * step(i / POINTS));
-        let radius = libm::sqrt(step(i % POINTS));
-        (radius * cos, radius * sin)
-    })
-});
-
 /// A light as seen from a point: the corners of its outline relative to it.
-struct Outline<R: Real> {
-    corners: [Vec3<R>; ROUND],
-    count: usize,
+struct Outline<R: Real, const N: usize> {
+    corners: [Vec3<R>; N],
     /// Unit vector to its middle, and how far that is.
     middle: Vec3<R>,
     distance: R,
@@ -71,12 +56,34 @@ struct Outline<R: Real> {
 /// Adds what an area gives.
 #[inline(always)]
 pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &ViewArea, row: usize) {
-    let outline = Outline::of(area, sum.point.position);
+    match area.form {
+        AreaShape::Rectangle { .. } => add_outline::<R, 4, 8>(sum, lights, area, row),
+        _ => apart(
+            sum.cos_o,
+            #[inline(always)]
+            || add_outline::<R, ROUND, { 2 * ROUND }>(sum, lights, area, row),
+        ),
+    }
+}
+
+/// The same for a light of so many corners, and twice as many.
+#[inline(always)]
+fn add_outline<R: Real, const N: usize, const TWICE: usize>(
+    sum: &mut LightSum<R>,
+    lights: &ShadeLights,
+    area: &ViewArea,
+    row: usize,
+) {
+    let outline = Outline::<R, N>::of(area, sum.point.position);
     let attenuation = attenuation(sum.point, lights, &outline);
     if !R::any(attenuation.zero().lt(attenuation)) {
         return;
     }
     let frame = view_frame(sum.point.wo, sum.point.normal, sum.cos_o);
+    let mut seen = Seen { corners: outline.corners, middle: frame.to_local(outline.middle) };
+    for corner in &mut seen.corners {
+        *corner = frame.to_local(*corner);
+    }
     let material = sum.material;
     for (k, (lobe, integrals)) in material.lobes.iter().zip(&material.integrals).enumerate() {
         let value = match &integrals.area {
@@ -85,22 +92,33 @@ pub(crate) fn add<R: Real>(sum: &mut LightSum<R>, lights: &ShadeLights, area: &V
                 #[inline(always)]
                 || mirrored(sum, area, lobe),
             ),
-            AreaIntegral::Points => apart(
-                attenuation,
-                #[inline(always)]
-                || by_points(sum, area, lobe),
-            ),
+            AreaIntegral::None => attenuation.zero(),
             AreaIntegral::Cosine | AreaIntegral::Ltc(_) => {
-                by_polygon(&outline, &frame, sum.cos_o, lobe, integrals)
+                let fraction = apart(
+                    attenuation,
+                    #[inline(always)]
+                    || filled_fraction::<R, N, TWICE>(sum, &outline, &seen, lobe, integrals),
+                );
+                fraction * integrals.albedo.at(sum.cos_o, sum.tangent_o())
             }
         };
         sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));
     }
 }
 
+/// An outline in the frame of normal and viewer.
+struct Seen<R, const N: usize> {
+    corners: [Vec3<R>; N],
+    middle: Vec3<R>,
+}
+
 /// The visibility of the light from the point; 0 behind a light with one side, and where there is no normal.
 #[inline(always)]
-fn attenuation<R: Real>(point: &ShadingPoint<R>, lights: &ShadeLights, outline: &Outline<R>) -> R {
+fn attenuation<R: Real, const N: usize>(
+    point: &ShadingPoint<R>,
+    lights: &ShadeLights,
+    outline: &Outline<R, N>,
+) -> R {
     let mut attenuation = outline.shines;
     if let Some(bvh) = lights.bvh {
         attenuation = attenuation * shadow::free(bvh, point, outline.middle, Some(outline.distance));
@@ -110,85 +128,112 @@ fn attenuation<R: Real>(point: &ShadingPoint<R>, lights: &ShadeLights, outline: 
     attenuation.select(normal.dot(normal).gt(zero.lit(0.25)), zero)
 }
 
-/// The integral of a lobe over the outline: the fraction of it that the light fills, times its albedo.
+/// The fraction of a lobe that the light fills: its transformed cosines over what of the outline is above the horizon.
 #[inline(always)]
-fn by_polygon<R: Real>(
-    outline: &Outline<R>,
-    frame: &Frame<R>,
-    cos_o: R,
+fn filled_fraction<R: Real, const N: usize, const TWICE: usize>(
+    sum: &LightSum<R>,
+    outline: &Outline<R, N>,
+    seen: &Seen<R, N>,
     lobe: &DirectLobe,
     integrals: &LobeIntegrals,
 ) -> R {
-    let map = match &integrals.area {
-        AreaIntegral::Ltc(map) => Some(&**map),
-        _ => None,
-    };
+    let zero = sum.cos_o.zero();
     let below = is_transmitting(lobe);
-    let local = inlined(
+    let turned = inlined(
         #[inline(always)]
-        |v: &Vec3<R>| {
-            let v = frame.to_local(*v);
-            if below { Vec3::new(v.x, v.y, -v.z) } else { v }
-        },
+        |v: Vec3<R>| if below { Vec3::new(v.x, v.y, -v.z) } else { v },
     );
-    filled_fraction(outline, map, cos_o, local) * integrals.albedo.at(cos_o).max(cos_o.zero())
-}
-
-/// The fraction of a lobe that the light fills: its linearly transformed cosine over the clipped outline.
-#[inline(always)]
-fn filled_fraction<R: Real>(
-    outline: &Outline<R>,
-    map: Option<&LtcTable>,
-    cos_o: R,
-    local: impl Fn(&Vec3<R>) -> Vec3<R>,
-) -> R {
-    let inverse = map.map(|map| map.at(cos_o));
-    let zero = cos_o.zero();
-    let mut corners = [Vec3::new(zero, zero, zero); 2 * ROUND];
-    let mut count = outline.count;
-    for (local_corner, corner) in corners.iter_mut().zip(&outline.corners[..count]) {
-        *local_corner = local(corner);
-    }
+    let mut corners = seen.corners;
     let mut lowest = zero.one();
-    for corner in &corners[..count] {
+    for corner in &mut corners {
+        *corner = turned(*corner);
         lowest = lowest.min(corner.z);
     }
-    if R::any(lowest.lt(zero)) {
+    let middle = turned(seen.middle);
+    let lit = outline.small & zero.lt(middle.z);
+    let is_cut = R::any(lowest.lt(zero));
+    let mut cut = [Vec3::new(zero, zero, zero); TWICE];
+    if is_cut {
         // What is below the surface's own horizon must not come up by the map.
-        count = above_horizon(&mut corners, count);
+        cut[..N].copy_from_slice(&corners);
+        above_horizon(&mut cut, N);
     }
-    for corner in &mut corners[..count] {
-        *corner = to_cosine(inverse, corner);
-    }
-    let polygon = apart(
-        cos_o,
+    let filled = inlined(
         #[inline(always)]
-        || form_factor(&corners[..count]),
+        |map: Option<&[R; 9]>| {
+            let polygon = if is_cut {
+                let mut cut = cut;
+                for corner in &mut cut {
+                    *corner = to_cosine(map, corner);
+                }
+                form_factor(&cut)
+            } else {
+                let mut corners = corners;
+                for corner in &mut corners {
+                    *corner = to_cosine(map, corner);
+                }
+                form_factor(&corners)
+            };
+            if !R::any(outline.small) {
+                return polygon;
+            }
+            (density(map, &middle) * outline.solid).select(lit, polygon.select(!outline.small, zero))
+        },
     );
-    if !R::any(outline.small) {
-        return polygon;
+    let AreaIntegral::Ltc(table) = &integrals.area else { return filled(None) };
+    let place = table.nodes.place(sum.cos_o, sum.tangent_o());
+    let (sin, cos) = middle_angle(sum.cos_o, lobe);
+    let mut total = zero;
+    for number in 0..table.count {
+        let [a, b, c, d, e, f, g, h, i, amount] = table.at(&place, number);
+        // From the frame of the mirrored direction to that of the normal.
+        let row = inlined(
+            #[inline(always)]
+            |[x, y, z]: [R; 3]| [x * cos - z * sin, y * place.side, x * sin + z * cos],
+        );
+        let ([a, b, c], [d, e, f], [g, h, i]) = (row([a, b, c]), row([d, e, f]), row([g, h, i]));
+        total = total + amount * filled(Some(&[a, b, c, d, e, f, g, h, i]));
     }
-    let middle = local(&outline.middle);
-    let density = density(inverse, &middle);
-    let lit = zero.lt(middle.z);
-    (density * outline.solid).select(outline.small & lit, polygon.select(!outline.small, zero))
+    total.max(zero)
+}
+
+/// Sine and cosine of the angle from the normal to the middle of a lobe: the mirrored direction, or the refracted one.
+#[inline(always)]
+pub(crate) fn middle_angle<R: Real>(cos_o: R, lobe: &DirectLobe) -> (R, R) {
+    let one = cos_o.one();
+    let sine = (one - cos_o.sqr()).max(one.zero()).sqrt();
+    match is_transmitting(lobe) {
+        true => {
+            let sine = (sine * one.lit(1.0 / lobe.shape.eta())).min(one);
+            (sine, (one - sine.sqr()).max(one.zero()).sqrt())
+        }
+        false => (sine, cos_o),
+    }
 }
 
 /// The vector by the inverse matrix of a linearly transformed cosine; itself where the lobe is the cosine.
 #[inline(always)]
-fn to_cosine<R: Real>(inverse: Option<[R; 5]>, v: &Vec3<R>) -> Vec3<R> {
+fn to_cosine<R: Real>(inverse: Option<&[R; 9]>, v: &Vec3<R>) -> Vec3<R> {
     match inverse {
-        Some([a, b, c, d, e]) => Vec3::new(a * v.x + b * v.z, c * v.y, d * v.x + e * v.z),
+        Some([a, b, c, d, e, f, g, h, i]) => Vec3::new(
+            *a * v.x + *b * v.y + *c * v.z,
+            *d * v.x + *e * v.y + *f * v.z,
+            *g * v.x + *h * v.y + *i * v.z,
+        ),
         None => *v,
     }
 }
 
 /// The value of a linearly transformed cosine in a unit direction, per steradian.
 #[inline(always)]
-fn density<R: Real>(inverse: Option<[R; 5]>, direction: &Vec3<R>) -> R {
+fn density<R: Real>(inverse: Option<&[R; 9]>, direction: &Vec3<R>) -> R {
     let zero = direction.z.zero();
     let (w, determinant) = match inverse {
-        Some([a, b, c, d, e]) => (to_cosine(inverse, direction), (c * (a * e - b * d)).abs()),
+        Some([a, b, c, d, e, f, g, h, i]) => {
+            let determinant =
+                *a * (*e * *i - *f * *h) + *b * (*f * *g - *d * *i) + *c * (*d * *h - *e * *g);
+            (to_cosine(inverse, direction), determinant.abs())
+        }
         None => (*direction, zero.one()),
     };
     let squared = w.dot(w).max(zero.lit(1e-30));
@@ -244,36 +289,6 @@ fn mirrored<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R
     layered(lobe, zero.one().select(met, zero), &sum.mirror_pair())
 }
 
-/// The lobe over points of the light, each standing for its part of the outline.
-#[inline(always)]
-fn by_points<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R {
-    let zero = sum.cos_o.zero();
-    let center = splat(zero, &area.center) - sum.point.position;
-    let (axes, size) = disk(area, center);
-    let mut total = zero;
-    for i in 0..POINTS * POINTS {
-        let (u, v) = grid_point(area.form, i);
-        let to = center + axes[0] * zero.lit(u) * size[0] + axes[1] * zero.lit(v) * size[1];
-        let squared = to.dot(to).max(zero.lit(1e-20));
-        let wi = to * squared.rsqrt();
-        let facing = wi.dot(axes[2]).abs();
-        let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
-        let pair = sum.pair(wi);
-        let own = sum.own_pair(lobe, &pair);
-        total = total + layered(lobe, shape_value(lobe, own.as_ref().unwrap_or(&pair)), &pair) * solid;
-    }
-    total
-}
-
-/// A point of a grid over −1 … 1 squared, or over the unit disk with equal areas.
-fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
-    let step = |i: usize| 2.0 * (i as f64 + 0.5) / POINTS as f64 - 1.0;
-    match form {
-        AreaShape::Rectangle { .. } => (step(number % POINTS), step(number / POINTS)),
-        _ => DISK[number],
-    }
-}
-
 /// The flat figure that is seen of a light: its axes, half extents along the first two, and its area.
 #[inline(always)]
 fn disk<R: Real>(area: &ViewArea, center: Vec3<R>) -> ([Vec3<R>; 3], [R; 3]) {
@@ -303,7 +318,7 @@ fn disk<R: Real>(area: &ViewArea, center: Vec3<R>) -> ([Vec3<R>; 3], [R; 3]) {
     }
 }
 
-impl<R: Real> Outline<R> {
+impl<R: Real, const N: usize> Outline<R, N> {
     #[inline(always)]
     fn of(area: &ViewArea, position: Vec3<R>) -> Self {
         let zero = position.x.zero();
@@ -311,28 +326,26 @@ impl<R: Real> Outline<R> {
         let (axes, size) = disk(area, center);
         let squared = center.dot(center).max(zero.lit(1e-20));
         let middle = center * squared.rsqrt();
-        let mut corners = [center; ROUND];
+        let mut corners = [center; N];
         // In units of the distance, so that squares of far lights stay numbers.
         let inverse = squared.rsqrt();
         // Larger ones would lie in a plane through the point, for all that 32 bits tell, and fill no half of what it sees.
         let most = squared * inverse * zero.lit(LARGE);
         let half = [size[0].min(most), size[1].min(most)];
-        let count = match area.form {
+        match area.form {
             AreaShape::Rectangle { .. } => {
                 for (corner, (u, v)) in
                     corners.iter_mut().zip([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
                 {
                     *corner = center + axes[0] * half[0] * zero.lit(u) + axes[1] * half[1] * zero.lit(v);
                 }
-                4
             }
             _ => {
                 for (corner, (u, v)) in corners.iter_mut().zip(RIM.iter()) {
                     *corner = center + axes[0] * half[0] * zero.lit(*u) + axes[1] * half[1] * zero.lit(*v);
                 }
-                ROUND
             }
-        };
+        }
         let always = area.two_sided || matches!(area.form, AreaShape::Sphere { .. });
         let faces = center.dot(splat(zero, &area.axes[2])).lt(zero);
         let shines = if always { zero.one() } else { zero.one().select(faces, zero) };
@@ -343,6 +356,6 @@ impl<R: Real> Outline<R> {
         let facing = middle.dot(axes[2]).abs();
         let solid = size[2] * inverse * inverse * facing;
         let small = extent.lt(zero.lit(SMALL));
-        Self { corners, count, middle, distance: squared.sqrt(), shines, solid, small }
+        Self { corners, middle, distance: squared.sqrt(), shines, solid, small }
     }
 }

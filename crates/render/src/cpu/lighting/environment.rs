@@ -3,7 +3,7 @@
 use glanz_bsdf::LightTerm;
 use glanz_math::{Frame, Real, Vec3};
 
-use crate::cpu::lighting::area::view_frame;
+use crate::cpu::lighting::area::{middle_angle, view_frame};
 use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
@@ -51,7 +51,7 @@ pub(crate) fn add_lobe<R: Real>(sum: &mut LightSum<R>, around: Around, k: usize,
     let is_lit = sum.point.normal.dot(sum.point.normal).gt(zero.lit(0.25));
     let pair = sum.typical_pair(lobe);
     let seen = seen(sum, around, lobe, integrals);
-    let mut fraction = integrals.albedo.at(pair.cos_o).max(zero).select(is_lit, zero);
+    let mut fraction = integrals.albedo.at(pair.cos_o, sum.tangent_o()).select(is_lit, zero);
     for factor in [sum.arrives, free].into_iter().flatten() {
         fraction = fraction * factor;
     }
@@ -110,22 +110,11 @@ fn looked_up<R: Real>(
 ) -> [R; 3] {
     let (cos_o, normal, wo) = (sum.cos_o, sum.point.normal, sum.point.wo);
     let one = cos_o.one();
-    let azimuth = sum.axes.map(
-        #[inline(always)]
-        |[x, y]| wo.dot(y).atan2(wo.dot(x)),
-    );
-    let place = lookups.place(cos_o, azimuth);
+    let place = lookups.nodes.place(cos_o, sum.tangent_o());
     // The frame of the lobe.
     let Frame { t, b, n } = view_frame(wo, normal, cos_o);
     let below = is_transmitting(lobe);
-    let sine = (one - cos_o.sqr()).max(one.zero()).sqrt();
-    let (sin, cos) = match below {
-        true => {
-            let sin = (sine * one.lit(1.0 / lobe.shape.eta())).min(one);
-            (sin, (one - sin.sqr()).max(one.zero()).sqrt())
-        }
-        false => (sine, cos_o),
-    };
+    let (sin, cos) = middle_angle(cos_o, lobe);
     let side = if below { -n } else { n };
     let frame = [t * cos + side * sin, b * place.side, side * cos - t * sin].map(
         #[inline(always)]

@@ -11,6 +11,13 @@ use glanz_math::{PI, Real, Vec3};
 pub(crate) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
     let last = &corners[corners.len() - 1];
     let zero = last.z.zero();
+    let mut lowest = last.z;
+    for corner in corners {
+        lowest = lowest.min(corner.z);
+    }
+    if !R::any(lowest.le(zero)) {
+        return above(corners);
+    }
     let mut sum = zero;
     // Where the outline goes below the horizon, and where it comes up again.
     let (mut down, mut up) = (Vec3::new(zero, zero, zero), Vec3::new(zero, zero, zero));
@@ -28,6 +35,52 @@ pub(crate) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
         from = to;
     }
     ((sum + edge(down, up)) * zero.lit(0.5 / PI)).abs().min(zero.one())
+}
+
+/// The same of a polygon that is above that plane.
+#[inline(always)]
+fn above<R: Real>(corners: &[Vec3<R>]) -> R {
+    let last = corners[corners.len() - 1];
+    let like = last.z;
+    let mut sum = like.zero();
+    let (mut from, mut inverse_from) = (last, last.dot(last).rsqrt());
+    for &to in corners {
+        let inverse_to = to.dot(to).rsqrt();
+        let scale = inverse_from * inverse_to;
+        let across = (from.x * to.y - from.y * to.x) * scale;
+        sum = sum + across * angle_over_sine(from.dot(to) * scale);
+        (from, inverse_from) = (to, inverse_to);
+    }
+    (sum * like.lit(0.5 / PI)).abs().min(like.one())
+}
+
+/// θ / sin θ over cos θ: a polynomial within 2e-8 for cosines above 0.
+#[inline(always)]
+fn angle_over_sine<R: Real>(cosine: R) -> R {
+    const TERMS: [f64; 10] = [
+        1.570_796_31,
+        -0.999_996_437,
+        0.785_274_298,
+        -0.664_970_691,
+        0.576_982_709,
+        -0.482_230_295,
+        0.351_092_721,
+        -0.194_747_626,
+        0.069_269_092_5,
+        -0.011_470_094_3,
+    ];
+    let zero = cosine.zero();
+    let x = cosine.abs();
+    let mut value = x.lit(TERMS[9]);
+    for term in TERMS[..9].iter().rev() {
+        value = value * x + x.lit(*term);
+    }
+    let obtuse = cosine.lt(zero);
+    if !R::any(obtuse) {
+        return value;
+    }
+    let sine = (x.one() - x.sqr()).max(x.lit(1e-12)).rsqrt();
+    (x.lit(PI) * sine - value).select(obtuse, value)
 }
 
 /// What of an edge is above the plane z = 0: where it begins and ends, and whether anything is.

@@ -68,6 +68,13 @@ impl<'a, R: Real> LightSum<'a, R> {
         pair
     }
 
+    /// The coordinates of the viewer on the axes of lobes that know a tangent.
+    #[inline(always)]
+    pub(crate) fn tangent_o(&self) -> Option<[R; 2]> {
+        let [x, y] = self.axes?;
+        Some([x.dot(self.point.wo), y.dot(self.point.wo)])
+    }
+
     /// The pair of the viewer and light that is mirrored to it by the surface itself.
     #[inline(always)]
     pub(crate) fn mirror_pair(&self) -> DirectionPair<R> {

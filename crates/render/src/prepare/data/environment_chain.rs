@@ -14,19 +14,51 @@ const WIDTHS: usize = 17;
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnvironmentChain {
     /// From the narrowest to the widest; the first is the map itself, no finer than that width asks for.
-    pub levels: Vec<BlurredMap>,
+    pub levels: Vec<ChainLevel>,
+    /// Of all levels, by rows from the top; each row begins with its last pixel and ends with its first one, and the last
+    /// row is there twice. The fourth value is 0.
+    pub pixels: Vec<[f32; 4]>,
 }
 
-/// An equirectangular picture whose edges are there twice, so that no reader has to go around.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BlurredMap {
-    /// Pixels in a row, without what is there twice.
+/// An equirectangular picture among the pixels of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ChainLevel {
+    /// Pixels in a row, without the two that are there twice.
     pub width: usize,
     /// Rows, without the one that is there twice.
     pub height: usize,
-    /// By rows from the top; each begins with its last pixel and ends with its first one, and the last row is there
-    /// twice. The fourth value is 0.
-    pub pixels: Vec<[f32; 4]>,
+    /// Its first pixel.
+    pub first: usize,
+}
+
+/// Two levels of a chain, and how places lie between them.
+#[derive(Clone, Copy)]
+struct Neighbors {
+    low: usize,
+    high: usize,
+    place: f32,
+    scale: f32,
+}
+
+/// The neighbours of each place, and the same a whole octave apart.
+static NEIGHBORS: [[Neighbors; WIDTHS]; 2] = [neighbors(false), neighbors(true)];
+
+const fn neighbors(wide: bool) -> [Neighbors; WIDTHS] {
+    let mut all = [Neighbors { low: 0, high: 0, place: 0.0, scale: 1.0 }; WIDTHS];
+    let mut place = 0;
+    while place < WIDTHS {
+        let step = EnvironmentChain::step(place, wide);
+        let low = if step == 2 { place & !1 } else { place };
+        let low = if low + step < WIDTHS { low } else { WIDTHS - 1 - step };
+        all[place] = Neighbors {
+            low: EnvironmentChain::number(low),
+            high: EnvironmentChain::number(low + step),
+            place: low as f32,
+            scale: 1.0 / step as f32,
+        };
+        place += 1;
+    }
+    all
 }
 
 impl EnvironmentChain {
@@ -47,57 +79,129 @@ impl EnvironmentChain {
         Self::NARROWEST * libm::exp2(0.5 * place)
     }
 
-    /// The two places that a place lies between, and how far it is on the way; in octaves where `wide` or fine.
-    #[inline(always)]
-    pub fn between(place: f32, wide: bool) -> ([usize; 2], f32) {
-        let whole = place as usize;
-        let (whole, step) = match wide || whole < Self::WHOLE_BELOW {
-            true => (whole & !1, 2),
-            false => (whole, 1),
-        };
-        let whole = whole.min(Self::LAST - step);
-        ([whole, whole + step], (place - whole as f32) / step as f32)
+    /// Half octaves between the neighbours of a place.
+    const fn step(place: usize, wide: bool) -> usize {
+        if wide || place < Self::WHOLE_BELOW { 2 } else { 1 }
     }
 
     /// The number of the level at a place that is kept.
-    #[inline(always)]
-    pub fn number(place: usize) -> usize {
+    const fn number(place: usize) -> usize {
         if place < Self::WHOLE_BELOW { place / 2 } else { place - Self::WHOLE_BELOW / 2 }
+    }
+
+    /// The two places that a place lies between, and how far it is on the way; in octaves where `wide` or fine.
+    pub(crate) fn between(place: f32, wide: bool) -> ([usize; 2], f32) {
+        let own = &NEIGHBORS[usize::from(wide)][place as usize];
+        let step = (1.0 / own.scale) as usize;
+        ([own.place as usize, own.place as usize + step], (place - own.place) * own.scale)
     }
 
     /// Adds the value in a direction at a place among the widths, times `amount`, to each lane's sum.
     #[inline(always)]
-    pub fn add_to<R: Real>(&self, sums: &mut [[f32; 4]; 16], direction: Vec3<R>, place: R, amount: R, wide: bool) {
+    pub fn add_to<R: Real>(
+        &self,
+        sums: &mut [[f32; 4]; 16],
+        direction: Vec3<R>,
+        place: R,
+        amount: R,
+        wide: bool,
+    ) {
         let like = direction.x;
-        let around = (direction.x.atan2(-direction.z) * like.lit(0.5 / PI) + like.lit(0.5)).to_array();
-        let down = (direction.y.acos() * like.lit(1.0 / PI)).to_array();
-        let (place, amount) = (place.to_array(), amount.to_array());
+        let around = direction.x.atan2(-direction.z) * like.lit(0.5 / PI) + like.lit(0.5);
+        let down = direction.y.acos() * like.lit(1.0 / PI);
+        let (numbers, _) = place.clamp(0.0, Self::LAST as f64).whole();
+        let neighbors = &NEIGHBORS[usize::from(wide)];
+        let (mut low, mut high) = (LevelLanes::new(), LevelLanes::new());
+        let (mut from, mut scale) = ([0.0; 16], [0.0; 16]);
         for lane in 0..R::LANES {
-            let ([low, high], t) = Self::between(place[lane], wide);
-            let (low, high) = (&self.levels[Self::number(low)], &self.levels[Self::number(high)]);
-            let (low, high) = (low.at(around[lane], down[lane]), high.at(around[lane], down[lane]));
-            let (sum, amount) = (&mut sums[lane], amount[lane]);
+            let own = &neighbors[numbers[lane] as usize % WIDTHS];
+            low.set(lane, &self.levels[own.low]);
+            high.set(lane, &self.levels[own.high]);
+            (from[lane], scale[lane]) = (own.place, own.scale);
+        }
+        let t = ((place - like.with_array(&from)) * like.with_array(&scale)).to_array();
+        let (low, high) = (low.place(around, down), high.place(around, down));
+        let amount = amount.to_array();
+        for lane in 0..R::LANES {
+            let (a, b) = (low.value(&self.pixels, lane), high.value(&self.pixels, lane));
+            let (amount, t) = (amount[lane], t[lane]);
+            let sum = &mut sums[lane];
             for c in 0..4 {
-                sum[c] += amount * (low[c] + (high[c] - low[c]) * t);
+                sum[c] += amount * (a[c] + (b[c] - a[c]) * t);
             }
         }
     }
+
+    /// A row of a level with its first and last pixel there twice.
+    pub(crate) fn row(&self, level: &ChainLevel, row: usize) -> &[[f32; 4]] {
+        let first = level.first + row * level.stride();
+        &self.pixels[first..first + level.stride()]
+    }
 }
 
-impl BlurredMap {
-    /// The value at fractions of the way around and down, linear between the centres of pixels.
+impl ChainLevel {
+    /// Pixels from row to row.
     #[inline(always)]
-    fn at(&self, around: f32, down: f32) -> [f32; 4] {
+    pub fn stride(&self) -> usize {
+        self.width + 2
+    }
+}
+
+/// The levels of all lanes.
+struct LevelLanes {
+    width: [f32; 16],
+    height: [f32; 16],
+    first: [usize; 16],
+    stride: [usize; 16],
+}
+
+/// Where all lanes look.
+struct Corners {
+    /// The pixel above on the left, and the one below it.
+    upper: [usize; 16],
+    lower: [usize; 16],
+    x: [f32; 16],
+    y: [f32; 16],
+}
+
+impl LevelLanes {
+    #[inline(always)]
+    fn new() -> Self {
+        Self { width: [0.0; 16], height: [0.0; 16], first: [0; 16], stride: [0; 16] }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, level: &ChainLevel) {
+        self.width[lane] = level.width as f32;
+        self.height[lane] = level.height as f32;
+        (self.first[lane], self.stride[lane]) = (level.first, level.stride());
+    }
+
+    /// The corners around fractions of the way around and down.
+    #[inline(always)]
+    fn place<R: Real>(&self, around: R, down: R) -> Corners {
+        let half = around.lit(0.5);
+        let (width, height) = (around.with_array(&self.width), around.with_array(&self.height));
         // What is no number becomes the first pixel.
-        let x = (around * self.width as f32 + 0.5).max(0.0).min(self.width as f32 + 0.5);
-        let y = (down * self.height as f32 - 0.5).max(0.0).min((self.height - 1) as f32);
-        let (column, row) = (x as usize, y as usize);
-        let (x, y) = (x - column as f32, y - row as f32);
-        let stride = self.width + 2;
-        let first = row * stride + column;
-        let upper: &[[f32; 4]; 2] = self.pixels[first..first + 2].try_into().unwrap_or(&[[0.0; 4]; 2]);
-        let lower: &[[f32; 4]; 2] =
-            self.pixels[first + stride..first + stride + 2].try_into().unwrap_or(&[[0.0; 4]; 2]);
+        let x = (around * width + half).max(around.zero()).min(width + half);
+        let y = (down * height - half).max(around.zero()).min(height - around.one());
+        let ((columns, whole_x), (rows, whole_y)) = (x.whole(), y.whole());
+        let (mut upper, mut lower) = ([0; 16], [0; 16]);
+        for lane in 0..R::LANES {
+            upper[lane] = self.first[lane] + rows[lane] as usize * self.stride[lane] + columns[lane] as usize;
+            lower[lane] = upper[lane] + self.stride[lane];
+        }
+        Corners { upper, lower, x: (x - whole_x).to_array(), y: (y - whole_y).to_array() }
+    }
+}
+
+impl Corners {
+    /// The value of a lane, linear between the centres of pixels.
+    #[inline(always)]
+    fn value(&self, pixels: &[[f32; 4]], lane: usize) -> [f32; 4] {
+        let (upper, lower) = (self.upper[lane], self.lower[lane]);
+        let (upper, lower) = (&pixels[upper..upper + 2], &pixels[lower..lower + 2]);
+        let (x, y) = (self.x[lane], self.y[lane]);
         let mut value = [0.0; 4];
         for c in 0..4 {
             let a = upper[0][c] + (upper[1][c] - upper[0][c]) * x;
@@ -105,11 +209,5 @@ impl BlurredMap {
             value[c] = a + (b - a) * y;
         }
         value
-    }
-
-    /// A row with its first and last pixel there twice.
-    pub(crate) fn row(&self, row: usize) -> &[[f32; 4]] {
-        let stride = self.width + 2;
-        &self.pixels[row * stride..(row + 1) * stride]
     }
 }

@@ -1,41 +1,46 @@
-//! Linearly transformed cosines of a lobe, over the view angle.
+//! Linearly transformed cosines of a lobe.
 
 use glanz_math::Real;
 
-/// View angles: cosθ = 1 − (i / (ANGLES − 1))².
-pub const ANGLES: usize = 32;
+use super::ViewNodes;
+use super::view_nodes::ViewPlace;
 
-/// The maps of an isotropic lobe over the view angle.
+/// A clamped cosine that a linear map transforms.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct LtcComponent {
+    /// The rows of the inverse map, from the frame of [`Lookup::direction`](super::Lookup::direction) to that of the
+    /// cosine.
+    pub inverse: [f32; 9],
+    /// Its fraction of the lobe; it may be below 0.
+    pub amount: f32,
+}
+
+/// The transformed cosines of a lobe over the angle of the view, and over its azimuth where the lobe has a grain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LtcTable {
-    /// The inverse map is \[\[a, 0, b\], \[0, c, 0\], \[d, 0, e\]\] in the frame whose x axis is the viewer's
-    /// tangential direction.
-    pub inverses: Vec<[f32; 5]>,
+    /// Components of one view.
+    pub count: usize,
+    /// The views.
+    pub nodes: ViewNodes,
+    /// By azimuth, view and number.
+    pub components: Vec<LtcComponent>,
 }
 
 impl LtcTable {
-    /// The inverse map at a view angle: a, b, c, d, e.
+    /// A component at a view: the rows of its inverse map, and its amount.
     #[inline(always)]
-    pub fn at<R: Real>(&self, cos_o: R) -> [R; 5] {
-        let last = (ANGLES - 1) as f64;
-        let place = ((cos_o.one() - cos_o).clamp(0.0, 1.0).sqrt() * cos_o.lit(last)).to_array();
-        let mut values = [[0.0; 16]; 5];
-        for lane in 0..R::LANES {
-            let first = (place[lane] as usize).min(ANGLES - 2);
-            let t = place[lane] - first as f32;
-            let (a, b) = (&self.inverses[first], &self.inverses[first + 1]);
-            for (i, array) in values.iter_mut().enumerate() {
-                array[lane] = a[i] + (b[i] - a[i]) * t;
-            }
-        }
-        // Not `map`, which would be a call below a SIMD dispatch.
-        let [a, b, c, d, e] = &values;
-        [
-            cos_o.with_array(a),
-            cos_o.with_array(b),
-            cos_o.with_array(c),
-            cos_o.with_array(d),
-            cos_o.with_array(e),
-        ]
+    pub(crate) fn at<R: Real>(&self, place: &ViewPlace<R>, number: usize) -> [R; 10] {
+        let value = |node: u32| self.components[node as usize * self.count + number].values();
+        place.between(value)
+    }
+}
+
+impl LtcComponent {
+    /// The rows of the inverse map, and the amount.
+    #[inline(always)]
+    pub fn values(&self) -> [f32; 10] {
+        let [a, b, c, d, e, f, g, h, i] = self.inverse;
+        [a, b, c, d, e, f, g, h, i, self.amount]
     }
 }

@@ -41,6 +41,7 @@ pub(crate) mod objects;
 pub mod pack;
 pub(crate) mod program;
 pub(crate) mod tint_coordinate;
+pub(crate) mod view_nodes;
 
 use std::sync::Arc;
 
@@ -48,21 +49,22 @@ use glanz_math::Chebyshev;
 use glanz_picture::Channels;
 
 pub use bvh::{Bvh, BvhNode};
-pub use environment_chain::{BlurredMap, EnvironmentChain};
+pub use environment_chain::{ChainLevel, EnvironmentChain};
 pub use environment_map::EnvironmentMap;
 pub use geometry::{CLUSTER_TRIANGLES, CLUSTER_VERTICES, Cluster, Geometry, VERTEX_ALIGN};
 pub use intensity_grid::IntensityGrid;
 pub use irradiance::{IRRADIANCE_TERMS, Irradiance};
 pub use lights::{EnvironmentLight, LightShape, PreparedLight, PreparedLuminaire};
-pub use lobe_integrals::{AreaIntegral, LobeIntegrals};
-pub use lookups::{FLATTEST as FLATTEST_VIEW, LobeLookups, Lookup, VIEWS as LOOKUP_VIEWS};
-pub use ltc::{ANGLES as LTC_ANGLES, LtcTable};
+pub use lobe_integrals::{Albedo, AreaIntegral, LobeIntegrals};
+pub use lookups::{LobeLookups, Lookup};
+pub use ltc::{LtcComponent, LtcTable};
 pub use materials::{DirectLobe, LobeRoughness, MixTints, PreparedMask, PreparedMaterial, TextureMeans};
 pub use mipmap::{MipLevel, Mipmap};
 pub use objects::{Attributes, Facets, Polygons, PreparedObject};
 pub use pack::{NO_RECORD, Packed, Pool, Section, Span};
 pub use program::PreparedProgram;
 pub use tint_coordinate::TintCoordinate;
+pub use view_nodes::{FLATTEST as FLATTEST_VIEW, VIEWS as TABLE_VIEWS, ViewNodes};
 
 use crate::prepare::source::Source;
 

@@ -7,7 +7,7 @@
 use glanz_math::{PI, SimdLevel, at_level};
 
 use crate::parallel;
-use crate::prepare::data::{BlurredMap, EnvironmentChain, EnvironmentMap};
+use crate::prepare::data::{ChainLevel, EnvironmentChain, EnvironmentMap};
 
 /// The most rows of a level, and the fewest of the map that the chain begins with.
 const MOST_ROWS: usize = 512;
@@ -58,7 +58,36 @@ pub(crate) fn chain(map: &EnvironmentMap) -> EnvironmentChain {
     let coarse = coarse(&levels[0]);
     levels.push(last.map);
     levels.extend(places.into_iter().filter(|place| *place >= SUMMED).map(|place| summed(&coarse, place)));
-    EnvironmentChain { levels }
+    joined(levels)
+}
+
+/// One level while the chain is made.
+#[derive(Clone)]
+struct BlurredMap {
+    width: usize,
+    height: usize,
+    /// As those of [`EnvironmentChain`].
+    pixels: Vec<[f32; 4]>,
+}
+
+impl BlurredMap {
+    /// A row with its first and last pixel there twice.
+    fn row(&self, row: usize) -> &[[f32; 4]] {
+        let stride = self.width + 2;
+        &self.pixels[row * stride..(row + 1) * stride]
+    }
+}
+
+/// The pixels of all levels in a row.
+fn joined(maps: Vec<BlurredMap>) -> EnvironmentChain {
+    let mut pixels = Vec::with_capacity(maps.iter().map(|map| map.pixels.len()).sum());
+    let level = |map: BlurredMap| {
+        let first = pixels.len();
+        pixels.extend_from_slice(&map.pixels);
+        ChainLevel { width: map.width, height: map.height, first }
+    };
+    let levels = maps.into_iter().map(level).collect();
+    EnvironmentChain { levels, pixels }
 }
 
 /// 1 less the mean cosine of the kernel of a width.

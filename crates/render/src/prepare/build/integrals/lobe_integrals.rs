@@ -1,22 +1,20 @@
 //! Precomputed integrals of each lobe for area and environment lights: albedo, LTC maps, lookups.
 
+use std::cell::LazyCell;
 use std::sync::Arc;
 
 use glanz_bsdf::models::ggx::LEAST_ALPHA;
-use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
-use glanz_math::{Chebyshev, PI};
+use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
+use glanz_math::PI;
 
+use super::albedo::albedo;
 use super::chain::chain;
-use super::lookups::lookups;
-use super::ltc;
+use super::fit::Views;
 use crate::parallel;
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, PreparedLight,
+    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, LtcTable, PreparedLight,
     PreparedMaterial,
 };
-
-/// Terms of the albedo over the cosine.
-const TERMS: usize = 16;
 
 /// Gives all materials the integrals of their lobes; those of `before` are taken over where nothing changed that they
 /// depend on. Nothing where all lights are punctual.
@@ -68,8 +66,7 @@ fn map_of(shape: &LightShape) -> Option<&EnvironmentMap> {
 /// Whether all is known of a lobe that the lights ask for.
 fn is_done((lobe, integrals): &Known, over: Over) -> bool {
     let has_lookups = !over.maps || !looks_up(lobe) || integrals.lookups.is_some();
-    let points = matches!(integrals.area, AreaIntegral::Points);
-    has_lookups && (!over.areas || !points || lobe.is_anisotropic())
+    has_lookups && (!over.areas || integrals.area != AreaIntegral::None)
 }
 
 fn done(known: &[Known], over: Over) -> impl Iterator<Item = &DirectLobe> {
@@ -134,11 +131,16 @@ fn new_integrals(lobes: &[DirectLobe], over: Over, known: &[Known]) -> Vec<Known
     }
     let parts = parallel::collect(shapes.len(), |i| {
         let (lobe, like) = (shapes[i], like(shapes[i]));
+        let views = LazyCell::new(|| Views::of(&lobe.shape, lobe.term));
         let lookups = match like.and_then(|like| like.lookups.clone()) {
-            None if over.maps && looks_up(lobe) => Some(Arc::new(lookups(&lobe.shape, lobe.term))),
+            None if over.maps && looks_up(lobe) => Some(Arc::new(views.lookups())),
             known => known,
         };
-        (area(lobe, over.areas, like), lookups)
+        let area = match like.map(|like| &like.area) {
+            Some(AreaIntegral::Ltc(table)) => AreaIntegral::Ltc(Arc::clone(table)),
+            _ => area(lobe, over.areas, || views.ltc()),
+        };
+        (area, lookups)
     });
     let albedos = parallel::collect(lobes.len(), |i| albedo(&lobes[i].shape, &lobes[i].layers));
     let all = lobes.iter().zip(albedos).map(|(lobe, albedo)| {
@@ -154,16 +156,12 @@ fn looks_up(lobe: &DirectLobe) -> bool {
     !lobe.shape.info().delta && !is_cosine(&lobe.shape)
 }
 
-fn area(lobe: &DirectLobe, has_areas: bool, like: Option<&LobeIntegrals>) -> AreaIntegral {
-    let shape = &lobe.shape;
-    match shape.info().delta {
+fn area(lobe: &DirectLobe, has_areas: bool, ltc: impl FnOnce() -> LtcTable) -> AreaIntegral {
+    match lobe.shape.info().delta {
         true => AreaIntegral::Mirror,
-        false if is_cosine(shape) => AreaIntegral::Cosine,
-        false if has_areas && !lobe.is_anisotropic() => match like.map(|like| &like.area) {
-            Some(AreaIntegral::Ltc(table)) => AreaIntegral::Ltc(Arc::clone(table)),
-            _ => AreaIntegral::Ltc(Arc::new(ltc::fit_table(shape))),
-        },
-        false => AreaIntegral::Points,
+        false if is_cosine(&lobe.shape) => AreaIntegral::Cosine,
+        false if has_areas => AreaIntegral::Ltc(Arc::new(ltc())),
+        false => AreaIntegral::None,
     }
 }
 
@@ -177,12 +175,4 @@ fn is_cosine(shape: &Shape) -> bool {
     };
     let tried = [(0.9, 0.7, 0.5), (0.2, 0.95, 0.3), (0.5, 0.1, -0.4), (0.05, 0.05, 0.9)];
     info.term == LightTerm::Diffuse && info.params.is_empty() && tried.into_iter().all(is_exact)
-}
-
-/// The albedo of a lobe; of a perfect mirror what the layers above leave in its one direction is not part of it.
-fn albedo(shape: &Shape, layers: &[LayerWeight]) -> Chebyshev {
-    match shape.info().delta {
-        true => Chebyshev::interpolate(1, |_| 1.0),
-        false => Chebyshev::interpolate(TERMS, |cosine| ltc::albedo(shape, layers, cosine)),
-    }
 }

@@ -1,8 +1,7 @@
 //! What lobes make of area lights and environments.
 
+pub(crate) mod albedo;
 pub(crate) mod chain;
+pub(crate) mod fit;
 pub(crate) mod irradiance;
 pub(crate) mod lobe_integrals;
-pub(crate) mod lookups;
-pub(crate) mod ltc;
-pub(crate) mod simplex;

@@ -56,10 +56,11 @@ impl Packer {
     }
 
     fn chain(&mut self, chain: &EnvironmentChain) -> u32 {
-        let first = self.next(Section::BlurredMaps);
+        let first = self.next(Section::ChainLevels);
+        let pixels = self.floats(Section::ChainPixels, chain.pixels.as_flattened());
         for level in &chain.levels {
-            let pixels = self.floats(Section::BlurredPixels, level.pixels.as_flattened());
-            self.words(Section::BlurredMaps, &[level.width as u32, level.height as u32, pixels]);
+            let own = pixels + level.first as u32;
+            self.words(Section::ChainLevels, &[level.width as u32, level.height as u32, own]);
         }
         first
     }

@@ -6,7 +6,7 @@ use glanz_scene::{AlphaMode, ChannelUse, Metalness, TextureUse};
 
 use super::{NO_RECORD, Packer, Section};
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, LobeIntegrals, LobeLookups, LobeRoughness, Lookup, LtcTable, MixTints, PreparedMask,
+    AreaIntegral, DirectLobe, LobeIntegrals, LobeLookups, LobeRoughness, Lookup, LtcComponent, LtcTable, MixTints, PreparedMask,
     PreparedMaterial, TintCoordinate,
 };
 
@@ -157,15 +157,19 @@ impl Packer {
     fn integrals(&mut self, integrals: &[LobeIntegrals]) -> u32 {
         let first = self.next(Section::Integrals);
         for lobe in integrals {
-            let albedo = self.scalar_series(&lobe.albedo);
+            let albedo = self.scalar_series(&lobe.albedo.mean);
+            for wave in &lobe.albedo.waves {
+                self.scalar_series(wave);
+            }
+            let waves = lobe.albedo.waves.len() as u32;
             let (area, ltc) = match &lobe.area {
                 AreaIntegral::Cosine => (0, NO_RECORD),
                 AreaIntegral::Ltc(table) => (1, self.once(table, Self::ltc)),
-                AreaIntegral::Points => (2, NO_RECORD),
+                AreaIntegral::None => (2, NO_RECORD),
                 AreaIntegral::Mirror => (3, NO_RECORD),
             };
             let lookups = lobe.lookups.as_ref().map_or(NO_RECORD, |lookups| self.once(lookups, Self::lookups));
-            self.words(Section::Integrals, &[albedo, area, ltc, lookups]);
+            self.words(Section::Integrals, &[albedo, waves, area, ltc, lookups]);
         }
         first
     }
@@ -174,13 +178,17 @@ impl Packer {
         let values: Vec<_> = table.lookups.iter().map(Lookup::values).collect();
         let first = self.floats(Section::Lookups, values.as_flattened());
         let cosines = or_none(&table.cosine, |cosines| self.floats(Section::LookupCosines, cosines));
-        let sizes = [table.count, table.azimuths, table.quarters, usize::from(table.wide)];
+        let sizes = [table.count, table.nodes.azimuths, table.nodes.quarters, usize::from(table.wide)];
         let [count, azimuths, quarters, wide] = sizes.map(|size| size as u32);
         self.words(Section::LookupTables, &[count, azimuths, quarters, wide, first, cosines])
     }
 
     fn ltc(&mut self, table: &LtcTable) -> u32 {
-        self.floats(Section::LtcRows, table.inverses.as_flattened())
+        let values: Vec<_> = table.components.iter().map(LtcComponent::values).collect();
+        let first = self.floats(Section::LtcComponents, values.as_flattened());
+        let sizes = [table.count, table.nodes.azimuths, table.nodes.quarters];
+        let [count, azimuths, quarters] = sizes.map(|size| size as u32);
+        self.words(Section::LtcTables, &[count, azimuths, quarters, first])
     }
 
     fn texture_use(&mut self, used: Option<TextureUse>) -> u32 {

@@ -104,9 +104,10 @@ sections! {
     MixTints: Floats 9, "of each entry: channels through each of three spectra(3 · 3)";
     MixSpotAmbient: Floats 9, "of each light of the table: channels through each of three spectra(3 · 3)";
     MixValues: Floats 18, "ambient through each of three spectra(3 · 3), emission likewise(3 · 3)";
-    Integrals: Words 4, "of each lobe: ScalarSeries of albedo, area (0 cosine, 1 LTC, 2 points, 3 mirror), first of \
-        LtcRows, one of LookupTables";
-    LtcRows: Floats 5, "of each of 32 view angles: a, b, c, d, e of the inverse map";
+    Integrals: Words 5, "of each lobe: first of ScalarSeries of albedo, waves after it (0 or 2), area (0 cosine, 1 LTC, 2 none, 3 mirror), one of \
+        LtcTables, one of LookupTables";
+    LtcTables: Words 4, "components of a view, azimuths, the last azimuth in quarters of a turn, first of LtcComponents";
+    LtcComponents: Floats 10, "by azimuth, view and number: the rows of the inverse map, fraction of the lobe";
     LookupTables: Words 6, "lookups of a view, azimuths, the last azimuth in quarters of a turn, 1 where levels of whole \
         octaves are mixed, first of Lookups, first of LookupCosines";
     Lookups: Floats 5, "by azimuth, view and number: direction, place among the levels in half octaves, fraction of the \
@@ -121,13 +122,13 @@ sections! {
     Luminaires: Words 1, "first of Intensities";
     LuminaireFrames: Floats 9, "of each luminaire: directions of C 0°, C 90° and γ 0°(3 · 3)";
     Intensities: Floats 1, "fraction of the greatest intensity; 361 planes C of 181 angles γ";
-    Environments: Words 2, "one of Maps, none for 1 everywhere; first of BlurredMaps";
+    Environments: Words 2, "one of Maps, none for 1 everywhere; first of ChainLevels";
     EnvironmentValues: Floats 63, "of each environment: irradiance polynomial(18 · 3), columns of the rotation(3 · 3)";
     EnvironmentTint: Floats 9, "of the first environment, seen directly: channels of each of three spectra(3 · 3)";
     Maps: Words 3, "width, height, first of Pixels";
     Pixels: Floats 3, "of an environment map, by rows from the top";
-    BlurredMaps: Words 3, "width, height, first of BlurredPixels";
-    BlurredPixels: Floats 4, "by rows from the top, one pixel more at both ends of each, and a row more at the bottom";
+    ChainLevels: Words 3, "of each level of a chain: width, height, first of ChainPixels";
+    ChainPixels: Floats 4, "by rows from the top, one pixel more at both ends of each, and a row more at the bottom";
     Textures: Words 5, "first of Levels, levels, wrap along u, along v, filter";
     Decode: Floats 256, "of each texture: the linear value of each code of red, green and blue";
     Levels: Words 3, "width, height, first of Texels; the finest first";

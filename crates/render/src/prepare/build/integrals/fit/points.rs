@@ -60,6 +60,11 @@ impl Points {
     }
 }
 
+/// The products.
+pub(super) fn product(a: &Row, b: &Row) -> Row {
+    core::array::from_fn(|i| a[i] * b[i])
+}
+
 /// Σ of the products.
 pub(super) fn sum(a: &[Row], b: &[Row]) -> f64 {
     a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum()

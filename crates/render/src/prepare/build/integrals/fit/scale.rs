@@ -20,6 +20,9 @@ const BETWEEN_FORMS: f64 = 0.72;
 /// Lobes about half vectors below this slope whose tails are heavy mix levels a whole octave apart.
 const WIDE_BELOW: f64 = 0.15;
 
+/// Lobes about half vectors from this slope on take a part of a cosine.
+const COSINE_FROM: f64 = 0.45;
+
 /// How much more than half of a lobe is within three times its half: of GGX 0.9, of a Gaussian 0.998.
 const HEAVY: f64 = 0.95;
 
@@ -76,10 +79,28 @@ impl Scale {
             form,
             slope,
             axes: [slope * ratio, slope / ratio],
-            takes_cosine: form == Form::Normal || slope > 0.45,
+            takes_cosine: form == Form::Normal || slope > COSINE_FROM,
             wide: form == Form::Half && slope < WIDE_BELOW && heavy,
             eta: if passes { shape.eta() } else { 1.0 },
         }
+    }
+
+    /// The frame that directions are kept in: see [`Lookup::direction`](crate::prepare::data::Lookup::direction).
+    pub(super) fn mirrored_frame(&self, wo: Vec3<f64>) -> [Vec3<f64>; 3] {
+        let sine = libm::hypot(wo.x, wo.y);
+        let towards = match sine > 1e-9 {
+            true => Vec3::new(wo.x / sine, wo.y / sine, 0.0),
+            false => Vec3::new(1.0, 0.0, 0.0),
+        };
+        let (sin, cos) = match self.form {
+            Form::Refracted => {
+                let sin = (sine / self.eta).min(1.0);
+                (sin, libm::sqrt(1.0 - sin * sin))
+            }
+            _ => (sine, wo.z),
+        };
+        let normal = Vec3::new(0.0, 0.0, 1.0);
+        [towards * cos + normal * sin, Vec3::new(-towards.y, towards.x, 0.0), normal * cos - towards * sin]
     }
 
     /// How many times longer than wide the lobe is.

@@ -4,7 +4,7 @@ use glanz_math::{PI, Vec3};
 
 use super::points::Points;
 use super::scale::{Form, Scale};
-use super::solve::{Solution, place_of};
+use super::lookups::place_of;
 
 /// A guess: of each lookup the angle from the normal against the viewer, the one out of that plane, and the standard
 /// deviation.
@@ -19,10 +19,12 @@ struct Mass {
 }
 
 /// Equal parts of the lobe along its longest axis, the same narrower and to both sides of it, and rings about the middle.
-pub(super) fn guesses(points: &Points, scale: &Scale, count: usize) -> Vec<Solution> {
+pub(super) fn guesses(points: &Points, scale: &Scale, count: usize) -> Vec<Vec<f64>> {
     let masses = masses(points);
     if masses.is_empty() {
-        return Vec::new();
+        // Where nothing is reflected, anything stands for it.
+        let middle = vec![[0.0, 0.0, 0.5]; count];
+        return vec![solution(points, scale, &middle)];
     }
     let along = along(&masses, count, scale.grain() == 1.0);
     let beside: Guess = along.1.iter().map(|[psi, beta, width]| [*psi, *beta, width * libm::exp2(-0.35)]).collect();
@@ -119,7 +121,8 @@ fn rings(masses: &[Mass], count: usize) -> Guess {
     (0..count).map(ring).collect()
 }
 
-fn solution(points: &Points, scale: &Scale, guess: &Guess) -> Solution {
+/// The unknowns of a guess.
+fn solution(points: &Points, scale: &Scale, guess: &Guess) -> Vec<f64> {
     let amount = 1.0 / guess.len() as f64;
     let lookup = |[psi, beta, width]: &[f64; 3]| {
         let (sin, cos) = libm::sincos(*psi);
@@ -139,5 +142,7 @@ fn solution(points: &Points, scale: &Scale, guess: &Guess) -> Solution {
         };
         [slopes[0], slopes[1], place_of(*width), amount]
     };
-    Solution { lookups: guess.iter().map(lookup).collect(), cosine: scale.takes_cosine.then_some(0.0) }
+    let lookups: Vec<[f64; 4]> = guess.iter().map(lookup).collect();
+    let unknowns = (0..4).flat_map(|i| lookups.iter().map(move |lookup| lookup[i]));
+    unknowns.chain(scale.takes_cosine.then_some(0.0)).collect()
 }

@@ -1,0 +1,124 @@
+//! Lobes as sums of parts that have an integral: lookups in the chain of an environment, and linearly transformed
+//! cosines, which are exact over polygons; fitted view by view.
+//!
+//! Each view begins with the result of its neighbour, the flattest with the best of three guesses. What is made small
+//! is the error of the mass of patches that grow with their distance from the middle: light from one window errs as much
+//! wherever it is.
+
+mod guess;
+mod lookups;
+mod ltc;
+mod points;
+mod scale;
+mod solve;
+
+use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
+use glanz_math::{PI, Vec3};
+
+use crate::prepare::data::view_nodes::{FLATTEST, VIEWS};
+use crate::prepare::data::{LobeLookups, Lookup, LtcTable, ViewNodes};
+use lookups::LookupFit;
+use ltc::LtcFit;
+use points::Points;
+use scale::Scale;
+use solve::views;
+
+/// Lobes narrower than this, in slopes, are seen as their middle.
+const NARROWEST: f64 = 0.002;
+
+/// Azimuths of a lobe with a grain, of one quarter.
+const AZIMUTHS: usize = 7;
+
+/// Lookups of a round lobe, and the most of one with a grain.
+const COUNT: usize = 8;
+const MOST: usize = 16;
+
+/// A lobe at points for all views.
+pub(crate) struct Views {
+    scale: Scale,
+    nodes: ViewNodes,
+    is_anisotropic: bool,
+    /// By azimuth and view.
+    points: Vec<Points>,
+}
+
+impl Views {
+    /// Of a shape that has a width.
+    pub(crate) fn of(shape: &Shape, term: LightTerm) -> Self {
+        let scale = Scale::of(shape, term);
+        let is_anisotropic = shape.is_anisotropic();
+        let quarters = if !is_anisotropic || is_symmetric(shape) { 1 } else { 4 };
+        let azimuths = if is_anisotropic { (AZIMUTHS - 1) * quarters + 1 } else { 1 };
+        let nodes = ViewNodes { azimuths, quarters };
+        let points = (0..azimuths * VIEWS).map(|i| {
+            let phi = (i / VIEWS) as f64 * 0.5 * PI / (AZIMUTHS - 1) as f64;
+            Points::of(shape, &scale, Vec3::from_angles(angle(i % VIEWS), phi))
+        });
+        let points = points.collect();
+        Self { scale, nodes, is_anisotropic, points }
+    }
+
+    /// The lobe as lookups.
+    pub(crate) fn lookups(&self) -> LobeLookups {
+        if self.scale.slope < NARROWEST {
+            let middle = Lookup { direction: [0.0, 0.0, 1.0], place: 0.0, amount: 1.0 };
+            let nodes = ViewNodes { azimuths: 1, quarters: 1 };
+            return LobeLookups { count: 1, nodes, lookups: vec![middle; VIEWS], cosine: Vec::new(), wide: false };
+        }
+        let grain = if self.is_anisotropic { self.scale.grain() } else { 1.0 };
+        let count = ((COUNT as f64 * libm::sqrt(grain)) as usize).clamp(COUNT, MOST);
+        let (mut lookups, mut cosine) = (Vec::new(), Vec::new());
+        self.each(
+            |points| LookupFit::new(points, &self.scale, count),
+            |fit, x| {
+                let (own, rest) = fit.normalized(x);
+                lookups.extend(own);
+                cosine.extend(rest);
+            },
+        );
+        LobeLookups { count, nodes: self.nodes, lookups, cosine, wide: self.scale.wide }
+    }
+
+    /// The lobe as linearly transformed cosines.
+    pub(crate) fn ltc(&self) -> LtcTable {
+        let count = ltc::count();
+        let mut components = Vec::new();
+        self.each(
+            |points| LtcFit::new(points, &self.scale, count, self.is_anisotropic),
+            |fit, x| components.extend(fit.components(x)),
+        );
+        LtcTable { count, nodes: self.nodes, components }
+    }
+
+    /// Fits all views of one azimuth after the other, and gives what was found in their order.
+    fn each<'a, P: solve::Problem>(&'a self, make: impl Fn(&'a Points) -> P, mut give: impl FnMut(&P, &[f64])) {
+        let mut before: Option<Vec<Vec<f64>>> = None;
+        for points in self.points.chunks(VIEWS) {
+            let found = views(points.iter().map(&make).collect(), before.as_deref());
+            for (problem, x) in &found {
+                give(problem, x);
+            }
+            before = Some(found.into_iter().map(|(_, x)| x).collect());
+        }
+    }
+}
+
+/// The angle of a view.
+fn angle(i: usize) -> f64 {
+    FLATTEST * i as f64 / (VIEWS - 1) as f64
+}
+
+/// Whether a lobe is the same on both sides of both of its axes: tried at a few pairs.
+fn is_symmetric(shape: &Shape) -> bool {
+    let below = if shape.info().side == Side::Transmission { -1.0 } else { 1.0 };
+    let tried = [(0.3, 0.4, 0.5, 2.0), (0.9, 1.9, 0.8, -1.2), (1.2, 3.0, 1.1, 0.4), (0.6, -2.0, 0.2, 1.0)];
+    tried.into_iter().all(|(theta_o, phi_o, theta_i, phi_i)| {
+        let value = |x: f64, y: f64| {
+            let (o, i) = (Vec3::from_angles(theta_o, phi_o), Vec3::from_angles(theta_i, phi_i));
+            let turned = |v: Vec3<f64>, side: f64| Vec3::new(v.x * x, v.y * y, v.z * side);
+            shape.f_cos(&DirectionPair::new(turned(o, 1.0), turned(i, below)))
+        };
+        let (own, scale) = (value(1.0, 1.0), 1e-9);
+        [value(-1.0, 1.0), value(1.0, -1.0)].iter().all(|other| (other - own).abs() <= scale * own.abs().max(1e-9))
+    })
+}
