@@ -11,8 +11,9 @@ use common::everything::{GLASS, everything, punctual};
 use glanz_bsdf::{FactorTable, LayerWeight, Shape};
 use glanz_math::Chebyshev;
 use glanz_render::prepare::{
-    AreaIntegral, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, NO_RECORD, Packed, Pool,
-    PreparedLight, PreparedMask, PreparedMaterial, PreparedObject, Section, TintCoordinate, TintSeries,
+    AreaIntegral, EnvironmentChain, EnvironmentMap, LightShape, LobeIntegrals, LobeLookups, LobeRoughness,
+    Lookup, LtcComponent, NO_RECORD, Packed, Pool, PreparedLight, PreparedMask, PreparedMaterial,
+    PreparedObject, Section, TintCoordinate, TintSeries, ViewNodes,
 };
 use glanz_render::{Observation, PrepareOptions, Prepared, prepare};
 use glanz_scene::{AlphaMode, AreaShape, ColorMode, Metalness, Object, Scene, Shading, Space, TextureUse};
@@ -357,26 +358,51 @@ fn check_sheen(reader: &mut Reader, series: u32, albedo: &glanz_bsdf::models::ch
 
 fn check_integrals(reader: &mut Reader, number: usize, integrals: &LobeIntegrals) {
     let record = reader.words(Section::Integrals, number);
-    let [sine, cosine] = &integrals.middle;
-    for (series, expected) in record.iter().zip([&integrals.albedo, sine, cosine]) {
-        reader.scalar_series(*series, expected);
+    let [albedo, waves, area, ltc, lookups] = *record else { unreachable!() };
+    reader.scalar_series(albedo, &integrals.albedo.mean);
+    assert_eq!(waves as usize, integrals.albedo.waves.len());
+    for (i, wave) in integrals.albedo.waves.iter().enumerate() {
+        reader.scalar_series(albedo + 1 + i as u32, wave);
     }
-    let area = match &integrals.area {
+    let expected = match &integrals.area {
         AreaIntegral::Cosine => 0,
         AreaIntegral::Ltc(table) => {
-            reader.same(Section::LtcRows, record[4], &table.inverses);
+            let record = reader.words(Section::LtcTables, ltc as usize);
+            let [count, azimuths, quarters, first] = *record else { unreachable!() };
+            let nodes = ViewNodes { azimuths: azimuths as usize, quarters: quarters as usize };
+            assert_eq!((count as usize, nodes), (table.count, table.nodes));
+            let values: Vec<[f32; 10]> = table.components.iter().map(LtcComponent::values).collect();
+            reader.same(Section::LtcComponents, first, &values);
             1
         }
         AreaIntegral::Points => 2,
         AreaIntegral::Mirror => 3,
     };
-    assert_eq!((record[3], record[4] == NO_RECORD), (area, area != 1));
-    assert_eq!(record[6] as usize, integrals.prefiltered.len());
-    for (i, map) in integrals.prefiltered.iter().enumerate() {
-        let own = reader.words(Section::Prefiltered, record[5] as usize + i)[0];
-        assert_eq!(own == NO_RECORD, map.is_none());
-        map.iter().for_each(|map| reader.map(own, map));
+    assert_eq!((area, ltc == NO_RECORD), (expected, expected != 1));
+    assert_eq!(lookups == NO_RECORD, integrals.lookups.is_none());
+    if let Some(table) = &integrals.lookups {
+        check_lookups(reader, lookups, table);
     }
+}
+
+fn check_lookups(reader: &mut Reader, number: u32, table: &LobeLookups) {
+    let record = reader.words(Section::LookupTables, number as usize);
+    let [count, azimuths, quarters, wide, first, cosines] = *record else { unreachable!() };
+    let nodes = ViewNodes { azimuths: azimuths as usize, quarters: quarters as usize };
+    assert_eq!((count as usize, nodes, wide == 1), (table.count, table.nodes, table.wide));
+    let values: Vec<[f32; 5]> = table.lookups.iter().map(Lookup::values).collect();
+    reader.same(Section::Lookups, first, &values);
+    let expected: Vec<[f32; 1]> = table.cosine.iter().map(|value| [*value]).collect();
+    reader.same_or_none(Section::LookupCosines, cosines, &expected);
+}
+
+fn check_chain(reader: &mut Reader, first: u32, chain: &EnvironmentChain) {
+    let begin = reader.words(Section::ChainLevels, first as usize)[2];
+    for (i, level) in chain.levels.iter().enumerate() {
+        let record = reader.words(Section::ChainLevels, first as usize + i);
+        assert_eq!(record, [level.width as u32, level.height as u32, begin + level.first as u32]);
+    }
+    reader.same(Section::ChainPixels, begin, &chain.pixels);
 }
 
 fn check_light(reader: &mut Reader, number: usize, light: &PreparedLight) {
@@ -419,8 +445,13 @@ fn check_light(reader: &mut Reader, number: usize, light: &PreparedLight) {
             let values = reader.floats(Section::EnvironmentValues, environment as usize);
             assert_eq!(&values[..54], own.irradiance.terms.as_flattened());
             assert_eq!(&values[54..], own.rotation.map(short).as_flattened());
-            let map = reader.words(Section::Environments, environment as usize)[0];
+            let [map, chain] = *reader.words(Section::Environments, environment as usize) else {
+                unreachable!()
+            };
             assert_eq!(map == NO_RECORD, own.map.is_none());
+            let own_chain = own.map.as_ref().and_then(|map| map.chain());
+            assert_eq!(chain == NO_RECORD, own_chain.is_none());
+            own_chain.iter().for_each(|own| check_chain(reader, chain, own));
             own.map.iter().for_each(|own| reader.map(map, own));
         }
     }
@@ -529,7 +560,9 @@ fn what_is_shared_is_packed_once() {
     scene.materials.push(scene.materials[1].clone());
     let after = prepared(&scene, ColorMode::Rgb).pack();
     assert!(after.span(Section::Lobes).len > before.span(Section::Lobes).len);
-    for section in [Section::Maps, Section::Pixels, Section::LtcRows, Section::Intensities] {
+    for section in
+        [Section::Maps, Section::Pixels, Section::LtcTables, Section::LookupTables, Section::ChainPixels]
+    {
         assert_eq!(before.span(section).len, after.span(section).len, "{section:?}");
     }
 }

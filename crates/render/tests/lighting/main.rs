@@ -20,6 +20,7 @@ use glam::{DMat4, DVec3};
 use glanz_bsdf::{DirectionPair, Shape};
 use glanz_color::Rgb;
 use glanz_math::Vec3;
+use glanz_render::{Change, PrepareOptions, Prepared, View, draw, prepare};
 use glanz_scene::{Camera, Light, LightColors, LightKind, Lobe, Material, Projection, Scene};
 
 /// A shape by name, with parameters.
@@ -45,20 +46,32 @@ fn lobes() -> Vec<(&'static str, Shape)> {
 /// A white surface of one lobe at the origin that faces +Z, seen at an angle from the normal towards +X.
 fn surface(shape: &Shape, degrees: f64) -> Scene {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let mut scene = empty(Camera {
-        eye: DVec3::new(sin, 0.0, cos) * 10.0,
-        target: DVec3::ZERO,
-        up: DVec3::Y,
-        projection: Projection::Orthographic { height: 1e-4 },
-    });
+    let mut scene = empty(camera_at(DVec3::new(sin, 0.0, cos)));
     let material = Material::of_lobes("lobe", vec![Lobe::new(shape.clone(), Rgb::WHITE)]);
     add(&mut scene, rectangle([-1.0, -1.0, 1.0, 1.0], 0.0), material, DMat4::IDENTITY);
     scene
 }
 
+/// A camera that looks at the origin from a direction.
+fn camera_at(direction: DVec3) -> Camera {
+    Camera {
+        eye: direction * 10.0,
+        target: DVec3::ZERO,
+        up: DVec3::Y,
+        projection: Projection::Orthographic { height: 1e-4 },
+    }
+}
+
 /// The value of the surface in the middle of the picture.
 fn value(scene: &Scene) -> f64 {
     f64::from(picture(scene, 1, 1, &transparent()).rgb[0][0])
+}
+
+/// The value of a prepared surface for a viewer in a direction.
+fn value_from(prepared: &Prepared, wo: Vec3<f64>) -> f64 {
+    let camera = camera_at(DVec3::new(wo.x, wo.y, wo.z));
+    let view = View::new(&camera, 1, 1).unwrap();
+    f64::from(draw(prepared, &view, &transparent()).rgb[0][0])
 }
 
 /// A light of value 1.

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use glanz_bsdf::DirectionPair;
 use glanz_math::{Frame, PI, Real, Vec3};
 use glanz_scene::AreaShape;
 
@@ -10,10 +11,11 @@ use crate::cpu::lighting::light_sum::LightSum;
 use crate::cpu::lighting::light_sum::apart;
 use crate::cpu::lighting::light_sum::is_transmitting;
 use crate::cpu::lighting::light_sum::layered;
+use crate::cpu::lighting::light_sum::shape_value;
 use crate::cpu::lighting::point::ShadingPoint;
 use crate::cpu::lighting::shade_material::ShadeLights;
 use crate::cpu::lighting::shadow;
-use crate::prepare::{AreaIntegral, DirectLobe, LobeIntegrals};
+use crate::prepare::{AreaIntegral, DirectLobe, LobeIntegrals, TintCoordinate};
 use crate::view::lights::{ViewArea, splat};
 use glanz_math::inline::inlined;
 use glanz_math::inline::three;
@@ -29,6 +31,9 @@ const SMALL: f64 = 0.01;
 /// inverse.
 const LARGE: f64 = 1e5;
 
+/// Points of the light along each of its directions, for lobes that know a tangent.
+const POINTS: usize = 8;
+
 /// The corners of a polygon with the area of the unit circle.
 static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
     let turn = 2.0 * PI / ROUND as f64;
@@ -36,6 +41,16 @@ static RIM: LazyLock<[(f64, f64); ROUND]> = LazyLock::new(|| {
     core::array::from_fn(|i| {
         let (sin, cos) = libm::sincos(turn * i as f64);
         (cos * stretch, sin * stretch)
+    })
+});
+
+/// Points of the unit disk that stand for equal areas of it.
+static DISK: LazyLock<[(f64, f64); POINTS * POINTS]> = LazyLock::new(|| {
+    core::array::from_fn(|i| {
+        let step = |i: usize| (i as f64 + 0.5) / POINTS as f64;
+        let (sin, cos) = libm::sincos(2.0 * PI * step(i / POINTS));
+        let radius = libm::sqrt(step(i % POINTS));
+        (radius * cos, radius * sin)
     })
 });
 
@@ -92,7 +107,11 @@ fn add_outline<R: Real, const N: usize, const TWICE: usize>(
                 #[inline(always)]
                 || mirrored(sum, area, lobe),
             ),
-            AreaIntegral::None => attenuation.zero(),
+            AreaIntegral::Points => apart(
+                attenuation,
+                #[inline(always)]
+                || by_points(sum, area, lobe),
+            ),
             AreaIntegral::Cosine | AreaIntegral::Ltc(_) => {
                 let fraction = apart(
                     attenuation,
@@ -102,8 +121,62 @@ fn add_outline<R: Real, const N: usize, const TWICE: usize>(
                 fraction * integrals.albedo.at(sum.cos_o, sum.tangent_o())
             }
         };
-        sum.add(row, k, value * attenuation, &sum.typical_pair(lobe));
+        let pair = typical_pair(sum, area, lobe);
+        sum.add(row, k, value * attenuation, &pair);
     }
+}
+
+/// The pair at which the tint of a lobe is taken: of the viewer and the point of the light that is nearest to the mirrored
+/// direction, since a Fresnel factor may be a multiple there of what it is towards the light.
+#[inline(always)]
+fn typical_pair<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> DirectionPair<R> {
+    if lobe.coordinate == TintCoordinate::None || is_transmitting(lobe) {
+        return sum.typical_pair(lobe);
+    }
+    apart(
+        sum.cos_o,
+        #[inline(always)]
+        || {
+            let to = nearest(area, sum.point.position, sum.point.wo.reflected(sum.point.normal));
+            sum.pair(to * to.dot(to).max(sum.cos_o.lit(1e-20)).rsqrt())
+        },
+    )
+}
+
+/// The way to the point of a light that is nearest to a ray, or to its middle where the ray goes away from it.
+#[inline(always)]
+fn nearest<R: Real>(area: &ViewArea, position: Vec3<R>, ray: Vec3<R>) -> Vec3<R> {
+    let zero = position.x.zero();
+    let center = splat(zero, &area.center) - position;
+    if let AreaShape::Sphere { radius } = area.form {
+        let off = ray * center.dot(ray).max(zero) - center;
+        let length = off.dot(off).max(zero.lit(1e-20)).sqrt();
+        return center + off * (zero.lit(radius) / length).min(zero.one());
+    }
+    let [x, y, facing] = three(
+        area.axes,
+        #[inline(always)]
+        |axis| splat(zero, &axis),
+    );
+    let slope = ray.dot(facing);
+    let t = center.dot(facing) / slope.select(slope.abs().gt(zero.lit(1e-20)), zero.lit(1e-20));
+    // Nearly parallel rays meet the plane far away, which is as good as its rim.
+    let t = t.min(zero.lit(1e6));
+    let hit = ray * t - center;
+    let (u, v) = (hit.dot(x), hit.dot(y));
+    let (u, v) = match area.form {
+        AreaShape::Rectangle { width, height } => {
+            (u.clamp(-0.5 * width, 0.5 * width), v.clamp(-0.5 * height, 0.5 * height))
+        }
+        _ => {
+            let radius = libm::sqrt(area.form.area() / PI);
+            let length = (u.sqr() + v.sqr()).max(zero.lit(1e-20)).sqrt();
+            let shrink = (zero.lit(radius) / length).min(zero.one());
+            (u * shrink, v * shrink)
+        }
+    };
+    let ahead = zero.lt(t);
+    center + x * u.select(ahead, zero) + y * v.select(ahead, zero)
 }
 
 /// An outline in the frame of normal and viewer.
@@ -230,8 +303,7 @@ fn density<R: Real>(inverse: Option<&[R; 9]>, direction: &Vec3<R>) -> R {
     let zero = direction.z.zero();
     let (w, determinant) = match inverse {
         Some([a, b, c, d, e, f, g, h, i]) => {
-            let determinant =
-                *a * (*e * *i - *f * *h) + *b * (*f * *g - *d * *i) + *c * (*d * *h - *e * *g);
+            let determinant = *a * (*e * *i - *f * *h) + *b * (*f * *g - *d * *i) + *c * (*d * *h - *e * *g);
             (to_cosine(inverse, direction), determinant.abs())
         }
         None => (*direction, zero.one()),
@@ -287,6 +359,36 @@ fn mirrored<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R
         }
     };
     layered(lobe, zero.one().select(met, zero), &sum.mirror_pair())
+}
+
+/// The lobe over points of the light, each standing for its part of the outline.
+#[inline(always)]
+fn by_points<R: Real>(sum: &LightSum<R>, area: &ViewArea, lobe: &DirectLobe) -> R {
+    let zero = sum.cos_o.zero();
+    let center = splat(zero, &area.center) - sum.point.position;
+    let (axes, size) = disk(area, center);
+    let mut total = zero;
+    for i in 0..POINTS * POINTS {
+        let (u, v) = grid_point(area.form, i);
+        let to = center + axes[0] * zero.lit(u) * size[0] + axes[1] * zero.lit(v) * size[1];
+        let squared = to.dot(to).max(zero.lit(1e-20));
+        let wi = to * squared.rsqrt();
+        let facing = wi.dot(axes[2]).abs();
+        let solid = size[2] * facing / squared * zero.lit(1.0 / (POINTS * POINTS) as f64);
+        let pair = sum.pair(wi);
+        let own = sum.own_pair(lobe, &pair);
+        total = total + layered(lobe, shape_value(lobe, own.as_ref().unwrap_or(&pair)), &pair) * solid;
+    }
+    total
+}
+
+/// A point of a grid over −1 … 1 squared, or over the unit disk with equal areas.
+fn grid_point(form: AreaShape, number: usize) -> (f64, f64) {
+    let step = |i: usize| 2.0 * (i as f64 + 0.5) / POINTS as f64 - 1.0;
+    match form {
+        AreaShape::Rectangle { .. } => (step(number % POINTS), step(number / POINTS)),
+        _ => DISK[number],
+    }
 }
 
 /// The flat figure that is seen of a light: its axes, half extents along the first two, and its area.

@@ -5,53 +5,80 @@
 
 use glanz_math::{PI, Real, Vec3};
 
+/// Edges whose ends are further apart than the angle of this cosine are taken by their cross product.
+const NEARLY_OPPOSITE: f64 = -0.9;
+
 /// ∫ cosθ/π over the part of a convex polygon that is above the plane z = 0, seen from the origin. Which way it
 /// turns does not matter. There must be corners.
 #[inline(always)]
 pub(crate) fn form_factor<R: Real>(corners: &[Vec3<R>]) -> R {
-    let last = &corners[corners.len() - 1];
-    let zero = last.z.zero();
-    let mut lowest = last.z;
+    let zero = corners[0].z.zero();
+    let mut highest = corners[0].z;
     for corner in corners {
-        lowest = lowest.min(corner.z);
+        highest = highest.max(corner.z);
     }
-    if !R::any(lowest.le(zero)) {
-        return above(corners);
+    if !R::any(zero.lt(highest)) {
+        return zero;
     }
     let mut sum = zero;
     // Where the outline goes below the horizon, and where it comes up again.
     let (mut down, mut up) = (Vec3::new(zero, zero, zero), Vec3::new(zero, zero, zero));
-    let mut from = *last;
-    for &to in corners {
-        let (above_from, above_to) = (zero.lt(from.z), zero.lt(to.z));
-        let span = from.z - to.z;
-        let t = from.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
-        let crossing = from + (to - from) * t;
-        let start = choose(above_from, from, crossing);
-        let end = choose(above_to, to, crossing);
-        sum = sum + edge(start, end).select(above_from | above_to, zero);
-        down = choose(above_from & !above_to, crossing, down);
-        up = choose(above_to & !above_from, crossing, up);
+    let mut is_cut = false;
+    // From the first corner on, so that zero edges between corners change no bit.
+    let first = End::of(corners[0]);
+    let mut from = first;
+    for i in 1..=corners.len() {
+        let to = if i == corners.len() { first } else { End::of(corners[i]) };
+        let (above_from, above_to) = (zero.lt(from.at.z), zero.lt(to.at.z));
+        let (goes_down, comes_up) = (above_from & !above_to, above_to & !above_from);
+        let (mut start, mut end) = (from, to);
+        if R::any(goes_down | comes_up) {
+            let span = from.at.z - to.at.z;
+            let t = from.at.z / span.select(span.abs().gt(zero.lit(1e-30)), zero.one());
+            let crossing = End::of(from.at + (to.at - from.at) * t);
+            start = from.or(above_from, crossing);
+            end = to.or(above_to, crossing);
+            down = choose(goes_down, crossing.at, down);
+            up = choose(comes_up, crossing.at, up);
+            is_cut = true;
+        }
+        sum = sum + start.edge(&end).select(above_from | above_to, zero);
         from = to;
     }
-    ((sum + edge(down, up)) * zero.lit(0.5 / PI)).abs().min(zero.one())
+    if is_cut {
+        sum = sum + edge(down, up);
+    }
+    (sum * zero.lit(0.5 / PI)).abs().min(zero.one())
 }
 
-/// The same of a polygon that is above that plane.
-#[inline(always)]
-fn above<R: Real>(corners: &[Vec3<R>]) -> R {
-    let last = corners[corners.len() - 1];
-    let like = last.z;
-    let mut sum = like.zero();
-    let (mut from, mut inverse_from) = (last, last.dot(last).rsqrt());
-    for &to in corners {
-        let inverse_to = to.dot(to).rsqrt();
-        let scale = inverse_from * inverse_to;
-        let across = (from.x * to.y - from.y * to.x) * scale;
-        sum = sum + across * angle_over_sine(from.dot(to) * scale);
-        (from, inverse_from) = (to, inverse_to);
+/// An end of an edge, and the inverse of its distance.
+#[derive(Clone, Copy)]
+struct End<R> {
+    at: Vec3<R>,
+    inverse: R,
+}
+
+impl<R: Real> End<R> {
+    #[inline(always)]
+    fn of(at: Vec3<R>) -> Self {
+        Self { at, inverse: at.dot(at).max(at.z.lit(1e-36)).rsqrt() }
     }
-    (sum * like.lit(0.5 / PI)).abs().min(like.one())
+
+    /// This one where the mask holds.
+    #[inline(always)]
+    fn or(&self, mask: R::Mask, other: Self) -> Self {
+        Self { at: choose(mask, self.at, other.at), inverse: self.inverse.select(mask, other.inverse) }
+    }
+
+    /// The edge's part, as [`edge`].
+    #[inline(always)]
+    fn edge(&self, to: &Self) -> R {
+        let scale = self.inverse * to.inverse;
+        let cosine = self.at.dot(to.at) * scale;
+        let part = (self.at.x * to.at.y - self.at.y * to.at.x) * scale * angle_over_sine(cosine);
+        let opposite = cosine.lt(cosine.lit(NEARLY_OPPOSITE));
+        if R::any(opposite) { edge(self.at, to.at).select(opposite, part) } else { part }
+    }
 }
 
 /// θ / sin θ over cos θ: a polynomial within 2e-8 for cosines above 0.

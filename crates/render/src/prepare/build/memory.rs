@@ -57,6 +57,12 @@ pub fn check_memory(scene: &Scene, options: &PrepareOptions) -> Result<(), Prepa
     memory_beside(scene, options).map(|_| ())
 }
 
+/// What the chain of an environment takes: the map up to a thousand rows, and levels of at most 512.
+fn chain_bytes(width: usize, height: usize) -> u64 {
+    let pixels = (width as u64).saturating_mul(height as u64);
+    16 * (pixels.min(1024 * 2048) + pixels.saturating_mul(4).saturating_add(100_000).min(2_000_000))
+}
+
 /// The budget without what a scene takes of it. The scene must be valid.
 ///
 /// # Errors
@@ -66,7 +72,9 @@ pub(crate) fn memory_beside(scene: &Scene, options: &PrepareOptions) -> Result<M
     let textures = scene.textures.iter().map(|texture| texture_bytes(texture.width, texture.height));
     memory.take(format_args!("{} textures", scene.textures.len()), textures.sum())?;
     let maps = scene.lights.iter().filter_map(|light| match &light.kind {
-        LightKind::Environment { map: Some(map), .. } => Some(environment_bytes(map.width, map.height)),
+        LightKind::Environment { map: Some(map), .. } => {
+            Some(environment_bytes(map.width, map.height).saturating_add(chain_bytes(map.width, map.height)))
+        }
         _ => None,
     });
     memory.take("environments", maps.sum())?;

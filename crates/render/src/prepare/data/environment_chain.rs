@@ -111,15 +111,25 @@ impl EnvironmentChain {
         let down = direction.y.acos() * like.lit(1.0 / PI);
         let (numbers, _) = place.clamp(0.0, Self::LAST as f64).whole();
         let neighbors = &NEIGHBORS[usize::from(wide)];
-        let (mut low, mut high) = (LevelLanes::new(), LevelLanes::new());
-        let (mut from, mut scale) = ([0.0; 16], [0.0; 16]);
-        for lane in 0..R::LANES {
-            let own = &neighbors[numbers[lane] as usize % WIDTHS];
-            low.set(lane, &self.levels[own.low]);
-            high.set(lane, &self.levels[own.high]);
-            (from[lane], scale[lane]) = (own.place, own.scale);
-        }
-        let t = ((place - like.with_array(&from)) * like.with_array(&scale)).to_array();
+        let first = &neighbors[numbers[0] as usize % WIDTHS];
+        // Mostly all lanes look at the same levels.
+        let is_one = numbers[..R::LANES].iter().all(|number| *number == numbers[0]);
+        let (low, high, t) = if is_one {
+            let level = |number: usize| LevelLanes::of(like, &self.levels[number]);
+            let t = (place - like.lit(f64::from(first.place))) * like.lit(f64::from(first.scale));
+            (level(first.low), level(first.high), t)
+        } else {
+            let (mut from, mut scale) = ([0.0; 16], [0.0; 16]);
+            let (mut low, mut high) = ([first.low; 16], [first.high; 16]);
+            for lane in 0..R::LANES {
+                let own = &neighbors[numbers[lane] as usize % WIDTHS];
+                (low[lane], high[lane]) = (own.low, own.high);
+                (from[lane], scale[lane]) = (own.place, own.scale);
+            }
+            let t = (place - like.with_array(&from)) * like.with_array(&scale);
+            (LevelLanes::each(like, &self.levels, &low), LevelLanes::each(like, &self.levels, &high), t)
+        };
+        let t = t.to_array();
         let (low, high) = (low.place(around, down), high.place(around, down));
         let amount = amount.to_array();
         for lane in 0..R::LANES {
@@ -130,12 +140,6 @@ impl EnvironmentChain {
                 sum[c] += amount * (a[c] + (b[c] - a[c]) * t);
             }
         }
-    }
-
-    /// A row of a level with its first and last pixel there twice.
-    pub(crate) fn row(&self, level: &ChainLevel, row: usize) -> &[[f32; 4]] {
-        let first = level.first + row * level.stride();
-        &self.pixels[first..first + level.stride()]
     }
 }
 
@@ -148,47 +152,58 @@ impl ChainLevel {
 }
 
 /// The levels of all lanes.
-struct LevelLanes {
-    width: [f32; 16],
-    height: [f32; 16],
-    first: [usize; 16],
-    stride: [usize; 16],
+struct LevelLanes<R> {
+    width: R,
+    height: R,
+    first: [i32; 16],
+    stride: [i32; 16],
 }
 
 /// Where all lanes look.
 struct Corners {
     /// The pixel above on the left, and the one below it.
-    upper: [usize; 16],
-    lower: [usize; 16],
+    upper: [i32; 16],
+    lower: [i32; 16],
     x: [f32; 16],
     y: [f32; 16],
 }
 
-impl LevelLanes {
+impl<R: Real> LevelLanes<R> {
+    /// The same for all.
     #[inline(always)]
-    fn new() -> Self {
-        Self { width: [0.0; 16], height: [0.0; 16], first: [0; 16], stride: [0; 16] }
+    fn of(like: R, level: &ChainLevel) -> Self {
+        Self {
+            width: like.lit(level.width as f64),
+            height: like.lit(level.height as f64),
+            first: [level.first as i32; 16],
+            stride: [level.stride() as i32; 16],
+        }
     }
 
     #[inline(always)]
-    fn set(&mut self, lane: usize, level: &ChainLevel) {
-        self.width[lane] = level.width as f32;
-        self.height[lane] = level.height as f32;
-        (self.first[lane], self.stride[lane]) = (level.first, level.stride());
+    fn each(like: R, levels: &[ChainLevel], numbers: &[usize; 16]) -> Self {
+        let (mut width, mut height) = ([0.0; 16], [0.0; 16]);
+        let (mut first, mut stride) = ([0; 16], [0; 16]);
+        for lane in 0..R::LANES {
+            let level = &levels[numbers[lane]];
+            (width[lane], height[lane]) = (level.width as f32, level.height as f32);
+            (first[lane], stride[lane]) = (level.first as i32, level.stride() as i32);
+        }
+        Self { width: like.with_array(&width), height: like.with_array(&height), first, stride }
     }
 
     /// The corners around fractions of the way around and down.
     #[inline(always)]
-    fn place<R: Real>(&self, around: R, down: R) -> Corners {
+    fn place(&self, around: R, down: R) -> Corners {
         let half = around.lit(0.5);
-        let (width, height) = (around.with_array(&self.width), around.with_array(&self.height));
+        let (width, height) = (self.width, self.height);
         // What is no number becomes the first pixel.
         let x = (around * width + half).max(around.zero()).min(width + half);
         let y = (down * height - half).max(around.zero()).min(height - around.one());
         let ((columns, whole_x), (rows, whole_y)) = (x.whole(), y.whole());
         let (mut upper, mut lower) = ([0; 16], [0; 16]);
         for lane in 0..R::LANES {
-            upper[lane] = self.first[lane] + rows[lane] as usize * self.stride[lane] + columns[lane] as usize;
+            upper[lane] = self.first[lane] + rows[lane] * self.stride[lane] + columns[lane];
             lower[lane] = upper[lane] + self.stride[lane];
         }
         Corners { upper, lower, x: (x - whole_x).to_array(), y: (y - whole_y).to_array() }
@@ -199,7 +214,7 @@ impl Corners {
     /// The value of a lane, linear between the centres of pixels.
     #[inline(always)]
     fn value(&self, pixels: &[[f32; 4]], lane: usize) -> [f32; 4] {
-        let (upper, lower) = (self.upper[lane], self.lower[lane]);
+        let (upper, lower) = (self.upper[lane] as usize, self.lower[lane] as usize);
         let (upper, lower) = (&pixels[upper..upper + 2], &pixels[lower..lower + 2]);
         let (x, y) = (self.x[lane], self.y[lane]);
         let mut value = [0.0; 4];

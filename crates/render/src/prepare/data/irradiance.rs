@@ -16,13 +16,13 @@ pub(crate) const LAST_DEGREE: usize = 6;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Irradiance {
     /// By harmonics, their constants and what the cosine keeps included.
-    pub terms: [[f32; 3]; IRRADIANCE_TERMS],
+    pub terms: Box<[[f32; 3]; IRRADIANCE_TERMS]>,
 }
 
 impl Irradiance {
     /// That of a uniform environment of 1.
     pub fn uniform() -> Self {
-        let mut terms = [[0.0; 3]; IRRADIANCE_TERMS];
+        let mut terms = Box::new([[0.0; 3]; IRRADIANCE_TERMS]);
         terms[0] = [1.0; 3];
         Self { terms }
     }
@@ -32,7 +32,7 @@ impl Irradiance {
     pub fn at<R: Real>(&self, normal: Vec3<R>) -> [R; 3] {
         let zero = normal.x.zero();
         let mut sum = [zero; 3];
-        for (y, term) in harmonics(normal).into_iter().zip(&self.terms) {
+        for (y, term) in harmonics(normal).into_iter().zip(self.terms.iter()) {
             for c in 0..3 {
                 sum[c] = sum[c] + y * zero.lit(f64::from(term[c]));
             }

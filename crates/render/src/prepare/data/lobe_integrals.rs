@@ -13,8 +13,8 @@ pub enum AreaIntegral {
     Cosine,
     /// By linearly transformed cosines.
     Ltc(Arc<LtcTable>),
-    /// Not at all, where no light is an area.
-    None,
+    /// By a sum over points of the light: lobes with a grain, and lobes of scenes without areas.
+    Points,
     /// It sends light into one direction, which meets the light or not.
     Mirror,
 }
@@ -39,7 +39,9 @@ impl Albedo {
     #[inline(always)]
     pub fn at<R: Real>(&self, cos_o: R, tangent: Option<[R; 2]>) -> R {
         let mean = self.mean.at(cos_o);
-        let (Some([x, y]), [twice, four_times]) = (tangent, self.waves.as_slice()) else { return mean.max(cos_o.zero()) };
+        let (Some([x, y]), [twice, four_times]) = (tangent, self.waves.as_slice()) else {
+            return mean.max(cos_o.zero());
+        };
         let squared = x.sqr() + y.sqr();
         let wave = (x.sqr() - y.sqr()) / squared.max(squared.lit(1e-20));
         let second = wave.sqr() * wave.lit(2.0) - wave.one();

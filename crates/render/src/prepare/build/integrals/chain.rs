@@ -27,10 +27,20 @@ const FINE_RINGS: usize = 11;
 /// the tails. The first of them is narrower still.
 const IN_MIDDLE: [f64; 2] = [0.2, 0.27];
 
-/// A level and how much of a blur is in its pixels, as 1 less the mean cosine.
-struct Level {
-    map: BlurredMap,
-    blur: f64,
+/// A level that is made: its pixels, as those of [`EnvironmentChain`].
+#[derive(Clone, Copy)]
+struct Picture<'a> {
+    width: usize,
+    height: usize,
+    pixels: &'a [[f32; 4]],
+}
+
+impl Picture<'_> {
+    /// A row with its first and last pixel there twice.
+    fn row(&self, row: usize) -> &[[f32; 4]] {
+        let stride = self.width + 2;
+        &self.pixels[row * stride..(row + 1) * stride]
+    }
 }
 
 /// The chain of a map.
@@ -45,49 +55,52 @@ pub(crate) fn chain(map: &EnvironmentMap) -> EnvironmentChain {
             map.at(glanz_math::Vec3::new(x as f32, y as f32, z as f32))
         }));
     }
-    let first = padded(base.as_ref().unwrap_or(map));
-    let pixel = PI / first.height as f64;
-    let most_rows = first.height.min(MOST_ROWS);
-    let mut last = Level { map: first, blur: if is_mean { pixel * pixel / 12.0 } else { 0.0 } };
-    let mut levels = Vec::new();
+    let base = base.as_ref().unwrap_or(map);
+    let levels = levels(base.width, base.height);
+    let count = |level: &ChainLevel| level.stride() * (level.height + 1);
+    let mut pixels = vec![[0.0; 4]; levels.iter().map(count).sum()];
+    let pixel = PI / base.height as f64;
+    // How much of a blur is in the pixels of the last level, as 1 less the mean cosine.
+    let mut blur = if is_mean { pixel * pixel / 12.0 } else { 0.0 };
+    let mut cells = Vec::new();
     let places: Vec<usize> = EnvironmentChain::places().collect();
-    for pair in places.windows(2).filter(|pair| pair[1] < SUMMED) {
-        let next = next(&last, [pair[0], pair[1]], most_rows);
-        levels.push(core::mem::replace(&mut last, next).map);
+    let mut rest = pixels.as_mut_slice();
+    let mut last: Option<(Picture, usize)> = None;
+    for (level, place) in levels.iter().zip(places) {
+        let (own, others) = rest.split_at_mut(count(level));
+        rest = others;
+        match last {
+            None => padded(base, own),
+            Some(_) if place >= SUMMED => summed(&cells, place, own),
+            Some((before, at)) => blur = next(&before, own, level.height, [at, place], blur),
+        }
+        finish(own, level.width, level.height);
+        let picture = Picture { width: level.width, height: level.height, pixels: own };
+        if place == 0 {
+            cells = coarse(&picture);
+        }
+        last = Some((picture, place));
     }
-    let coarse = coarse(&levels[0]);
-    levels.push(last.map);
-    levels.extend(places.into_iter().filter(|place| *place >= SUMMED).map(|place| summed(&coarse, place)));
-    joined(levels)
-}
-
-/// One level while the chain is made.
-#[derive(Clone)]
-struct BlurredMap {
-    width: usize,
-    height: usize,
-    /// As those of [`EnvironmentChain`].
-    pixels: Vec<[f32; 4]>,
-}
-
-impl BlurredMap {
-    /// A row with its first and last pixel there twice.
-    fn row(&self, row: usize) -> &[[f32; 4]] {
-        let stride = self.width + 2;
-        &self.pixels[row * stride..(row + 1) * stride]
-    }
-}
-
-/// The pixels of all levels in a row.
-fn joined(maps: Vec<BlurredMap>) -> EnvironmentChain {
-    let mut pixels = Vec::with_capacity(maps.iter().map(|map| map.pixels.len()).sum());
-    let level = |map: BlurredMap| {
-        let first = pixels.len();
-        pixels.extend_from_slice(&map.pixels);
-        ChainLevel { width: map.width, height: map.height, first }
-    };
-    let levels = maps.into_iter().map(level).collect();
     EnvironmentChain { levels, pixels }
+}
+
+/// The sizes of all levels of a map of this size.
+fn levels(width: usize, height: usize) -> Vec<ChainLevel> {
+    let mut first = 0;
+    let level = |place: usize| {
+        let (width, height) = match place {
+            0 => (width, height),
+            _ if place >= SUMMED => (2 * SUMMED_ROWS, SUMMED_ROWS),
+            _ => {
+                let rows = rows(EnvironmentChain::width(place as f64)).min(height);
+                (2 * rows, rows)
+            }
+        };
+        let level = ChainLevel { width, height, first };
+        first += level.stride() * (height + 1);
+        level
+    };
+    EnvironmentChain::places().map(level).collect()
 }
 
 /// 1 less the mean cosine of the kernel of a width.
@@ -107,31 +120,36 @@ fn rows(width: f64) -> usize {
     rows
 }
 
-/// The level at a place, of the one at the place before.
-fn next(last: &Level, [before, place]: [usize; 2], most_rows: usize) -> Level {
-    let width = EnvironmentChain::width(place as f64);
-    let height = rows(width).min(most_rows);
+/// Makes the level at a place of the one at the place before; gives how much of a blur is in its pixels.
+fn next(
+    last: &Picture,
+    pixels: &mut [[f32; 4]],
+    height: usize,
+    [before, place]: [usize; 2],
+    last_blur: f64,
+) -> f64 {
     let read = |rows: usize| (PI / rows as f64).powi(2) / 6.0;
-    let blur = one_less_cosine(width) - read(height);
+    let blur = one_less_cosine(EnvironmentChain::width(place as f64)) - read(height);
     let in_middle = match place - before {
         2 => IN_MIDDLE[usize::from(place > 2)],
         _ => 0.0,
     };
-    let step = 1.0 - (1.0 - blur) / (1.0 - last.blur - read(last.map.height));
-    if step <= 0.0 && height == last.map.height {
-        return Level { map: last.map.clone(), blur: last.blur };
+    let step = 1.0 - (1.0 - blur) / (1.0 - last_blur - read(last.height));
+    if step <= 0.0 && last.pixels.len() == pixels.len() {
+        pixels.copy_from_slice(last.pixels);
+        return last_blur;
     }
-    let cosine = (1.0 - step.max(0.0) / (1.0 - in_middle)).max(-1.0);
     let count = if place < FINE_RINGS { 6 } else { 12 };
     // Turned half a step from level to level, so that points do not lie over each other.
     let turn = |i: usize| (i as f64 + 0.5 * (place % 2) as f64) / count as f64 * 2.0 * PI;
     let ring = Ring {
-        cosine,
+        cosine: (1.0 - step.max(0.0) / (1.0 - in_middle)).max(-1.0),
         turns: (0..count).map(|i| libm::sincos(turn(i))).collect(),
         weight: (1.0 - in_middle) / count as f64,
         in_middle,
     };
-    Level { map: ringed(&last.map, &ring, height), blur }
+    ringed(last, &ring, pixels, height);
+    blur
 }
 
 /// Points at one angle around each direction.
@@ -152,19 +170,17 @@ struct Tap {
 }
 
 /// The mean of a map over a ring around the direction of each pixel.
-fn ringed(of: &BlurredMap, ring: &Ring, height: usize) -> BlurredMap {
+fn ringed(of: &Picture, ring: &Ring, pixels: &mut [[f32; 4]], height: usize) {
     let stride = 2 * height + 2;
-    let mut pixels = vec![[0.0; 4]; stride * (height + 1)];
     parallel::chunks(&mut pixels[..stride * height], stride, |row, line| {
         let theta = (row as f64 + 0.5) / height as f64 * PI;
         let taps: Vec<Tap> = taps(of, ring, theta);
         at_level!(SimdLevel::best(), _simd => add_taps(of, &taps, line));
     });
-    finish(pixels, 2 * height, height)
 }
 
 /// Where the points of a ring are for a row at a polar angle.
-fn taps(of: &BlurredMap, ring: &Ring, theta: f64) -> Vec<Tap> {
+fn taps(of: &Picture, ring: &Ring, theta: f64) -> Vec<Tap> {
     let (sin, cos) = libm::sincos(theta);
     let radius = libm::sqrt((1.0 - ring.cosine * ring.cosine).max(0.0));
     let tap = |across: f64, up: f64, along: f64, weight: f64| Tap {
@@ -183,7 +199,7 @@ fn taps(of: &BlurredMap, ring: &Ring, theta: f64) -> Vec<Tap> {
 
 /// Adds what the points of a ring see to a row, without its ends that are there twice.
 #[inline(always)]
-fn add_taps(of: &BlurredMap, taps: &[Tap], line: &mut [[f32; 4]]) {
+fn add_taps(of: &Picture, taps: &[Tap], line: &mut [[f32; 4]]) {
     let width = line.len() - 2;
     let mut mixed = vec![[0.0f32; 4]; of.width + 2];
     for tap in taps {
@@ -246,28 +262,26 @@ fn resampled(of: &[[f32; 4]], tap: &Tap, line: &mut [[f32; 4]]) {
 }
 
 /// Fills in what is there twice.
-fn finish(mut pixels: Vec<[f32; 4]>, width: usize, height: usize) -> BlurredMap {
+fn finish(pixels: &mut [[f32; 4]], width: usize, height: usize) {
     let stride = width + 2;
     for line in pixels.chunks_exact_mut(stride) {
         (line[0], line[width + 1]) = (line[width], line[1]);
     }
     pixels.copy_within(stride * (height - 1)..stride * height, stride * height);
-    BlurredMap { width, height, pixels }
 }
 
-fn padded(map: &EnvironmentMap) -> BlurredMap {
+fn padded(map: &EnvironmentMap, pixels: &mut [[f32; 4]]) {
     let stride = map.width + 2;
-    let mut pixels = vec![[0.0; 4]; stride * (map.height + 1)];
-    for (line, row) in pixels.chunks_exact_mut(stride).zip(map.pixels.chunks_exact(map.width)) {
-        for (to, [r, g, b]) in line[1..].iter_mut().zip(row) {
+    parallel::chunks(&mut pixels[..stride * map.height], stride, |row, line| {
+        let own = &map.pixels[row * map.width..(row + 1) * map.width];
+        for (to, [r, g, b]) in line[1..].iter_mut().zip(own) {
             *to = [*r, *g, *b, 0.0];
         }
-    }
-    finish(pixels, map.width, map.height)
+    });
 }
 
 /// The means of a map over its pixels in the cells of a coarse one, by the solid angle of each, times the cell's.
-fn coarse(map: &BlurredMap) -> Vec<[f64; 3]> {
+fn coarse(map: &Picture) -> Vec<[f64; 3]> {
     let (width, height) = (2 * SUMMED_ROWS, SUMMED_ROWS);
     let edge = |row: usize| libm::cos(PI * row as f64 / map.height as f64);
     let line = |of: usize| {
@@ -287,7 +301,7 @@ fn coarse(map: &BlurredMap) -> Vec<[f64; 3]> {
 }
 
 /// The level at a place as a sum over all of a coarse map.
-fn summed(coarse: &[[f64; 3]], place: usize) -> BlurredMap {
+fn summed(coarse: &[[f64; 3]], place: usize, pixels: &mut [[f32; 4]]) {
     let (width, height) = (2 * SUMMED_ROWS, SUMMED_ROWS);
     let squared_width = EnvironmentChain::width(place as f64).powi(2);
     // What the coarse map and reading between pixels blur by themselves.
@@ -296,14 +310,13 @@ fn summed(coarse: &[[f64; 3]], place: usize) -> BlurredMap {
     let angle = |row: usize| libm::sincos((row as f64 + 0.5) / height as f64 * PI);
     let turns: Vec<f64> = (0..width).map(|i| libm::cos(2.0 * PI * i as f64 / width as f64)).collect();
     let stride = width + 2;
-    let mut pixels = vec![[0.0; 4]; stride * (height + 1)];
     let solid = |row: usize| {
         let edge = |row: usize| libm::cos(PI * row as f64 / height as f64);
         (edge(row) - edge(row + 1)) * 2.0 * PI / width as f64
     };
     parallel::chunks(&mut pixels[..stride * height], stride, |row, line| {
         let (sin, cos) = angle(row);
-        let mut sums = vec![[0.0f64; 3]; width];
+        let mut sums = [[0.0f64; 2 * SUMMED_ROWS]; 3];
         let mut total = 0.0;
         for of in 0..height {
             let (other_sin, other_cos) = angle(of);
@@ -311,20 +324,29 @@ fn summed(coarse: &[[f64; 3]], place: usize) -> BlurredMap {
                 let chord = 2.0 - 2.0 * (cos * other_cos + sin * other_sin * turn);
                 (1.0 - chord / reach).max(0.0).powi(3)
             };
-            let kernel: Vec<f64> = turns.iter().map(kernel).collect();
+            let mut kernel: Vec<f64> = turns.iter().map(kernel).collect();
             total += kernel.iter().sum::<f64>() * solid(of);
-            for (column, light) in coarse[of * width..(of + 1) * width].iter().enumerate() {
-                for (at, sum) in sums.iter_mut().enumerate() {
-                    let weight = kernel[(at + width - column) % width];
-                    for c in 0..3 {
-                        sum[c] += weight * light[c];
-                    }
-                }
-            }
+            // Twice, so that it can begin at each column.
+            kernel.extend_from_within(..);
+            let lights = &coarse[of * width..(of + 1) * width];
+            at_level!(SimdLevel::best(), _simd => add_row(&mut sums, &kernel, lights));
         }
-        for (pixel, sum) in line[1..].iter_mut().zip(sums) {
-            *pixel = [sum[0] / total, sum[1] / total, sum[2] / total, 0.0].map(|value| value as f32);
+        let [red, green, blue] = sums;
+        for (column, pixel) in line[1..=width].iter_mut().enumerate() {
+            *pixel = [red[column], green[column], blue[column], 0.0].map(|sum| (sum / total) as f32);
         }
     });
-    finish(pixels, width, height)
+}
+
+/// Adds a row of lights, each by a kernel that begins at its column.
+#[inline(always)]
+fn add_row(sums: &mut [[f64; 2 * SUMMED_ROWS]; 3], kernel: &[f64], lights: &[[f64; 3]]) {
+    for (column, light) in lights.iter().enumerate() {
+        let kernel = &kernel[lights.len() - column..][..lights.len()];
+        for (sums, light) in sums.iter_mut().zip(light) {
+            for (sum, weight) in sums.iter_mut().zip(kernel) {
+                *sum += weight * light;
+            }
+        }
+    }
 }

@@ -60,7 +60,7 @@ pub(crate) fn irradiance(map: &EnvironmentMap) -> Irradiance {
         let degree = degree(term);
         scaled[term] = terms[term].map(|sum| (sum * squared_norm(degree, m) * KEPT[degree]) as f32);
     });
-    Irradiance { terms: scaled }
+    Irradiance { terms: Box::new(scaled) }
 }
 
 /// Cosine and sine of the multiples of a column's azimuth.
@@ -116,7 +116,8 @@ mod tests {
                 let basis = harmonics(Vec3::new(x, y, z));
                 for i in 0..TERMS {
                     for j in 0..TERMS {
-                        let norm = |term: usize| squared_norm(degree(term), term.abs_diff(zonal(term))).sqrt();
+                        let norm =
+                            |term: usize| squared_norm(degree(term), term.abs_diff(zonal(term))).sqrt();
                         gram[i][j] += basis[i] * norm(i) * basis[j] * norm(j) * map.solid_angle(row);
                     }
                 }

@@ -4,16 +4,16 @@ use std::cell::LazyCell;
 use std::sync::Arc;
 
 use glanz_bsdf::models::ggx::LEAST_ALPHA;
-use glanz_bsdf::{DirectionPair, LightTerm, Shape, Side};
+use glanz_bsdf::{DirectionPair, LayerWeight, LightTerm, Shape, Side};
 use glanz_math::PI;
 
 use super::albedo::albedo;
 use super::chain::chain;
-use super::fit::Views;
+use super::fit::{Views, is_round};
 use crate::parallel;
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, LtcTable, PreparedLight,
-    PreparedMaterial,
+    AreaIntegral, DirectLobe, EnvironmentMap, LightShape, LobeIntegrals, LobeRoughness, LtcTable,
+    PreparedLight, PreparedMaterial,
 };
 
 /// Gives all materials the integrals of their lobes; those of `before` are taken over where nothing changed that they
@@ -40,7 +40,10 @@ pub(crate) fn attach(
         .collect();
     let mut new: Vec<DirectLobe> = Vec::new();
     for lobe in wanted.iter().flatten() {
-        if !new.iter().chain(done(&known, over)).any(|known| is_alike(known, lobe) && known.layers == lobe.layers)
+        if !new
+            .iter()
+            .chain(done(&known, over))
+            .any(|known| is_alike(known, lobe) && known.layers == lobe.layers)
         {
             new.push(lobe.clone());
         }
@@ -49,7 +52,7 @@ pub(crate) fn attach(
     known.retain(|known| is_done(known, over));
     known.extend(made);
     for (material, lobes) in materials.iter_mut().zip(wanted) {
-        material.integrals = lobes.iter().map(|lobe| found(&known, lobe)).collect();
+        material.integrals = lobes.iter().map(|lobe| found(&known, lobe, over)).collect();
     }
     if materials.iter().any(|material| material.integrals.iter().any(|own| own.lookups.is_some())) {
         maps.iter().for_each(|map| map.chain_with(|| chain(map)));
@@ -66,16 +69,22 @@ fn map_of(shape: &LightShape) -> Option<&EnvironmentMap> {
 /// Whether all is known of a lobe that the lights ask for.
 fn is_done((lobe, integrals): &Known, over: Over) -> bool {
     let has_lookups = !over.maps || !looks_up(lobe) || integrals.lookups.is_some();
-    has_lookups && (!over.areas || integrals.area != AreaIntegral::None)
+    has_lookups && (!over.areas || integrals.area != AreaIntegral::Points || has_grain(lobe))
 }
 
 fn done(known: &[Known], over: Over) -> impl Iterator<Item = &DirectLobe> {
     known.iter().filter(move |known| is_done(known, over)).map(|known| &known.0)
 }
 
-fn found(known: &[Known], lobe: &DirectLobe) -> LobeIntegrals {
+/// What is known of a lobe, as far as the lights ask for it.
+fn found(known: &[Known], lobe: &DirectLobe, over: Over) -> LobeIntegrals {
     let same = |known: &&Known| is_alike(&known.0, lobe) && known.0.layers == lobe.layers;
-    known.iter().find(same).expect("the integrals of each lobe were made").1.clone()
+    let mut own = known.iter().find(same).expect("the integrals of each lobe were made").1.clone();
+    own.lookups = own.lookups.filter(|_| over.maps);
+    if !over.areas && matches!(own.area, AreaIntegral::Ltc(_)) {
+        own.area = AreaIntegral::Points;
+    }
+    own
 }
 
 /// The lobe as rough as it is on the whole, where a texture says how rough it is.
@@ -144,7 +153,8 @@ fn new_integrals(lobes: &[DirectLobe], over: Over, known: &[Known]) -> Vec<Known
     });
     let albedos = parallel::collect(lobes.len(), |i| albedo(&lobes[i].shape, &lobes[i].layers));
     let all = lobes.iter().zip(albedos).map(|(lobe, albedo)| {
-        let number = shapes.iter().position(|shape| is_alike(shape, lobe)).expect("each lobe's shape is there");
+        let number =
+            shapes.iter().position(|shape| is_alike(shape, lobe)).expect("each lobe's shape is there");
         let (area, lookups) = parts[number].clone();
         (lobe.clone(), LobeIntegrals { albedo, area, lookups })
     });
@@ -160,9 +170,15 @@ fn area(lobe: &DirectLobe, has_areas: bool, ltc: impl FnOnce() -> LtcTable) -> A
     match lobe.shape.info().delta {
         true => AreaIntegral::Mirror,
         false if is_cosine(&lobe.shape) => AreaIntegral::Cosine,
-        false if has_areas => AreaIntegral::Ltc(Arc::new(ltc())),
-        false => AreaIntegral::None,
+        false if has_areas && !has_grain(lobe) => AreaIntegral::Ltc(Arc::new(ltc())),
+        false => AreaIntegral::Points,
     }
+}
+
+/// Whether a lobe, or a layer over it, depends on where the tangent is.
+fn has_grain(lobe: &DirectLobe) -> bool {
+    let layers = lobe.layers.iter().any(LayerWeight::is_anisotropic);
+    layers || lobe.shape.is_anisotropic() && !is_round(&lobe.shape)
 }
 
 /// Whether a shape is the clamped cosine over π, of either side: tried where rounding gives nothing away.

@@ -6,7 +6,8 @@ use glanz_scene::{AreaShape, Space};
 
 use super::{NO_RECORD, Packer, Section, place, short};
 use crate::prepare::data::{
-    EnvironmentChain, EnvironmentLight, EnvironmentMap, IntensityGrid, LightShape, PreparedLight, PreparedLuminaire,
+    EnvironmentChain, EnvironmentLight, EnvironmentMap, IntensityGrid, LightShape, PreparedLight,
+    PreparedLuminaire,
 };
 
 /// The values of a light, each at 0 where its kind has none.
@@ -51,7 +52,8 @@ impl Packer {
         let rotation = environment.rotation.map(short);
         let values = [environment.irradiance.terms.as_flattened(), rotation.as_flattened()].concat();
         self.floats(Section::EnvironmentValues, &values);
-        let chain = environment.map.as_ref().and_then(|map| map.chain()).map_or(NO_RECORD, |chain| self.chain(chain));
+        let chain =
+            environment.map.as_ref().and_then(|map| map.chain()).map_or(NO_RECORD, |chain| self.chain(chain));
         self.words(Section::Environments, &[map, chain])
     }
 

@@ -6,8 +6,8 @@ use glanz_scene::{AlphaMode, ChannelUse, Metalness, TextureUse};
 
 use super::{NO_RECORD, Packer, Section};
 use crate::prepare::data::{
-    AreaIntegral, DirectLobe, LobeIntegrals, LobeLookups, LobeRoughness, Lookup, LtcComponent, LtcTable, MixTints, PreparedMask,
-    PreparedMaterial, TintCoordinate,
+    AreaIntegral, DirectLobe, LobeIntegrals, LobeLookups, LobeRoughness, Lookup, LtcComponent, LtcTable,
+    MixTints, PreparedMask, PreparedMaterial, TintCoordinate,
 };
 
 /// The least cosine of a sheen's albedo, and the terms of its series: those of the model.
@@ -165,10 +165,11 @@ impl Packer {
             let (area, ltc) = match &lobe.area {
                 AreaIntegral::Cosine => (0, NO_RECORD),
                 AreaIntegral::Ltc(table) => (1, self.once(table, Self::ltc)),
-                AreaIntegral::None => (2, NO_RECORD),
+                AreaIntegral::Points => (2, NO_RECORD),
                 AreaIntegral::Mirror => (3, NO_RECORD),
             };
-            let lookups = lobe.lookups.as_ref().map_or(NO_RECORD, |lookups| self.once(lookups, Self::lookups));
+            let lookups =
+                lobe.lookups.as_ref().map_or(NO_RECORD, |lookups| self.once(lookups, Self::lookups));
             self.words(Section::Integrals, &[albedo, waves, area, ltc, lookups]);
         }
         first

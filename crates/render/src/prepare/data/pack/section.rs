@@ -104,7 +104,7 @@ sections! {
     MixTints: Floats 9, "of each entry: channels through each of three spectra(3 · 3)";
     MixSpotAmbient: Floats 9, "of each light of the table: channels through each of three spectra(3 · 3)";
     MixValues: Floats 18, "ambient through each of three spectra(3 · 3), emission likewise(3 · 3)";
-    Integrals: Words 5, "of each lobe: first of ScalarSeries of albedo, waves after it (0 or 2), area (0 cosine, 1 LTC, 2 none, 3 mirror), one of \
+    Integrals: Words 5, "of each lobe: first of ScalarSeries of albedo, waves after it (0 or 2), area (0 cosine, 1 LTC, 2 points, 3 mirror), one of \
         LtcTables, one of LookupTables";
     LtcTables: Words 4, "components of a view, azimuths, the last azimuth in quarters of a turn, first of LtcComponents";
     LtcComponents: Floats 10, "by azimuth, view and number: the rows of the inverse map, fraction of the lobe";
@@ -123,7 +123,7 @@ sections! {
     LuminaireFrames: Floats 9, "of each luminaire: directions of C 0°, C 90° and γ 0°(3 · 3)";
     Intensities: Floats 1, "fraction of the greatest intensity; 361 planes C of 181 angles γ";
     Environments: Words 2, "one of Maps, none for 1 everywhere; first of ChainLevels";
-    EnvironmentValues: Floats 63, "of each environment: irradiance polynomial(18 · 3), columns of the rotation(3 · 3)";
+    EnvironmentValues: Floats 102, "of each environment: irradiance polynomial(31 · 3), columns of the rotation(3 · 3)";
     EnvironmentTint: Floats 9, "of the first environment, seen directly: channels of each of three spectra(3 · 3)";
     Maps: Words 3, "width, height, first of Pixels";
     Pixels: Floats 3, "of an environment map, by rows from the top";

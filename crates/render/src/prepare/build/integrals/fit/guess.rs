@@ -2,9 +2,9 @@
 
 use glanz_math::{PI, Vec3};
 
+use super::lookups::place_of;
 use super::points::Points;
 use super::scale::{Form, Scale};
-use super::lookups::place_of;
 
 /// A guess: of each lookup the angle from the normal against the viewer, the one out of that plane, and the standard
 /// deviation.
@@ -27,8 +27,10 @@ pub(super) fn guesses(points: &Points, scale: &Scale, count: usize) -> Vec<Vec<f
         return vec![solution(points, scale, &middle)];
     }
     let along = along(&masses, count, scale.grain() == 1.0);
-    let beside: Guess = along.1.iter().map(|[psi, beta, width]| [*psi, *beta, width * libm::exp2(-0.35)]).collect();
-    let beside = beside.into_iter().zip(&along.0).map(|(g, offset)| [g[0], g[1] + 2.0 * offset, g[2]]).collect();
+    let beside: Guess =
+        along.1.iter().map(|[psi, beta, width]| [*psi, *beta, width * libm::exp2(-0.35)]).collect();
+    let beside =
+        beside.into_iter().zip(&along.0).map(|(g, offset)| [g[0], g[1] + 2.0 * offset, g[2]]).collect();
     let all = [along.1, beside, rings(&masses, count)];
     all.into_iter().map(|guess| solution(points, scale, &guess)).collect()
 }

@@ -103,7 +103,8 @@ impl<'a> LookupFit<'a> {
             let steps = Lanes::splat(simd, 1.0 / (high - low) as f32);
             let t = Lanes::splat(simd, t);
             let [low, high] = [low, high].map(|place| self.kernels[place]);
-            let kernels = [low, high].map(|kernel| [kernel.inverse, kernel.height].map(|v| Lanes::splat(simd, v)));
+            let kernels =
+                [low, high].map(|kernel| [kernel.inverse, kernel.height].map(|v| Lanes::splat(simd, v)));
             let two = Lanes::splat(simd, 2.0);
             let three = Lanes::splat(simd, 3.0);
             for k in 0..ROWS {
@@ -136,13 +137,15 @@ impl<'a> LookupFit<'a> {
                 let up = Lanes::load(simd, &pz[k]).max(zero) * splat(1.0 / PI);
                 let value = up * Lanes::load(simd, &self.points.weights[k]);
                 value.store(&mut column[k]);
-                (Lanes::load(simd, &self.system.residual[k]) + value * amount).store(&mut self.system.residual[k]);
+                (Lanes::load(simd, &self.system.residual[k]) + value * amount)
+                    .store(&mut self.system.residual[k]);
             }
         }
         let mut total = zero;
         for k in 0..ROWS {
             let weight = Lanes::load(simd, &self.points.weights[k]);
-            let off = Lanes::load(simd, &self.system.residual[k]) - weight * Lanes::load(simd, &self.points.values[k]);
+            let off = Lanes::load(simd, &self.system.residual[k])
+                - weight * Lanes::load(simd, &self.points.values[k]);
             off.store(&mut self.system.residual[k]);
             total = total + off * off;
         }

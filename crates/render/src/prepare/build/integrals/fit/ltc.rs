@@ -20,7 +20,6 @@ const SYMMETRIC: [bool; ENTRIES] = [true, false, true, false, true, false, true,
 /// The fit of one view. The unknowns of each component are the entries of its inverse map, and its amount.
 pub(super) struct LtcFit<'a> {
     points: &'a Points,
-    scale: &'a Scale,
     count: usize,
     /// The directions of points in the frame of the mirrored direction.
     directions: [Vec<Row>; 3],
@@ -33,24 +32,21 @@ pub(super) struct LtcFit<'a> {
     system: System,
 }
 
-/// Components of each view.
-pub(super) fn count() -> usize {
-    std::env::var("LTCS").ok().and_then(|v| v.parse().ok()).unwrap_or(2)
-}
-
 impl<'a> LtcFit<'a> {
-    pub(super) fn new(points: &'a Points, scale: &'a Scale, count: usize, is_anisotropic: bool) -> Self {
+    pub(super) fn new(points: &'a Points, scale: &Scale, count: usize, is_anisotropic: bool) -> Self {
         let frame = scale.mirrored_frame(points.wo);
         let turned = frame.map(|axis| rotated(points, axis));
-        let above = |weight: &Row, z: &Row| core::array::from_fn(|i| if z[i] > 0.0 { weight[i] } else { 0.0 });
-        let weights: Vec<Row> = points.weights.iter().zip(&points.directions[2]).map(|(w, z)| above(w, z)).collect();
+        let above =
+            |weight: &Row, z: &Row| core::array::from_fn(|i| if z[i] > 0.0 { weight[i] } else { 0.0 });
+        let weights: Vec<Row> =
+            points.weights.iter().zip(&points.directions[2]).map(|(w, z)| above(w, z)).collect();
         let ratio = |solid: &Row, weight: &Row| {
             core::array::from_fn(|i| if weight[i] > 0.0 { solid[i] / weight[i] } else { 0.0 })
         };
         let solid = points.solid.iter().zip(&weights).map(|(s, w)| ratio(s, w)).collect();
         let entries: Vec<usize> = (0..ENTRIES).filter(|i| is_anisotropic || SYMMETRIC[*i]).collect();
         let system = System::new(points, count * (entries.len() + 1));
-        Self { points, scale, count, directions: turned, weights, solid, entries, system }
+        Self { points, count, directions: turned, weights, solid, entries, system }
     }
 
     fn per_component(&self) -> usize {
@@ -176,7 +172,8 @@ impl Problem for LtcFit<'_> {
     /// Cosines of the lobe's own spread about its mean direction, some narrower and some wider.
     fn guesses(&self) -> Vec<Vec<f64>> {
         let [x, y, z] = &self.directions;
-        let mass: Vec<Row> = self.points.solid.iter().zip(&self.points.values).map(|(s, v)| product(s, v)).collect();
+        let mass: Vec<Row> =
+            self.points.solid.iter().zip(&self.points.values).map(|(s, v)| product(s, v)).collect();
         let middle = Vec3::new(sum(&mass, x), sum(&mass, y), sum(&mass, z));
         let middle = if middle.dot(middle) > 1e-12 { middle.normalized() } else { Vec3::new(0.0, 0.0, 1.0) };
         let up = Vec3::new(1.0, 0.0, 0.0) - middle * middle.x;

@@ -44,15 +44,17 @@ impl Points {
             weights.push(libm::sqrt(own * spread) as f32);
         });
         let rows = |values: &[f32]| -> Vec<Row> { values.as_chunks::<16>().0.to_vec() };
-        let part = |f: fn(&Vec3<f64>) -> f64| {
-            rows(&directions.iter().map(|d| f(d) as f32).collect::<Vec<_>>())
-        };
+        let part =
+            |f: fn(&Vec3<f64>) -> f64| rows(&directions.iter().map(|d| f(d) as f32).collect::<Vec<_>>());
         let directions = [part(|d| d.x), part(|d| d.y), part(|d| d.z)];
         let (solid, weights) = (rows(&solid), rows(&weights));
         let mut values = at_level!(SimdLevel::best(), simd => values(simd, shape, wo, &directions));
         let total: f64 = sum(&solid, &values);
         if total > 0.0 && total.is_finite() {
-            values.as_flattened_mut().iter_mut().for_each(|value| *value = (f64::from(*value) / total) as f32);
+            values
+                .as_flattened_mut()
+                .iter_mut()
+                .for_each(|value| *value = (f64::from(*value) / total) as f32);
         } else {
             values.as_flattened_mut().fill(0.0);
         }
@@ -123,7 +125,8 @@ fn place(scale: &Scale, wo: Vec3<f64>, axes: &[Vec3<f64>; 3], mut give: impl FnM
     let stretch = scale.axes.map(|axis| axis / scale.slope);
     for (u, weight) in RULE.nodes.iter().zip(&RULE.weights).map(|(u, weight)| (0.5 + 0.5 * u, 0.5 * weight)) {
         let theta = core * libm::sinh(reach * u);
-        let ring = libm::sin(theta) * core * reach * libm::cosh(reach * u) * weight * 2.0 * PI / AROUND as f64;
+        let ring =
+            libm::sin(theta) * core * reach * libm::cosh(reach * u) * weight * 2.0 * PI / AROUND as f64;
         for around in 0..AROUND {
             let (sin, cos) = libm::sincos((around as f64 + 0.5) / AROUND as f64 * 2.0 * PI);
             let round = libm::sin(theta);

@@ -148,10 +148,8 @@ fn quantiles(shape: &Shape) -> (f64, bool) {
 fn half_width(shape: &Shape, degrees: f64, along: bool) -> f64 {
     let (sin, cos) = libm::sincos(degrees / 180.0 * PI);
     let wo = Vec3::new(sin, 0.0, cos);
-    let (middle, side) = (
-        Vec3::new(-sin, 0.0, cos),
-        if along { Vec3::new(cos, 0.0, sin) } else { Vec3::new(0.0, 1.0, 0.0) },
-    );
+    let (middle, side) =
+        (Vec3::new(-sin, 0.0, cos), if along { Vec3::new(cos, 0.0, sin) } else { Vec3::new(0.0, 1.0, 0.0) });
     let at = |angle: f64| value(shape, wo, middle * libm::cos(angle) + side * libm::sin(angle));
     let half = 0.5 * at(0.0);
     let ratio = libm::pow(0.5 * PI / LEAST, 1.0 / STEPS as f64);

@@ -17,9 +17,6 @@ const WHOLE: f64 = 3.0;
 /// A step that makes less than this fraction better is the last.
 const GAIN: f64 = 2e-3;
 
-/// A neighbour's result is taken over where it is so much better.
-const BETTER: f64 = 0.97;
-
 /// Derivatives and differences at all points.
 pub(super) struct System {
     /// By unknown.
@@ -31,7 +28,8 @@ pub(super) struct System {
 
 impl System {
     pub(super) fn new(points: &Points, unknowns: usize) -> Self {
-        let weighted: Vec<Row> = points.weights.iter().zip(&points.values).map(|(w, v)| product(w, v)).collect();
+        let weighted: Vec<Row> =
+            points.weights.iter().zip(&points.values).map(|(w, v)| product(w, v)).collect();
         Self {
             columns: vec![vec![[0.0; 16]; ROWS]; unknowns],
             residual: vec![[0.0; 16]; ROWS],
@@ -55,32 +53,47 @@ pub(super) trait Problem {
     fn guesses(&self) -> Vec<Vec<f64>>;
 }
 
-/// The unknowns of all views, flattest first solved; `before` are those of a neighbouring azimuth.
-pub(super) fn views<P: Problem>(mut problems: Vec<P>, before: Option<&[Vec<f64>]>) -> Vec<(P, Vec<f64>)> {
-    let mut found: Vec<Vec<f64>> = Vec::with_capacity(problems.len());
-    for (i, problem) in problems.iter_mut().enumerate().rev() {
-        let start = before.map(|before| &before[i]).or(found.last());
-        let solution = match start {
-            Some(start) => solve(problem, start, STEPS[0], HELD, 1e-3).0,
-            None => from_guesses(problem),
-        };
-        found.push(solution);
+/// The unknowns of all views. Each begins with its neighbour's, so that they go over into each other: from the flattest
+/// view, and from the steepest; what leaves less, half-way between the views too, is taken. `before` are those of a
+/// neighbouring azimuth. Gives the mean of what is left, in parts of the lobe, both squared.
+pub(super) fn views<P: Problem>(
+    nodes: &mut [P],
+    between: &mut [P],
+    before: Option<&[Vec<f64>]>,
+) -> (Vec<Vec<f64>>, f64) {
+    let chain = |nodes: &mut [P], order: &mut dyn Iterator<Item = usize>| {
+        let mut found: Vec<Vec<f64>> = vec![Vec::new(); nodes.len()];
+        let mut last: Option<usize> = None;
+        for i in order {
+            let start = before.map(|before| &before[i]).or(last.map(|last| &found[last]));
+            found[i] = match start.cloned() {
+                Some(start) => solve(&mut nodes[i], &start, STEPS[0], HELD, 1e-3).0,
+                None => from_guesses(&mut nodes[i]),
+            };
+            last = Some(i);
+        }
+        found
+    };
+    let count = nodes.len();
+    let down = chain(nodes, &mut (0..count).rev());
+    let left = left(nodes, between, &down);
+    if before.is_some() {
+        return (down, left);
     }
-    found.reverse();
-    sweep(&mut problems, &mut found);
-    problems.into_iter().zip(found).collect()
+    let up = chain(nodes, &mut (0..count));
+    let other = self::left(nodes, between, &up);
+    if other < left { (up, other) } else { (down, left) }
 }
 
-/// Tries what each neighbour has found, up and down.
-fn sweep<P: Problem>(problems: &mut [P], found: &mut [Vec<f64>]) {
-    let last = problems.len() - 1;
-    let up = (1..=last).map(|i| (i, i - 1));
-    let down = (0..last).rev().map(|i| (i, i + 1));
-    for (i, near) in up.chain(down) {
-        let (own, own_cost) = solve(&mut problems[i], &found[i], STEPS[0], HELD, 1e-3);
-        let (other, other_cost) = solve(&mut problems[i], &found[near], STEPS[0], HELD, 1e-3);
-        found[i] = if other_cost < BETTER * own_cost { other } else { own };
+/// The mean of what is left at all views and half-way between them.
+fn left<P: Problem>(nodes: &mut [P], between: &mut [P], found: &[Vec<f64>]) -> f64 {
+    let of = |problem: &mut P, x: &[f64]| problem.evaluate(x) / problem.system().whole.max(f64::MIN_POSITIVE);
+    let mut sum: f64 = nodes.iter_mut().zip(found).map(|(problem, x)| of(problem, x)).sum();
+    for (problem, pair) in between.iter_mut().zip(found.windows(2)) {
+        let x: Vec<f64> = pair[0].iter().zip(&pair[1]).map(|(a, b)| 0.5 * (a + b)).collect();
+        sum += of(problem, &x);
     }
+    sum / (nodes.len() + between.len()) as f64
 }
 
 fn from_guesses<P: Problem>(problem: &mut P) -> Vec<f64> {
@@ -91,7 +104,13 @@ fn from_guesses<P: Problem>(problem: &mut P) -> Vec<f64> {
 }
 
 /// The unknowns that make the cost small, and the cost.
-fn solve<P: Problem>(problem: &mut P, start: &[f64], steps: usize, held: f64, mut damping: f64) -> (Vec<f64>, f64) {
+fn solve<P: Problem>(
+    problem: &mut P,
+    start: &[f64],
+    steps: usize,
+    held: f64,
+    mut damping: f64,
+) -> (Vec<f64>, f64) {
     let mut x = start.to_vec();
     problem.bound(&mut x);
     let first = x.clone();
@@ -108,8 +127,7 @@ fn solve<P: Problem>(problem: &mut P, start: &[f64], steps: usize, held: f64, mu
     let (mut excess, mut rates) = problem.excess(&x);
     cost += priors(&x, excess);
     for _ in 0..steps {
-        let (mut products, mut slope) =
-            at_level!(SimdLevel::best(), simd => problem.system().products(simd));
+        let (mut products, mut slope) = at_level!(SimdLevel::best(), simd => problem.system().products(simd));
         let size = x.len();
         let counts = WHOLE * WHOLE * whole;
         for i in 0..size {
