@@ -443,8 +443,8 @@ fn check_light(reader: &mut Reader, number: usize, light: &PreparedLight) {
         LightShape::Environment(own) => {
             assert_eq!(kind, 4);
             let values = reader.floats(Section::EnvironmentValues, environment as usize);
-            assert_eq!(&values[..54], own.irradiance.terms.as_flattened());
-            assert_eq!(&values[54..], own.rotation.map(short).as_flattened());
+            assert_eq!(&values[..93], own.irradiance.terms.as_flattened());
+            assert_eq!(&values[93..], own.rotation.map(short).as_flattened());
             let [map, chain] = *reader.words(Section::Environments, environment as usize) else {
                 unreachable!()
             };
