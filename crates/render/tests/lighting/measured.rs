@@ -90,8 +90,8 @@ fn areas_show_what_was_measured() {
 #[test]
 fn environments_show_what_was_measured() {
     let map = map(room);
-    // Measured, at 75°; the stated errors of models are up to 0.8: lobes are blurred as for a viewer above.
-    compare("environment", (0.31, map.mean()[0]), &|| environment(Some(map.clone())), &|shape, degrees| {
+    // Measured, at 80°: lookups are fitted to the carrier, of which the table is a factor that its albedo alone has.
+    compare("environment", (0.14, map.mean()[0]), &|| environment(Some(map.clone())), &|shape, degrees| {
         environments::by_sum(&map, shape, degrees)
     });
 }
