@@ -108,6 +108,19 @@ fn a_sphere_gives_its_integral() {
 }
 
 #[test]
+fn lobes_with_a_grain_are_summed_over_the_light() {
+    let brushed = shape("ward", &[("alpha", 0.2), ("alpha_y", 0.4)]);
+    let form = AreaShape::Rectangle { width: 0.8, height: 0.8 };
+    for (degrees, place) in [(0.0, PLACES[0]), (40.0, PLACES[1])] {
+        let position = DVec3::from_array(place);
+        let mut scene = surface(&brushed, degrees);
+        scene.lights.push(white(area(form, position)));
+        let (got, expected) = (value(&scene), by_sum(form, position, &brushed, degrees));
+        assert!((got / expected - 1.0).abs() < 0.02, "{degrees}°: {got} for {expected}");
+    }
+}
+
+#[test]
 fn a_light_shines_on_its_front_alone_unless_it_has_two() {
     let lambert = shape("lambert", &[]);
     let away = |two_sided| LightKind::Area {

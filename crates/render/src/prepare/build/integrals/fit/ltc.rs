@@ -2,8 +2,9 @@
 //!
 //! A linear map takes the clamped cosine lobe to one that looks like the given lobe; the inverse map takes a polygon along,
 //! and the polygon's form factor is the integral. Source: E. Heitz, J. Dupuy, S. Hill and D. Neubelt, "Real-Time
-//! Polygonal-Light Shading with Linearly Transformed Cosines", SIGGRAPH 2016. Here several are added, and their maps need
-//! not be symmetric, so that lobes with a grain have them too; `tests/lighting` states the error.
+//! Polygonal-Light Shading with Linearly Transformed Cosines", SIGGRAPH 2016. Here several are added; `tests/lighting` states
+//! the error. Maps of lobes with a grain need not be symmetric, but nothing asks for them: between views they go over into each
+//! other badly.
 
 use glanz_math::simd::Simd;
 use glanz_math::{Lanes, PI, Real, SimdLevel, Vec3, at_level};

@@ -1,7 +1,7 @@
 //! Lobes as sums of parts that have an integral: lookups in the chain of an environment, and linearly transformed
 //! cosines, which are exact over polygons; fitted view by view.
 //!
-//! Each view begins with the result of its neighbour, the flattest with the best of three guesses. What is made small
+//! Each view begins with the result of its neighbour, the first with the best of a few guesses. What is made small
 //! is the error of the mass of patches that grow with their distance from the middle: light from one window errs as much
 //! wherever it is.
 
